@@ -1,0 +1,79 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+Application
+    materialPointFoam
+
+Description
+    Explicit dynamics of solids that break, flow and hit each other: material
+    points over a fixed mesh.
+
+    The time step follows the Courant number of waves and points,
+    dt max((|u| + c)/h) <= maxCo, and is redone smaller where a point would
+    travel too far or be strained too much; nothing has changed then.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "phaseSystem.H"
+#include "progress.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Material points (solids that break, flow and hit each other) on"
+        " OpenFOAM's mesh."
+    );
+
+    #include "postProcess.H"
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    #include "createFields.H"
+    mpm::timeStepControl control(runTime);
+
+    if (control.dryRun(args))
+    {
+        return 0;
+    }
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        control.setDeltaT(points.courantRate());
+        ++runTime;
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        // Equations (5) to (9) of the paper, then stress (section 3.1)
+        scalar factor = 1;
+        while (!points.advance(runTime.deltaTValue(), factor))
+        {
+            control.redo(factor);
+        }
+
+        points.report();
+
+        if (runTime.writeTime())
+        {
+            points.writePoints();
+        }
+        runTime.write();
+        control.report();
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,101 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "progress.H"
+#include "selector.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::timeStepControl::timeStepControl(Time& time)
+:
+    time_(time),
+    startTime_(time.value()),
+    nSteps_(0),
+    nRedo_(0)
+{}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::timeStepControl::dryRun(const argList& args) const
+{
+    if (args.found("dry-run") || args.found("dry-run-write"))
+    {
+        Info<< "Dry run: the case is complete. End\n" << endl;
+        return true;
+    }
+    return false;
+}
+
+
+void Foam::mpm::timeStepControl::setDeltaT(const scalar courantRate)
+{
+    const dictionary& dict = time_.controlDict();
+    const bool adjust = dict.getOrDefault<bool>("adjustTimeStep", false);
+
+    nRedo_ = 0;
+
+    if (adjust)
+    {
+        const scalar maxCo = bounded(dict, "maxCo", 1e-6, 1);
+        const scalar maxDeltaT =
+            boundedOrDefault(dict, "maxDeltaT", GREAT, VSMALL, GREAT);
+        time_.setDeltaT(min(maxCo/courantRate, maxDeltaT));
+    }
+
+    const scalar Co = courantRate*time_.deltaTValue();
+    Info<< "Courant Number mean: " << Co << " max: " << Co << nl
+        << "deltaT = " << time_.deltaTValue() << endl;
+
+    if (Co > 1)
+    {
+        WarningInFunction
+            << "The Courant number " << Co << " is above 1: waves outrun the"
+            << " time step. Use a smaller deltaT, or adjustTimeStep with"
+            << " maxCo." << endl;
+    }
+}
+
+
+void Foam::mpm::timeStepControl::redo(const scalar factor)
+{
+    const scalar dt = time_.deltaTValue();
+    time_.setTime(time_.value() - dt, time_.timeIndex() - 1);
+
+    if (++nRedo_ > 20)
+    {
+        FatalErrorInFunction
+            << "The step at time " << time_.timeName() << " was redone 20"
+            << " times down to " << dt << " s and still breaks maxTravel or"
+            << " maxStrain of fvSolution.materialPoints." << nl
+            << "The state is bad: look at the last written time; a smaller"
+            << " maxCo in system/controlDict often keeps it from getting bad."
+            << exit(FatalError);
+    }
+
+    time_.setDeltaT(factor*dt, false);
+    ++time_;
+    Info<< "Step redone: deltaT = " << time_.deltaTValue() << ", Time = "
+        << time_.timeName() << endl;
+}
+
+
+void Foam::mpm::timeStepControl::report()
+{
+    ++nSteps_;
+    const scalar done =
+        (time_.value() - startTime_)
+       /max(time_.endTime().value() - startTime_, VSMALL);
+    const scalar left =
+        done > 0 ? time_.elapsedClockTime()*(1/done - 1) : 0;
+
+    Info<< "Progress: " << 100*min(done, scalar(1)) << " %, about " << left
+        << " s left" << nl;
+    time_.printExecutionTime(Info);
+}
+
+// ************************************************************************* //

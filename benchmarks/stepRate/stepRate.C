@@ -1,0 +1,100 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+Application
+    stepRate
+
+Description
+    Time steps of a case without output, and what they cost: material-point
+    steps per second, the share of each part of the step, bytes per point.
+    The case has its points already (setMaterialPoints); deltaT is constant.
+
+    Rates are best of -repeat runs of -steps steps, after -warmup steps.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "phaseSystem.H"
+#include <chrono>
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Speed of the time step on the case's points");
+    argList::addOption("steps", "N", "steps of one measurement (20)");
+    argList::addOption("warmup", "N", "steps before the first one (5)");
+    argList::addOption("repeat", "N", "measurements, the best counts (3)");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    const label nSteps = args.getOrDefault<label>("steps", 20);
+    const label nWarmup = args.getOrDefault<label>("warmup", 5);
+    const label nRepeat = args.getOrDefault<label>("repeat", 3);
+
+    mpm::pointPhaseSystem points(mesh);
+
+    const auto run = [&](const label n)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            ++runTime;
+            scalar factor = 1;
+            if (!points.advance(runTime.deltaTValue(), factor))
+            {
+                FatalErrorInFunction
+                    << "A step had to be redone: deltaT is too large for a"
+                    << " measurement." << exit(FatalError);
+            }
+        }
+    };
+
+    run(nWarmup);
+
+    scalar best = GREAT;
+    mpm::pointPhaseSystem::clocks part;
+    for (label i = 0; i < nRepeat; ++i)
+    {
+        const mpm::pointPhaseSystem::clocks before(points.clock());
+        const auto start = std::chrono::steady_clock::now();
+        run(nSteps);
+        const scalar s = std::chrono::duration<scalar>
+        (
+            std::chrono::steady_clock::now() - start
+        ).count();
+        if (s < best)
+        {
+            best = s;
+            const mpm::pointPhaseSystem::clocks after(points.clock());
+            part.nodes = after.nodes - before.nodes;
+            part.move = after.move - before.move;
+            part.sort = after.sort - before.sort;
+            part.project = after.project - before.project;
+            part.stress = after.stress - before.stress;
+        }
+    }
+
+    const scalar n = points.nPoints();
+    Info<< "points " << label(n) << nl
+        << "rate [M point-steps/s] " << n*nSteps/best*1e-6 << nl
+        << "ns per point and step " << best/(n*nSteps)*1e9 << nl
+        << "share of the step [%]: nodes " << 100*part.nodes/best
+        << " move " << 100*part.move/best
+        << " sort " << 100*part.sort/best
+        << " project " << 100*part.project/best
+        << " stress and force " << 100*part.stress/best << nl
+        << "columns and buffers [bytes per point] " << points.bytesPerPoint()
+        << nl
+        << "node columns [bytes per point] " << points.gridBytes()/n << nl;
+
+    points.report();
+
+    return 0;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,496 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointCloud.H"
+#include "pointBlock.H"
+#include <algorithm>
+#include <numeric>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(materialPointCloud, 0);
+}
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Function>
+void Foam::mpm::materialPointCloud::forColumns(const Function& f)
+{
+    f(x_);
+    f(U_);
+    f(mass_);
+    f(volume_);
+    f(stress_);
+    f(id_);
+    if (halfSize_) f(*halfSize_);
+    if (damage_) f(*damage_);
+    if (strength_) f(*strength_);
+    for (column& h : history_) f(h);
+}
+
+
+void Foam::mpm::materialPointCloud::permute
+(
+    const labelList& from,
+    const label first
+)
+{
+    // The current x and U stay in the old order: they are what reject() needs
+    // and accept() throws away
+    forColumns
+    (
+        [&](column& c)
+        {
+            if (&c == &x_)
+            {
+                xNew_.permute(from.cdata(), first, n_, scratch_);
+            }
+            else if (&c == &U_)
+            {
+                UNew_.permute(from.cdata(), first, n_, scratch_);
+            }
+            else
+            {
+                c.permute(from.cdata(), first, n_, scratch_);
+            }
+        }
+    );
+}
+
+void Foam::mpm::materialPointCloud::order(const labelList& cell)
+{
+    // Order by cell, then by id
+    labelList order(identity(n_));
+    const scalar* id = id_[0];
+    std::sort
+    (
+        order.begin(),
+        order.end(),
+        [&](const label a, const label b)
+        {
+            return cell[a] != cell[b] ? cell[a] < cell[b] : id[a] < id[b];
+        }
+    );
+    forColumns([&](column& c) { c.permute(order.cdata(), 0, n_, scratch_); });
+
+    DynamicList<label> cells, start;
+    forAll(order, i)
+    {
+        if (i == 0 || cell[order[i]] != cell[order[i - 1]])
+        {
+            cells.append(cell[order[i]]);
+            start.append(i);
+        }
+    }
+    start.append(n_);
+    cells_.transfer(cells);
+    start_.transfer(start);
+}
+
+
+void Foam::mpm::materialPointCloud::reserve(const label n)
+{
+    if (n > x_.capacity() || x_.capacity() == 0)
+    {
+        const auto grow = [&](column& c) { c.reserve(n, n_); };
+        forColumns(grow);
+        grow(xNew_);
+        grow(UNew_);
+        scratch_ = alignedArray(n + column::padding);
+    }
+}
+
+
+void Foam::mpm::materialPointCloud::stressDirections(int (&dir)[3]) const
+{
+    // Computed directions first, the others after them
+    bool used[3] = {false, false, false};
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        dir[d] = grid_.direction(d);
+        used[dir[d]] = true;
+    }
+    for (int d = grid_.nDim(), e = 0; d < 3; ++d)
+    {
+        while (used[e]) ++e;
+        dir[d] = e;
+        used[e] = true;
+    }
+}
+
+
+void Foam::mpm::materialPointCloud::setSigma
+(
+    const label pointi,
+    const symmTensor& sigma
+)
+{
+    const tensor t(sigma);
+    int dir[3];
+    stressDirections(dir);
+    for (int i = 0; i < 3; ++i)
+    {
+        stress_[i][pointi] = t[4*dir[i]];
+    }
+    for (int i = 0; i < grid_.nDim(); ++i)
+    {
+        for (int j = i + 1; j < grid_.nDim(); ++j)
+        {
+            stress_[symmSlot(i, j)][pointi] = t[3*dir[i] + dir[j]];
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::materialPointCloud::materialPointCloud
+(
+    const hexGrid& grid,
+    const word& name
+)
+:
+    cloud(grid.mesh(), name),
+    grid_(grid),
+    n_(0),
+    nextId_(0),
+    start_(1, label(0)),
+    firstMoved_(0),
+    sorted_(false),
+    count_(grid.nCells(), label(0)),
+    x_("x", column::vectors, grid.nDim()),
+    U_("U", column::vectors, grid.nDim()),
+    xNew_("xNew", column::vectors, grid.nDim()),
+    UNew_("UNew", column::vectors, grid.nDim()),
+    mass_("m", column::scalars, grid.nDim()),
+    volume_("V", column::scalars, grid.nDim()),
+    stress_("sigma", column::stresses, grid.nDim()),
+    id_("id", column::scalars, grid.nDim())
+{}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::materialPointCloud::needHalfSize()
+{
+    halfSize_.reset(new column("halfSize", column::vectors, grid_.nDim()));
+}
+
+
+void Foam::mpm::materialPointCloud::needDamage()
+{
+    damage_.reset(new column("damage", column::scalars, grid_.nDim()));
+}
+
+
+void Foam::mpm::materialPointCloud::needStrength()
+{
+    strength_.reset(new column("strength", column::scalars, grid_.nDim()));
+}
+
+
+void Foam::mpm::materialPointCloud::needHistory
+(
+    const word& name,
+    const column::kinds kind
+)
+{
+    history_.emplace_back(name, kind, grid_.nDim());
+}
+
+
+Foam::scalar Foam::mpm::materialPointCloud::bytesPerPoint() const
+{
+    materialPointCloud& me = const_cast<materialPointCloud&>(*this);
+
+    // Tentative position and velocity, scratch
+    scalar perPoint = sizeof(scalar)*(2*grid_.nDim() + 1);
+    me.forColumns
+    (
+        [&](column& c) { perPoint += sizeof(scalar)*c.nComponents(); }
+    );
+    return
+        (
+            perPoint*(x_.capacity() + column::padding)
+          + sizeof(label)*scalar
+            (
+                from_.size() + cells_.size() + start_.size()
+              + oldCells_.size() + oldStart_.size() + count_.size()
+            )
+        )/max(n_, label(1));
+}
+
+
+Foam::point Foam::mpm::materialPointCloud::position
+(
+    const label pointi,
+    const label celli
+) const
+{
+    point p(grid_.mesh().cellCentres()[celli]);
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        p[grid_.direction(d)] = x_[d][pointi];
+    }
+    return p;
+}
+
+
+Foam::vector Foam::mpm::materialPointCloud::velocity(const label pointi) const
+{
+    vector v(Zero);
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        v[grid_.direction(d)] = U_[d][pointi];
+    }
+    return v;
+}
+
+
+Foam::symmTensor Foam::mpm::materialPointCloud::sigma(const label pointi) const
+{
+    const int D = grid_.nDim();
+    int dir[3];
+    stressDirections(dir);
+
+    tensor t(Zero);
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = 0; j < 3; ++j)
+        {
+            if (i == j || (i < D && j < D))
+            {
+                t[3*dir[i] + dir[j]] = stress_[symmSlot(i, j)][pointi];
+            }
+        }
+    }
+    return symm(t);
+}
+
+
+void Foam::mpm::materialPointCloud::add(const UList<newPoint>& points)
+{
+    const label n = n_ + points.size();
+    const int D = grid_.nDim();
+
+    reserve(n);
+
+    labelList cell(n, label(-1));
+    forAll(cells_, k)
+    {
+        for (label p = start_[k]; p < start_[k + 1]; ++p)
+        {
+            cell[p] = cells_[k];
+        }
+    }
+
+    label near = -1;
+    forAll(points, i)
+    {
+        const newPoint& from = points[i];
+        const label p = n_ + i;
+
+        scalar x[3];
+        for (int d = 0; d < D; ++d)
+        {
+            x[d] = from.x[grid_.direction(d)];
+        }
+        label celli = near >= 0 ? grid_.locate(near, x) : -1;
+        if (celli < 0)
+        {
+            celli = grid_.find(x);
+        }
+        if (celli < 0)
+        {
+            FatalErrorInFunction
+                << "Material point " << nextId_ << " of " << name()
+                << " at " << from.x << " lies outside the mesh "
+                << grid_.mesh().bounds() << "." << exit(FatalError);
+        }
+        cell[p] = near = celli;
+
+        for (int d = 0; d < D; ++d)
+        {
+            x_[d][p] = x[d];
+            U_[d][p] = from.U[grid_.direction(d)];
+            if (halfSize_)
+            {
+                (*halfSize_)[d][p] = from.halfSize[grid_.direction(d)];
+            }
+        }
+        mass_[0][p] = from.mass;
+        volume_[0][p] = from.volume;
+        id_[0][p] = nextId_++;
+
+        setSigma(p, from.sigma);
+    }
+
+    n_ = n;
+    order(cell);
+}
+
+
+bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
+{
+    sorted_ = false;
+    if (movers.empty())
+    {
+        return false;
+    }
+
+    oldCells_ = cells_;
+    oldStart_ = start_;
+
+    // Points per cell after the step; cells that were empty before
+    DynamicList<label> fresh;
+    forAll(cells_, k)
+    {
+        // One more marks a listed cell, so that an emptied one is known
+        count_[cells_[k]] = 1 + start_[k + 1] - start_[k];
+    }
+    label m = 0;
+    forAll(cells_, k)
+    {
+        for (; m < movers.size() && movers[m].point < start_[k + 1]; ++m)
+        {
+            --count_[cells_[k]];
+            label& c = count_[movers[m].cell];
+            if (c == 0)
+            {
+                c = 1;
+                fresh.append(movers[m].cell);
+            }
+            ++c;
+        }
+    }
+    Foam::sort(fresh);
+
+    // New list of cells
+    DynamicList<label> cells(oldCells_.size() + fresh.size());
+    for (label a = 0, b = 0; a < oldCells_.size() || b < fresh.size();)
+    {
+        const bool takeOld =
+            b == fresh.size()
+         || (a < oldCells_.size() && oldCells_[a] < fresh[b]);
+        const label celli = takeOld ? oldCells_[a++] : fresh[b++];
+        if (count_[celli] > 1)
+        {
+            cells.append(celli);
+        }
+        else
+        {
+            count_[celli] = 0;
+        }
+    }
+    const bool changed =
+        fresh.size() || cells.size() != oldCells_.size();
+
+    // Turn counts into places
+    start_.setSize(cells.size() + 1);
+    label n = 0;
+    forAll(cells, k)
+    {
+        start_[k] = n;
+        const label nHere = count_[cells[k]] - 1;
+        count_[cells[k]] = n;
+        n += nHere;
+    }
+    start_[cells.size()] = n;
+
+    // Stayers in their order, then movers
+    from_.setSize(n_);
+    m = 0;
+    forAll(oldCells_, k)
+    {
+        const label celli = oldCells_[k];
+        label p = oldStart_[k];
+        while (p < oldStart_[k + 1])
+        {
+            const label stop =
+                m < movers.size() && movers[m].point < oldStart_[k + 1]
+              ? movers[m].point
+              : oldStart_[k + 1];
+            label to = count_[celli];
+            for (; p < stop; ++p)
+            {
+                from_[to++] = p;
+            }
+            count_[celli] = to;
+            if (m < movers.size() && movers[m].point == p)
+            {
+                ++m;
+                ++p;
+            }
+        }
+    }
+    const scalar* id = id_[0];
+    for (const mover& mv : movers)
+    {
+        // Into its place by id among those already there
+        const label celli = mv.cell;
+        const label k = label
+        (
+            std::lower_bound(cells.begin(), cells.end(), celli) - cells.begin()
+        );
+        label at = count_[celli]++;
+        while (at > start_[k] && id[from_[at - 1]] > id[mv.point])
+        {
+            from_[at] = from_[at - 1];
+            --at;
+        }
+        from_[at] = mv.point;
+    }
+    for (const label celli : cells)
+    {
+        count_[celli] = 0;
+    }
+    cells_.transfer(cells);
+
+    firstMoved_ = 0;
+    while (firstMoved_ < n_ && from_[firstMoved_] == firstMoved_)
+    {
+        ++firstMoved_;
+    }
+
+    permute(from_, firstMoved_);
+    sorted_ = true;
+
+    return changed;
+}
+
+
+void Foam::mpm::materialPointCloud::accept()
+{
+    x_.swap(xNew_);
+    U_.swap(UNew_);
+    sorted_ = false;
+}
+
+
+void Foam::mpm::materialPointCloud::reject()
+{
+    if (!sorted_)
+    {
+        return;
+    }
+
+    labelList back(n_);
+    forAll(from_, i)
+    {
+        back[from_[i]] = i;
+    }
+    permute(back, firstMoved_);
+    cells_ = oldCells_;
+    start_ = oldStart_;
+    sorted_ = false;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,434 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointCloud.H"
+#include "pointBlock.H"
+#include "Cloud.H"
+#include "passiveParticle.H"
+#include "IOField.H"
+#include "OSspecific.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+//- ASCII columns are written with all digits that a double has
+class fullPrecision
+{
+    const unsigned old_;
+
+public:
+
+    fullPrecision()
+    :
+        old_(IOstream::defaultPrecision(17))
+    {}
+
+    ~fullPrecision()
+    {
+        IOstream::defaultPrecision(old_);
+    }
+};
+
+
+IOobject columnObject
+(
+    const cloud& c,
+    const word& name,
+    const IOobject::readOption r
+)
+{
+    return IOobject
+    (
+        name,
+        c.time().timeName(),
+        cloud::prefix/c.name(),
+        c.db(),
+        r,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+//- Field of the current time; fatal if it is missing or of another length
+template<class Type>
+tmp<Field<Type>> readField
+(
+    const cloud& c,
+    const word& name,
+    const label n
+)
+{
+    IOField<Type> f(columnObject(c, name, IOobject::MUST_READ));
+
+    if (n >= 0 && f.size() != n)
+    {
+        FatalErrorInFunction
+            << "Field " << f.objectPath() << " has " << f.size()
+            << " values for " << n << " material points." << exit(FatalError);
+    }
+    return tmp<Field<Type>>::New(std::move(static_cast<Field<Type>&>(f)));
+}
+
+
+bool onDisk(const cloud& c, const word& name)
+{
+    const fileName path
+    (
+        c.time().path()/c.time().timeName()/cloud::prefix/c.name()/name
+    );
+    return isFile(path) || isFile(path + ".gz");
+}
+
+
+template<class Type, class Get>
+void writeField(const cloud& c, const word& name, const label n, const Get& get)
+{
+    IOField<Type> f(columnObject(c, name, IOobject::NO_READ), n);
+    for (label p = 0; p < n; ++p)
+    {
+        f[p] = get(p);
+    }
+    f.write(n > 0);
+}
+
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::mpm::materialPointCloud::readPoints()
+{
+    const int D = grid_.nDim();
+
+    if (!returnReduce(onDisk(*this, "m"), orOp<bool>()))
+    {
+        return -1;
+    }
+
+    // A processor without points has no files
+    scalarField mass, volume;
+    vectorField x;
+    if (onDisk(*this, "m"))
+    {
+        mass = readField<scalar>(*this, "m", -1);
+    }
+    const label n = mass.size();
+    labelList cell(n, label(-1));
+
+    n_ = 0;
+    reserve(n);
+    n_ = n;
+
+    if (n)
+    {
+        volume = readField<scalar>(*this, "V", n);
+
+        if (onDisk(*this, "x"))
+        {
+            x = readField<vector>(*this, "x", n);
+        }
+        else
+        {
+            // Another tool's cloud: positions to the precision of its
+            // barycentric coordinates
+            Cloud<passiveParticle> parcels(grid_.mesh(), name(), false);
+            x.setSize(parcels.size());
+            label p = 0;
+            for (const passiveParticle& parcel : parcels)
+            {
+                x[p++] = parcel.position();
+            }
+        }
+        if (x.size() != n)
+        {
+            FatalErrorInFunction
+                << "Cloud " << name() << " of time " << time().timeName()
+                << " has " << x.size() << " positions for " << n
+                << " masses." << exit(FatalError);
+        }
+
+        vectorField U(n, Zero);
+        symmTensorField sigma(n, Zero);
+        if (onDisk(*this, "U")) U = readField<vector>(*this, "U", n);
+        if (onDisk(*this, "sigma"))
+        {
+            sigma = readField<symmTensor>(*this, "sigma", n);
+        }
+
+        labelList id;
+        for (const word name : {"id", "origId"})
+        {
+            if (id.empty() && onDisk(*this, name))
+            {
+                id = readField<label>(*this, name, n);
+            }
+        }
+        if (id.empty())
+        {
+            id = identity(n);
+        }
+
+        label near = -1;
+        for (label p = 0; p < n; ++p)
+        {
+            const bool finite =
+                std::isfinite(mass[p]) && std::isfinite(volume[p])
+             && std::isfinite(magSqr(x[p])) && std::isfinite(magSqr(U[p]))
+             && std::isfinite(magSqr(sigma[p]));
+            if (!finite || mass[p] <= 0 || volume[p] <= 0)
+            {
+                FatalErrorInFunction
+                    << "Material point " << id[p] << " of " << name()
+                    << " at " << x[p] << ", time " << time().timeName()
+                    << ": mass " << mass[p] << " and volume " << volume[p]
+                    << " must be greater than 0, and mass, volume, x, U and"
+                    << " sigma finite." << exit(FatalError);
+            }
+
+            scalar xp[3];
+            for (int d = 0; d < D; ++d)
+            {
+                xp[d] = x[p][grid_.direction(d)];
+                U_[d][p] = U[p][grid_.direction(d)];
+            }
+            cell[p] = near >= 0 ? grid_.locate(near, xp) : -1;
+            if (cell[p] < 0)
+            {
+                cell[p] = grid_.find(xp);
+            }
+            if (cell[p] < 0)
+            {
+                FatalErrorInFunction
+                    << "Material point " << id[p] << " of " << name()
+                    << " at " << x[p] << ", time " << time().timeName()
+                    << ", lies outside the mesh " << grid_.mesh().bounds()
+                    << "." << exit(FatalError);
+            }
+            near = cell[p];
+            for (int d = 0; d < D; ++d)
+            {
+                x_[d][p] = xp[d];
+            }
+            mass_[0][p] = mass[p];
+            volume_[0][p] = volume[p];
+            id_[0][p] = id[p];
+            setSigma(p, sigma[p]);
+        }
+
+        if (halfSize_)
+        {
+            const vectorField h(readField<vector>(*this, "halfSize", n));
+            for (label p = 0; p < n; ++p)
+            {
+                for (int d = 0; d < D; ++d)
+                {
+                    const scalar hd = h[p][grid_.direction(d)];
+                    if (!(hd > 0))
+                    {
+                        FatalErrorInFunction
+                            << "Material point " << id[p] << " of " << name()
+                            << " at " << x[p] << " has halfSize " << h[p]
+                            << "; it must be greater than 0 in the computed"
+                            << " directions." << exit(FatalError);
+                    }
+                    (*halfSize_)[d][p] = hd;
+                }
+            }
+        }
+        if (damage_ && onDisk(*this, "damage"))
+        {
+            const scalarField f(readField<scalar>(*this, "damage", n));
+            std::copy(f.begin(), f.end(), (*damage_)[0]);
+        }
+
+        for (column& h : history_)
+        {
+            // Absent at the start of a run: the law's initial state
+            if (!onDisk(*this, h.name()))
+            {
+                continue;
+            }
+            if (h.kind() == column::scalars)
+            {
+                const scalarField f(readField<scalar>(*this, h.name(), n));
+                std::copy(f.begin(), f.end(), h[0]);
+            }
+            else
+            {
+                // Tensor files hold the components in OpenFOAM's axes
+                const bool symmetric = h.kind() == column::strains;
+                tensorField f(n);
+                if (symmetric)
+                {
+                    const symmTensorField t
+                    (
+                        readField<symmTensor>(*this, h.name(), n)
+                    );
+                    forAll(f, p)
+                    {
+                        f[p] = tensor(t[p]);
+                    }
+                }
+                else
+                {
+                    f = readField<tensor>(*this, h.name(), n);
+                }
+                for (label p = 0; p < n; ++p)
+                {
+                    for (int i = 0; i < D; ++i)
+                    {
+                        for (int j = symmetric ? i : 0; j < D; ++j)
+                        {
+                            h[symmetric ? strainSlot(D, i, j) : i*D + j][p] =
+                                f[p][3*grid_.direction(i) + grid_.direction(j)];
+                        }
+                    }
+                }
+            }
+        }
+
+        // Ids must be unique: they name points for ever
+        labelList sortedIds(id);
+        Foam::sort(sortedIds);
+        for (label i = 1; i < n; ++i)
+        {
+            if (sortedIds[i] == sortedIds[i - 1])
+            {
+                FatalErrorInFunction
+                    << "Cloud " << name() << " of time " << time().timeName()
+                    << " has two material points with id " << sortedIds[i]
+                    << "." << exit(FatalError);
+            }
+        }
+        nextId_ = sortedIds.last() + 1;
+    }
+
+    order(cell);
+    reduce(nextId_, maxOp<scalar>());
+
+    return returnReduce(n_, sumOp<label>());
+}
+
+
+void Foam::mpm::materialPointCloud::writePoints() const
+{
+    const int D = grid_.nDim();
+
+    // Positions for other tools
+    Cloud<passiveParticle> parcels
+    (
+        grid_.mesh(),
+        name(),
+        IDLList<passiveParticle>()
+    );
+    labelList cell(n_);
+    forAll(cells_, k)
+    {
+        for (label p = start_[k]; p < start_[k + 1]; ++p)
+        {
+            cell[p] = cells_[k];
+            passiveParticle* parcel = new passiveParticle
+            (
+                grid_.mesh(),
+                position(p, cells_[k]),
+                cells_[k]
+            );
+            parcel->origProc() = 0;
+            parcel->origId() = label(id_[0][p]);
+            parcels.addParticle(parcel);
+        }
+    }
+    parcels.write();
+
+    const fullPrecision allDigits;
+
+    writeField<vector>
+    (*this, "x", n_, [&](label p) { return position(p, cell[p]); });
+    writeField<vector>
+    (*this, "U", n_, [&](label p) { return velocity(p); });
+    writeField<scalar>
+    (*this, "m", n_, [&](label p) { return mass_[0][p]; });
+    writeField<scalar>
+    (*this, "V", n_, [&](label p) { return volume_[0][p]; });
+    writeField<symmTensor>
+    (*this, "sigma", n_, [&](label p) { return sigma(p); });
+    writeField<label>
+    (*this, "id", n_, [&](label p) { return label(id_[0][p]); });
+
+    if (halfSize_)
+    {
+        writeField<vector>
+        (
+            *this, "halfSize", n_,
+            [&](label p)
+            {
+                vector v(Zero);
+                for (int d = 0; d < D; ++d)
+                {
+                    v[grid_.direction(d)] = (*halfSize_)[d][p];
+                }
+                return v;
+            }
+        );
+    }
+    if (damage_)
+    {
+        writeField<scalar>
+        (*this, "damage", n_, [&](label p) { return (*damage_)[0][p]; });
+    }
+    for (const column& h : history_)
+    {
+        if (h.kind() == column::scalars)
+        {
+            writeField<scalar>
+            (*this, h.name(), n_, [&](label p) { return h[0][p]; });
+            continue;
+        }
+        const bool symmetric = h.kind() == column::strains;
+        const auto get = [&](const label p)
+        {
+            tensor t(Zero);
+            for (int i = 0; i < D; ++i)
+            {
+                for (int j = 0; j < D; ++j)
+                {
+                    t[3*grid_.direction(i) + grid_.direction(j)] =
+                        h[symmetric ? strainSlot(D, i, j) : i*D + j][p];
+                }
+            }
+            return t;
+        };
+        if (symmetric)
+        {
+            writeField<symmTensor>
+            (*this, h.name(), n_, [&](label p) { return symm(get(p)); });
+        }
+        else
+        {
+            writeField<tensor>
+            (*this, h.name(), n_, [&](label p) { return get(p); });
+        }
+    }
+
+    // For the eye: pressure and equivalent stress
+    writeField<scalar>
+    (*this, "p", n_, [&](label p) { return -tr(sigma(p))/3; });
+    writeField<scalar>
+    (
+        *this, "sigmaEq", n_,
+        [&](label p) { return std::sqrt(1.5)*mag(dev(sigma(p))); }
+    );
+}
+
+// ************************************************************************* //

@@ -1,0 +1,190 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointPhase.H"
+#include "selector.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::materialPointPhase::materialPointPhase
+(
+    const hexGrid& grid,
+    const word& name,
+    const dictionary& dict,
+    const bool needHalfSize
+)
+:
+    name_(name),
+    velocityField_(dict.getOrDefault<word>("velocityField", name)),
+    law_(constitutiveModel::New(dict.subDict("constitutiveModel"))),
+    failure_
+    (
+        dict.found("failureModel")
+      ? failureModel::New(dict.subDict("failureModel"))
+      : autoPtr<failureModel>()
+    ),
+    cloud_(grid, name),
+    nFailed_(0)
+{
+    oneOfOrDefault(dict, "type", "materialPoints", {"materialPoints"});
+    checkKeywords
+    (
+        dict,
+        {"type", "constitutiveModel", "failureModel", "velocityField"}
+    );
+
+    if (needHalfSize)
+    {
+        cloud_.needHalfSize();
+    }
+    if (failure_)
+    {
+        cloud_.needDamage();
+        if (failure_->scatters())
+        {
+            cloud_.needStrength();
+        }
+    }
+    for (const historyColumn& h : law_->history())
+    {
+        cloud_.needHistory
+        (
+            h.name,
+            h.kind == historyColumn::scalars ? column::scalars
+          : h.kind == historyColumn::symmetric ? column::strains
+          : column::tensors
+        );
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::materialPointPhase::read()
+{
+    const label n = cloud_.readPoints();
+
+    if (n <= 0)
+    {
+        FatalErrorInFunction
+            << "Phase " << name_ << " has no material points in "
+            << cloud_.time().path()/cloud_.time().timeName()
+              /cloud::prefix/name_ << "." << nl
+            << "Run setMaterialPoints first, or remove the phase from"
+            << " constant/phaseProperties." << exit(FatalError);
+    }
+
+    if (column* s = cloud_.strength())
+    {
+        for (label p = 0; p < cloud_.size(); ++p)
+        {
+            (*s)[0][p] = failure_->strength(uint64_t(cloud_.id()[0][p]));
+        }
+    }
+
+    // Points that start with a stress but without the law's history
+    bool stressed = false, history = false;
+    pointBlock b(block());
+    for (label p = 0; p < cloud_.size(); ++p)
+    {
+        for (int i = 0; i < nStress(b.nDim); ++i)
+        {
+            stressed = stressed || b.stress[i][p] != 0;
+        }
+        int h = 0;
+        for (const column& c : cloud_.history())
+        {
+            for (int i = 0; i < c.nComponents(); ++i)
+            {
+                history = history || b.history[h++][p] != 0;
+            }
+        }
+    }
+    if (stressed && !history && cloud_.history().size())
+    {
+        law_->initialise(b);
+    }
+}
+
+
+Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block()
+{
+    pointBlock b;
+    b.nDim = cloud_.grid().nDim();
+    b.n = cloud_.size();
+    b.dt = 0;
+    for (const scalar*& l : b.dL)
+    {
+        l = nullptr;
+    }
+    b.mass = cloud_.mass()[0];
+    b.volume = cloud_.volume()[0];
+    for (int i = 0; i < nStress(b.nDim); ++i)
+    {
+        b.stress[i] = cloud_.stress()[i];
+    }
+    int h = 0;
+    for (column& c : cloud_.history())
+    {
+        for (int i = 0; i < c.nComponents(); ++i)
+        {
+            b.history[h++] = c[i];
+        }
+    }
+    b.damage = cloud_.damage() ? (*cloud_.damage())[0] : nullptr;
+    b.strength = cloud_.strength() ? (*cloud_.strength())[0] : nullptr;
+
+    return b;
+}
+
+
+Foam::scalar Foam::mpm::materialPointPhase::kineticEnergy() const
+{
+    scalar sum = 0;
+    for (label p = 0; p < cloud_.size(); ++p)
+    {
+        scalar U2 = 0;
+        for (int d = 0; d < cloud_.grid().nDim(); ++d)
+        {
+            U2 += sqr(cloud_.U()[d][p]);
+        }
+        sum += 0.5*cloud_.mass()[0][p]*U2;
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
+{
+    const pointBlock b(const_cast<materialPointPhase&>(*this).block());
+    return returnReduce(law_->strainEnergy(b), sumOp<scalar>());
+}
+
+
+Foam::scalar Foam::mpm::materialPointPhase::mass() const
+{
+    scalar sum = 0;
+    for (label p = 0; p < cloud_.size(); ++p)
+    {
+        sum += cloud_.mass()[0][p];
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+Foam::vector Foam::mpm::materialPointPhase::momentum() const
+{
+    vector sum(Zero);
+    for (label p = 0; p < cloud_.size(); ++p)
+    {
+        sum += cloud_.mass()[0][p]*cloud_.velocity(p);
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
+// ************************************************************************* //

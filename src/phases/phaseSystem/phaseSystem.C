@@ -1,0 +1,862 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseSystem.H"
+#include "selector.H"
+#include "uniformDimensionedFields.H"
+#include "Time.H"
+#include <cfenv>
+#include <chrono>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(pointPhaseSystem, 0);
+}
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Adds the wall-clock time of a scope
+class timer
+{
+    scalar& sum_;
+    const std::chrono::steady_clock::time_point start_;
+
+public:
+
+    explicit timer(scalar& sum)
+    :
+        sum_(sum),
+        start_(std::chrono::steady_clock::now())
+    {}
+
+    ~timer()
+    {
+        sum_ +=
+            std::chrono::duration<scalar>
+            (
+                std::chrono::steady_clock::now() - start_
+            ).count();
+    }
+};
+
+
+//- Floating-point traps off in a scope. Results are checked for NaN and
+//  infinity by the passes themselves, which can then name the point; a trap
+//  would end the run without a word about it.
+class noTraps
+{
+    const int enabled_;
+
+public:
+
+    noTraps()
+    :
+        enabled_(fedisableexcept(FE_ALL_EXCEPT))
+    {}
+
+    ~noTraps()
+    {
+        feclearexcept(FE_ALL_EXCEPT);
+        feenableexcept(enabled_);
+    }
+};
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pointPhaseSystem::readNumerics()
+{
+    const dictionary& dict = mesh_.solutionDict().subDict("materialPoints");
+
+    checkKeywords
+    (
+        dict,
+        {
+            "shapeFunction", "transfer", "PICfraction", "order", "maxTravel",
+            "maxStrain"
+        }
+    );
+
+    gridVelocity_ = oneOf(dict, "transfer", {"FLIP", "FMPM"}) == "FMPM";
+    PICfraction_ = 0;
+    order_ = 1;
+    if (gridVelocity_)
+    {
+        order_ = label(boundedOrDefault(dict, "order", 2, 1, 100));
+    }
+    else
+    {
+        PICfraction_ = boundedOrDefault(dict, "PICfraction", 0, 0, 1);
+    }
+    maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
+    maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
+}
+
+
+void Foam::mpm::pointPhaseSystem::updateWaveRate()
+{
+    waveRate_ = 0;
+    for (const materialPointPhase& phase : phases_)
+    {
+        const scalar c = phase.law().waveSpeed();
+        scalar shortest = GREAT;
+        for (const label celli : phase.cloud().cells())
+        {
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                shortest = min(shortest, grid_.width(celli, d));
+            }
+        }
+        waveRate_ = max(waveRate_, c/shortest);
+    }
+    reduce(waveRate_, maxOp<scalar>());
+}
+
+
+void Foam::mpm::pointPhaseSystem::activate(const bool changed)
+{
+    forAll(fields_, fieldi)
+    {
+        if (!changed)
+        {
+            fields_[fieldi].keepActive();
+            continue;
+        }
+        DynamicList<const labelList*> cells;
+        forAll(phases_, phasei)
+        {
+            if (fieldOf_[phasei] == fieldi)
+            {
+                cells.append(&phases_[phasei].cloud().cells());
+            }
+        }
+        fields_[fieldi].activate(cells, passes_->hasExtent() ? 1 : 0);
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::projectAll(const bool tentative)
+{
+    const noTraps guard;
+
+    for (gridState& field : fields_)
+    {
+        field.clearMomentum();
+    }
+    forAll(phases_, phasei)
+    {
+        passes_->project
+        (
+            phases_[phasei].cloud(),
+            tentative,
+            fields_[fieldOf_[phasei]].momentumNew()
+        );
+    }
+    for (gridState& field : fields_)
+    {
+        field.velocity();
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::stop
+(
+    materialPointPhase& phase,
+    const label pointi,
+    const bool left
+)
+{
+    // The state before the step is untouched: it is what gets written, at
+    // the time it belongs to
+    Time& time = const_cast<Time&>(mesh_.time());
+    const scalar dt = time.deltaTValue();
+    time.setTime(time.value() - dt, time.timeIndex() - 1);
+
+    materialPointCloud& cloud = phase.cloud();
+    label celli = -1;
+    forAll(cloud.cells(), k)
+    {
+        if (cloud.start()[k + 1] > pointi)
+        {
+            celli = cloud.cells()[k];
+            break;
+        }
+    }
+    const point x(cloud.position(pointi, celli));
+
+    const bool badStress =
+        !std::isfinite(magSqr(cloud.sigma(pointi)))
+     || !std::isfinite(cloud.volume()[0][pointi]);
+
+    writePoints();
+    for (gridState& field : fields_)
+    {
+        field.writeField();
+    }
+    time.writeNow();
+
+    if (left)
+    {
+        vector xNew(Zero);
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            xNew[grid_.direction(d)] = cloud.xNew()[d][pointi];
+        }
+        FatalErrorInFunction
+            << "Material point " << label(cloud.id()[0][pointi]) << " of "
+            << phase.name() << " leaves the mesh " << mesh_.bounds()
+            << ": from " << x << " with velocity " << cloud.velocity(pointi)
+            << " to " << xNew << " in the step of " << dt << " s after time "
+            << time.timeName() << "." << nl
+            << "The state before the step is written to " << time.timeName()
+            << "." << nl
+            << "Make the mesh larger, or keep points inside by the boundary"
+            << " conditions of U." << phase.velocityField()
+            << " (fixedValue or slip)." << exit(FatalError);
+    }
+    FatalErrorInFunction
+        << "Material point " << label(cloud.id()[0][pointi]) << " of "
+        << phase.name() << " at " << x << ", time " << time.timeName()
+        << ": " << (badStress ? "sigma (stress)" : "U (velocity)")
+        << " is no finite number in the step of " << dt << " s." << nl
+        << "The state before the step is written to " << time.timeName()
+        << "." << nl
+        << "A smaller maxCo in system/controlDict or maxStrain in"
+        << " fvSolution.materialPoints makes the step smaller."
+        << exit(FatalError);
+}
+
+
+void Foam::mpm::pointPhaseSystem::checkOverlap()
+{
+    if (warned_ || fields_.size() < 2)
+    {
+        return;
+    }
+    labelList owner(grid_.nNodes(), label(-1));
+    forAll(fields_, fieldi)
+    {
+        const gridState& field = fields_[fieldi];
+        for (const label n : field.active())
+        {
+            if (!(field.momentum()[field.stride()*n + grid_.nDim()] > 0))
+            {
+                continue;
+            }
+            if (owner[n] >= 0 && !warned_)
+            {
+                warned_ = true;
+                WarningInFunction
+                    << "The velocity fields " << fields_[owner[n]].name()
+                    << " and " << field.name() << " meet at "
+                    << mesh_.points()[grid_.nodePoint()[n]] << ", time "
+                    << mesh_.time().timeName()
+                    << ". Nothing acts between them: phases with own velocity"
+                    << " fields pass through each other. Give them the same"
+                    << " velocityField in constant/phaseProperties to let"
+                    << " them stick and push." << endl;
+            }
+            owner[n] = fieldi;
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "pointPhaseSystem",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    grid_(hexGrid::New(mesh)),
+    properties_
+    (
+        IOobject
+        (
+            "phaseProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    g_(Zero),
+    rate_(0),
+    waveRate_(0),
+    nRedone_(0),
+    tentative_(false),
+    warned_(false)
+{
+    if (Pstream::parRun())
+    {
+        FatalErrorInFunction
+            << "Material points run on one processor in this version;"
+            << " start the solver without -parallel." << exit(FatalError);
+    }
+
+    IOobject gHeader
+    (
+        "g",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (gHeader.typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        g_ = uniformDimensionedVectorField(gHeader).value();
+    }
+
+    readNumerics();
+    passes_ = pointPasses::New
+    (
+        mesh.solutionDict().subDict("materialPoints"),
+        grid_
+    );
+
+    const wordList names(properties_.get<wordList>("phases"));
+    {
+        wordList valid(names);
+        valid.append("phases");
+        valid.append("FoamFile");
+        checkKeywords(properties_, valid);
+    }
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(properties_)
+            << "There are no phases; list at least one in phases (...);"
+            << exit(FatalIOError);
+    }
+    phases_.setSize(names.size());
+    fieldOf_.setSize(names.size());
+    movers_.setSize(names.size());
+
+    wordList fieldNames;
+    forAll(names, phasei)
+    {
+        if (names.find(names[phasei]) != phasei)
+        {
+            FatalIOErrorInFunction(properties_)
+                << "Phase " << names[phasei] << " is listed twice."
+                << exit(FatalIOError);
+        }
+        phases_.set
+        (
+            phasei,
+            new materialPointPhase
+            (
+                grid_,
+                names[phasei],
+                properties_.subDict(names[phasei]),
+                passes_->hasExtent()
+            )
+        );
+        const word& field = phases_[phasei].velocityField();
+        fieldOf_[phasei] = fieldNames.find(field);
+        if (fieldOf_[phasei] < 0)
+        {
+            fieldOf_[phasei] = fieldNames.size();
+            fieldNames.append(field);
+        }
+    }
+
+    fields_.setSize(fieldNames.size());
+    forAll(fieldNames, fieldi)
+    {
+        fields_.set(fieldi, new gridState(grid_, fieldNames[fieldi]));
+    }
+
+    for (materialPointPhase& phase : phases_)
+    {
+        phase.read();
+        Info<< "Phase " << phase.name() << ": " << phase.cloud().size()
+            << " points of " << phase.law().type() << ", wave speed "
+            << phase.law().waveSpeed() << " m/s, velocity field "
+            << phase.velocityField() << nl;
+
+        // The domain of a point must not reach past the next cell
+        if (passes_->hasExtent())
+        {
+            materialPointCloud& cloud = phase.cloud();
+            forAll(cloud.cells(), k)
+            {
+                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+                {
+                    for (int d = 0; d < grid_.nDim(); ++d)
+                    {
+                        const scalar l = (*cloud.halfSize())[d][p];
+                        if (l > 1.0001*grid_.width(cloud.cells()[k], d))
+                        {
+                            FatalErrorInFunction
+                                << "Material point " << cloud.id()[0][p]
+                                << " of " << phase.name() << " at "
+                                << cloud.position(p, cloud.cells()[k])
+                                << " has half-size " << l
+                                << ", larger than its cell." << nl
+                                << "Use more points per cell in"
+                                << " setMaterialPointsDict or the shape"
+                                << " function linear." << exit(FatalError);
+                        }
+                    }
+                }
+            }
+        }
+        for (label p = 0; p < phase.cloud().size(); ++p)
+        {
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                // Refined by the first move
+                rate_ = max(rate_, mag(phase.cloud().U()[d][p]));
+            }
+        }
+    }
+    reduce(rate_, maxOp<scalar>());
+
+    // Bound of |u_d|/h_d for the first step: fastest point, shortest cell
+    updateWaveRate();
+    scalar shortest = GREAT;
+    for (const materialPointPhase& phase : phases_)
+    {
+        for (const label celli : phase.cloud().cells())
+        {
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                shortest = min(shortest, grid_.width(celli, d));
+            }
+        }
+    }
+    rate_ /= shortest;
+
+    // State of the nodes
+    activate(true);
+    projectAll(false);
+    for (gridState& field : fields_)
+    {
+        field.accept();
+        field.clearForce();
+        field.writeField();
+    }
+    {
+        const noTraps guard;
+        forAll(phases_, phasei)
+        {
+            passes_->force
+            (
+                phases_[phasei].cloud(),
+                fields_[fieldOf_[phasei]].force()
+            );
+        }
+    }
+    checkOverlap();
+
+    Info<< "Material points: " << nPoints() << " in "
+        << phases_.size() << " phases, " << grid_.nDim() << "D, "
+        << grid_.nNodes() << " nodes, "
+        << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
+        << "    shape function "
+        << mesh.solutionDict().subDict("materialPoints").get<word>("shapeFunction")
+        << ", transfer " << (gridVelocity_ ? "FMPM" : "FLIP");
+    if (gridVelocity_)
+    {
+        Info<< " of order " << order_ << nl;
+    }
+    else
+    {
+        Info<< " with PIC fraction " << PICfraction_ << nl;
+    }
+    Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
+        << " buffers, " << gridBytes()/max(nPoints(), label(1))
+        << " on the nodes" << nl << endl;
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::mpm::pointPhaseSystem::nPoints() const
+{
+    label n = 0;
+    for (const materialPointPhase& phase : phases_)
+    {
+        n += phase.cloud().size();
+    }
+    return returnReduce(n, sumOp<label>());
+}
+
+
+Foam::scalar Foam::mpm::pointPhaseSystem::bytesPerPoint() const
+{
+    scalar bytes = 0;
+    label n = 0;
+    forAll(phases_, phasei)
+    {
+        const materialPointCloud& cloud = phases_[phasei].cloud();
+        bytes += cloud.bytesPerPoint()*cloud.size();
+        bytes +=
+            movers_[phasei].capacity()*sizeof(materialPointCloud::mover);
+        n += cloud.size();
+    }
+    return bytes/max(n, label(1));
+}
+
+
+Foam::scalar Foam::mpm::pointPhaseSystem::gridBytes() const
+{
+    scalar bytes = 0;
+    for (const gridState& field : fields_)
+    {
+        bytes += field.bytes();
+    }
+    return bytes;
+}
+
+
+void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
+{
+    const noTraps guard;
+    {
+        const timer t(clock_.nodes);
+        for (gridState& field : fields_)
+        {
+            field.newTime();
+            field.momentumStep(dt, g_);
+        }
+    }
+
+    // FMPM(k): u^L is the sum of k terms of the series of the inverse of the
+    // consistent mass matrix, m^-1 = sum_j (I - m_l^-1 S M S^T)^j m_l^-1
+    for (label k = 1; k < order_; ++k)
+    {
+        const timer t(clock_.project);
+        forAll(fields_, fieldi)
+        {
+            gridState& field = fields_[fieldi];
+            if (k == 1)
+            {
+                field.startFilter();
+            }
+            scalar* v = field.work();
+            scalar* mv = v + 2*field.stride()*grid_.nNodes();
+            for (const label n : field.active())
+            {
+                for (int d = 0; d < field.stride(); ++d)
+                {
+                    mv[field.stride()*n + d] = 0;
+                }
+            }
+            forAll(phases_, phasei)
+            {
+                if (fieldOf_[phasei] == fieldi)
+                {
+                    passes_->massTimes(phases_[phasei].cloud(), v, mv);
+                }
+            }
+            field.addFilter(mv);
+        }
+    }
+}
+
+
+Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
+{
+    const noTraps guard;
+    const timer t(clock_.move);
+
+    pointPasses::moveRule rule;
+    rule.dt = dt;
+    rule.gridVelocity = gridVelocity_;
+    rule.PICfraction =
+        PICfraction_ < 1
+      ? -std::expm1(std::log1p(-PICfraction_)*dt*courantRate()/0.4)
+      : 1;
+
+    scalar travel = 0;
+    rate_ = 0;
+    forAll(phases_, phasei)
+    {
+        const pointPasses::moveResult result
+        (
+            passes_->move
+            (
+                phases_[phasei].cloud(),
+                rule,
+                fields_[fieldOf_[phasei]].UL(),
+                movers_[phasei]
+            )
+        );
+
+        travel = max(travel, result.travel);
+        rate_ = max(rate_, result.rate);
+
+        // Too far is no reason to stop yet: a smaller step may end inside
+        if
+        (
+            result.badPoint >= 0
+         && (!result.left || result.travel <= maxTravel_)
+        )
+        {
+            stop(phases_[phasei], result.badPoint, result.left);
+        }
+    }
+    reduce(travel, maxOp<scalar>());
+    reduce(rate_, maxOp<scalar>());
+
+    return travel <= maxTravel_ ? 1 : max(0.8*maxTravel_/travel, scalar(0.1));
+}
+
+
+Foam::scalar Foam::mpm::pointPhaseSystem::project(const scalar dt)
+{
+    bool changed = false;
+    {
+        const timer t(clock_.sort);
+        forAll(phases_, phasei)
+        {
+            if (phases_[phasei].cloud().sort(movers_[phasei]))
+            {
+                changed = true;
+            }
+        }
+        activate(changed);
+        tentative_ = true;
+    }
+
+    scalar strain = 0;
+    {
+        const timer t(clock_.project);
+        projectAll(true);
+    }
+    {
+        const timer t(clock_.nodes);
+        forAll(phases_, phasei)
+        {
+            strain = max
+            (
+                strain,
+                fields_[fieldOf_[phasei]].maxStrain
+                (
+                    phases_[phasei].cloud().cells(),
+                    dt
+                )
+            );
+        }
+    }
+    reduce(strain, maxOp<scalar>());
+
+    if (changed)
+    {
+        updateWaveRate();
+    }
+
+    return strain <= maxStrain_ ? 1 : max(0.8*maxStrain_/strain, scalar(0.1));
+}
+
+
+void Foam::mpm::pointPhaseSystem::accept()
+{
+    for (materialPointPhase& phase : phases_)
+    {
+        phase.cloud().accept();
+    }
+    for (gridState& field : fields_)
+    {
+        field.accept();
+    }
+    tentative_ = false;
+}
+
+
+void Foam::mpm::pointPhaseSystem::reject()
+{
+    ++nRedone_;
+    if (tentative_)
+    {
+        for (materialPointPhase& phase : phases_)
+        {
+            phase.cloud().reject();
+        }
+        for (gridState& field : fields_)
+        {
+            field.reject();
+        }
+        updateWaveRate();
+    }
+    tentative_ = false;
+}
+
+
+void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
+{
+    const noTraps guard;
+    const timer t(clock_.stress);
+
+    for (gridState& field : fields_)
+    {
+        field.clearForce();
+    }
+    forAll(phases_, phasei)
+    {
+        materialPointPhase& phase = phases_[phasei];
+        const label nFailed = passes_->correctStress
+        (
+            phase.cloud(),
+            phase.law(),
+            phase.failure(),
+            dt,
+            fields_[fieldOf_[phasei]].U(),
+            fields_[fieldOf_[phasei]].force()
+        );
+        phase.nFailed() += returnReduce(nFailed, sumOp<label>());
+    }
+}
+
+
+bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
+{
+    momentum(dt);
+    factor = move(dt);
+    if (factor >= 1)
+    {
+        factor = project(dt);
+    }
+    if (factor < 1)
+    {
+        reject();
+        return false;
+    }
+    accept();
+    correctStress(dt);
+    checkOverlap();
+
+    return true;
+}
+
+
+void Foam::mpm::pointPhaseSystem::report() const
+{
+    scalar mass = 0, kinetic = 0, strain = 0;
+    vector momentum(Zero);
+    label nFailed = 0;
+    for (const materialPointPhase& phase : phases_)
+    {
+        mass += phase.mass();
+        momentum += phase.momentum();
+        kinetic += phase.kineticEnergy();
+        strain += phase.strainEnergy();
+        nFailed += const_cast<materialPointPhase&>(phase).nFailed();
+    }
+    Info<< "Material points: " << nPoints() << ", mass " << mass
+        << ", momentum " << momentum << nl
+        << "Energy: kinetic " << kinetic << ", strain " << strain
+        << ", total " << kinetic + strain << nl
+        << "Failed points: " << nFailed << ", steps redone: " << nRedone_
+        << endl;
+}
+
+
+void Foam::mpm::pointPhaseSystem::writePoints()
+{
+    for (gridState& field : fields_)
+    {
+        field.writeField();
+    }
+
+    if (alpha_.empty())
+    {
+        alpha_.setSize(phases_.size());
+        Umean_.setSize(phases_.size());
+        sigmaMean_.setSize(phases_.size());
+        forAll(phases_, phasei)
+        {
+            const auto object = [&](const word& name)
+            {
+                return IOobject
+                (
+                    IOobject::groupName(name, phases_[phasei].name()),
+                    mesh_.time().timeName(),
+                    mesh_,
+                    IOobject::NO_READ,
+                    IOobject::AUTO_WRITE
+                );
+            };
+            alpha_.set
+            (
+                phasei,
+                new volScalarField
+                (object("alpha"), mesh_, dimensionedScalar(dimless, Zero))
+            );
+            Umean_.set
+            (
+                phasei,
+                new volVectorField
+                (object("Umean"), mesh_, dimensionedVector(dimVelocity, Zero))
+            );
+            sigmaMean_.set
+            (
+                phasei,
+                new volSymmTensorField
+                (
+                    object("sigma"),
+                    mesh_,
+                    dimensionedSymmTensor(dimPressure, Zero)
+                )
+            );
+        }
+    }
+
+    forAll(phases_, phasei)
+    {
+        materialPointCloud& cloud = phases_[phasei].cloud();
+        cloud.writePoints();
+
+        alpha_[phasei] = dimensionedScalar(dimless, Zero);
+        Umean_[phasei] = dimensionedVector(dimVelocity, Zero);
+        sigmaMean_[phasei] = dimensionedSymmTensor(dimPressure, Zero);
+
+        forAll(cloud.cells(), k)
+        {
+            const label celli = cloud.cells()[k];
+            scalar v = 0, m = 0;
+            vector mU(Zero);
+            symmTensor vSigma(Zero);
+            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+            {
+                const scalar vp = cloud.volume()[0][p];
+                const scalar mp = cloud.mass()[0][p];
+                v += vp;
+                m += mp;
+                mU += mp*cloud.velocity(p);
+                vSigma += vp*cloud.sigma(p);
+            }
+            alpha_[phasei][celli] = v/mesh_.V()[celli];
+            Umean_[phasei][celli] = mU/m;
+            sigmaMean_[phasei][celli] = vSigma/v;
+        }
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,59 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointPasses.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(pointPasses, 0);
+    defineRunTimeSelectionTable(pointPasses, grid);
+}
+}
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::mpm::pointPasses>
+Foam::mpm::pointPasses::New(const dictionary& dict, const hexGrid& grid)
+{
+    const word name(dict.get<word>("shapeFunction"));
+
+    if (gridConstructorTablePtr_)
+    {
+        const auto iter = gridConstructorTablePtr_->cfind(name);
+        if (iter.good())
+        {
+            try
+            {
+                return iter.val()(grid);
+            }
+            catch (const string& reason)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The shape function " << name
+                    << " does not allow this mesh: " << reason << "." << nl
+                    << "linear allows every mesh of hexahedra, GIMP needs"
+                    << " boxes along the axes without re-entrant corners."
+                    << exit(FatalIOError);
+            }
+        }
+    }
+
+    FatalIOErrorInFunction(dict)
+        << "Unknown shapeFunction " << name << nl << nl
+        << "Valid shape functions are: "
+        << (gridConstructorTablePtr_ ? gridConstructorTablePtr_->sortedToc() : wordList())
+        << exit(FatalIOError);
+
+    return nullptr;
+}
+
+// ************************************************************************* //

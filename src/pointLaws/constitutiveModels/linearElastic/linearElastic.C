@@ -1,0 +1,341 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "linearElastic.H"
+#include "selector.H"
+#include "tensorSeries.H"
+#include "spectral.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(linearElastic, 0);
+    addToRunTimeSelectionTable(constitutiveModel, linearElastic, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+//- Strains up to this size go through the series of the logarithm
+constexpr double seriesLimit = 0.5;
+
+
+//- c = b - I of one point from the columns, full storage
+template<int DIM, class T, class Get>
+MPM_INLINE void unpack(const Get& get, T (&c)[DIM*DIM])
+{
+    for (int i = 0; i < DIM; ++i)
+    {
+        for (int j = i; j < DIM; ++j)
+        {
+            c[i*DIM + j] = c[j*DIM + i] = get(strainSlot(DIM, i, j));
+        }
+    }
+}
+
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::linearElastic::linearElastic(const dictionary& dict)
+:
+    constitutiveModel(dict)
+{
+    checkKeywords(dict, {"type", "rho", "E", "nu"});
+
+    const scalar E = positive(dict, "E");
+    const scalar nu = bounded(dict, "nu", -0.999, 0.499999);
+
+    lambda_ = E*nu/((1 + nu)*(1 - 2*nu));
+    mu_ = E/(2*(1 + nu));
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int DIM>
+void Foam::mpm::linearElastic::update(pointBlock& b) const
+{
+    constexpr int W = laneWidth<DIM>;
+    constexpr int N = DIM*DIM;
+    typedef lanes<W> T;
+
+    // Largest velocity gradient and strain of the block choose the number of
+    // terms for all its points
+    T dLMax = {}, cMax = {};
+    label p = 0;
+    for (; p + W <= b.n; p += W)
+    {
+        T a = {}, c = {};
+        for (int i = 0; i < N; ++i)
+        {
+            const T l = load<W>(b.dL[i] + p);
+            a += l*l;
+        }
+        for (int i = 0; i < nStrain(DIM); ++i)
+        {
+            const T l = load<W>(b.history[i] + p);
+            c += (i < DIM ? 1.0 : 2.0)*l*l;
+        }
+        dLMax = laneMax(dLMax, a);
+        cMax = laneMax(cMax, c);
+    }
+    double dL2 = horizontalMax(dLMax), c2 = horizontalMax(cMax);
+    for (; p < b.n; ++p)
+    {
+        double a = 0, c = 0;
+        for (int i = 0; i < N; ++i)
+        {
+            a += sqr(b.dL[i][p]);
+        }
+        for (int i = 0; i < nStrain(DIM); ++i)
+        {
+            c += (i < DIM ? 1.0 : 2.0)*sqr(b.history[i][p]);
+        }
+        dL2 = max(dL2, a);
+        c2 = max(c2, c);
+    }
+
+    // A NaN compares false everywhere: it is found by the caller's checks,
+    // here it only must not choose the number of terms
+    const double dLMag = dL2 < 100 ? std::sqrt(dL2) : 10.0;
+    const int nExp = expTerms(dLMag);
+
+    // |c'| <= (1 + |D|)^2 (1 + |c|) - 1 with |D| <= exp(|dL|) - 1
+    const double cBound =
+        std::exp(2*dLMag)*(1 + std::sqrt(c2 < 1e10 ? c2 : 1e10)) - 1;
+    const double q = cBound < 1 ? cBound/(2 - cBound) : 1.0;
+    const bool series = q < seriesLimit;
+    const int nLog = series ? logTerms(q) : 0;
+
+    for (p = 0; p < b.n; p += W)
+    {
+        const int n = (b.n - p < W ? b.n - p : W);
+        const auto get = [n, p](const double* a) -> T
+        {
+            return n == W ? load<W>(a + p) : loadPart<W>(a + p, n);
+        };
+        const auto put = [n, p](double* a, const T v)
+        {
+            if (n == W) store<W>(a + p, v); else storePart<W>(a + p, v, n);
+        };
+
+        // b' - I = G + D + D^T + (G + D) D^T,  G = (I + D)(b - I),
+        // D = exp(dt L) - I
+        T A[N], D[N], c[N], G[N], B[N];
+        for (int i = 0; i < N; ++i)
+        {
+            A[i] = get(b.dL[i]);
+        }
+        expm1Series<DIM>(A, nExp, D);
+        unpack<DIM>([&](int s) { return get(b.history[s]); }, c);
+        multiply<DIM>(D, c, G);
+        for (int i = 0; i < N; ++i)
+        {
+            G[i] += c[i];
+            B[i] = G[i] + D[i];
+        }
+        for (int i = 0; i < DIM; ++i)
+        {
+            for (int j = i; j < DIM; ++j)
+            {
+                T s = G[i*DIM + j] + D[i*DIM + j] + D[j*DIM + i];
+                for (int k = 0; k < DIM; ++k)
+                {
+                    s += B[i*DIM + k]*D[j*DIM + k];
+                }
+                c[i*DIM + j] = s;
+                c[j*DIM + i] = s;
+                put(b.history[strainSlot(DIM, i, j)], s);
+            }
+        }
+
+        T h[N];
+        if (series)
+        {
+            logHalfSeries<DIM>(c, nLog, h);
+        }
+        else
+        {
+            for (int l = 0; l < n; ++l)
+            {
+                double c1[N], h1[N];
+                for (int i = 0; i < N; ++i)
+                {
+                    c1[i] = c[i][l];
+                }
+                isotropicFunction<DIM>
+                (
+                    c1,
+                    [](double x) { return 0.5*std::log1p(x); },
+                    h1
+                );
+                for (int i = 0; i < N; ++i)
+                {
+                    h[i][l] = h1[i];
+                }
+            }
+            for (int l = n; l < W; ++l)
+            {
+                for (int i = 0; i < N; ++i)
+                {
+                    h[i][l] = 0;
+                }
+            }
+        }
+
+        T trh = h[0];
+        for (int i = 1; i < DIM; ++i)
+        {
+            trh += h[i*(DIM + 1)];
+        }
+
+        // sigma = tau/J
+        const T rJ = get(b.mass)/(rho()*get(b.volume));
+        const T pressurePart = lambda_*trh*rJ;
+        const T mu2 = 2*mu_*rJ;
+        for (int i = 0; i < 3; ++i)
+        {
+            put
+            (
+                b.stress[i],
+                i < DIM ? pressurePart + mu2*h[i*DIM + i] : pressurePart
+            );
+        }
+        for (int i = 0; i < DIM; ++i)
+        {
+            for (int j = i + 1; j < DIM; ++j)
+            {
+                put(b.stress[symmSlot(i, j)], mu2*h[i*DIM + j]);
+            }
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::mpm::historyColumn>
+Foam::mpm::linearElastic::history() const
+{
+    return List<historyColumn>
+    (
+        1,
+        historyColumn{"leftStretch", historyColumn::symmetric}
+    );
+}
+
+
+void Foam::mpm::linearElastic::correct(pointBlock& block) const
+{
+    switch (block.nDim)
+    {
+        case 1: update<1>(block); break;
+        case 2: update<2>(block); break;
+        default: update<3>(block);
+    }
+}
+
+
+void Foam::mpm::linearElastic::initialise(pointBlock& b) const
+{
+    // tau = lambda tr(h) I + 2 mu h inverted; the volume of the point is that
+    // of the stressed state, its mass follows J = exp(tr h) of the caller
+    for (label p = 0; p < b.n; ++p)
+    {
+        double sigma[9];
+        fullStress(b, p, sigma);
+
+        // Strain of the computed directions only; J = rho0 v/m
+        const int D = b.nDim;
+        const scalar J = rho()*b.volume[p]/b.mass[p];
+        scalar tr = 0;
+        for (int i = 0; i < D; ++i)
+        {
+            tr += J*sigma[4*i];
+        }
+        tr /= D*lambda_ + 2*mu_;
+
+        double h[9], c[9];
+        for (int i = 0; i < 9; ++i)
+        {
+            h[i] =
+                i/3 < D && i % 3 < D
+              ? (J*sigma[i] - (i % 4 == 0 ? lambda_*tr : 0))/(2*mu_)
+              : 0;
+        }
+        isotropicFunction<3>(h, [](double x) { return std::expm1(2*x); }, c);
+
+        for (int i = 0; i < D; ++i)
+        {
+            for (int j = i; j < D; ++j)
+            {
+                b.history[strainSlot(D, i, j)][p] = c[3*i + j];
+            }
+        }
+    }
+}
+
+
+Foam::scalar Foam::mpm::linearElastic::waveSpeed() const
+{
+    return std::sqrt((lambda_ + 2*mu_)/rho());
+}
+
+
+Foam::scalar Foam::mpm::linearElastic::strainEnergy(const pointBlock& b) const
+{
+    // From the stress: tau = J sigma gives
+    // h = (tau - lambda tr(h) I)/(2 mu), tr over the computed directions
+    const int D = b.nDim;
+    scalar sum = 0;
+    for (label p = 0; p < b.n; ++p)
+    {
+        if (b.damage && b.damage[p] > 0)
+        {
+            // What a failed point still stores is counted by its stress
+            scalar s2 = 0;
+            for (int i = 0; i < D; ++i)
+            {
+                s2 += sqr(b.stress[i][p]);
+            }
+            sum += b.volume[p]*s2/(2*(lambda_ + 2*mu_));
+            continue;
+        }
+
+        const scalar J = rho()*b.volume[p]/b.mass[p];
+        scalar tr = 0;
+        for (int i = 0; i < D; ++i)
+        {
+            tr += J*b.stress[i][p];
+        }
+        tr /= D*lambda_ + 2*mu_;
+
+        scalar hh = 0;
+        for (int i = 0; i < D; ++i)
+        {
+            hh += sqr((J*b.stress[i][p] - lambda_*tr)/(2*mu_));
+            for (int j = i + 1; j < D; ++j)
+            {
+                hh += 2*sqr(J*b.stress[symmSlot(i, j)][p]/(2*mu_));
+            }
+        }
+        sum += b.mass[p]/rho()*(0.5*lambda_*sqr(tr) + mu_*hh);
+    }
+    return sum;
+}
+
+// ************************************************************************* //

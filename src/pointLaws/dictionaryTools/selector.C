@@ -1,0 +1,105 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "selector.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::positive(const dictionary& dict, const word& key)
+{
+    const scalar value(dict.get<scalar>(key));
+
+    if (!(value > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " is " << value
+            << "; it must be greater than 0." << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::mpm::bounded
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar low,
+    const scalar high
+)
+{
+    const scalar value(dict.get<scalar>(key));
+
+    if (!(value >= low && value <= high))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " is " << value << "; it must be in ["
+            << low << ", " << high << "]." << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::mpm::boundedOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar deflt,
+    const scalar low,
+    const scalar high
+)
+{
+    return dict.found(key) ? bounded(dict, key, low, high) : deflt;
+}
+
+
+Foam::word Foam::mpm::oneOf
+(
+    const dictionary& dict,
+    const word& key,
+    const wordList& valid
+)
+{
+    const word value(dict.get<word>(key));
+
+    if (!valid.found(value))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown " << key << " " << value << nl << nl
+            << "Valid choices are: " << valid << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::word Foam::mpm::oneOfOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const word& deflt,
+    const wordList& valid
+)
+{
+    return dict.found(key) ? oneOf(dict, key, valid) : deflt;
+}
+
+
+void Foam::mpm::checkKeywords(const dictionary& dict, const wordList& valid)
+{
+    for (const word& key : dict.toc())
+    {
+        if (!valid.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown keyword " << key << " in " << dict.name() << nl
+                << nl << "Valid keywords are: " << valid
+                << exit(FatalIOError);
+        }
+    }
+}
+
+// ************************************************************************* //
