@@ -1,0 +1,110 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointRegion.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::mpm::pointRegion::overlaps
+(
+    const pointRegion& other,
+    const label k,
+    const label otherK,
+    point& where
+) const
+{
+    const label celli = cells_[k];
+    const hexMap map(grid_, celli);
+
+    for (label p = start_[k]; p < start_[k + 1]; ++p)
+    {
+        for (label sample = 0; sample < nSamples_; ++sample)
+        {
+            scalar xi[3];
+            local(sub_[p], sample, xi);
+
+            // Has the other region a point here?
+            label otherSub = 0, stride = 1;
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                const label i = label(xi[d]*other.n_[d]);
+                otherSub += stride*min(i, other.n_[d] - 1);
+                stride *= other.n_[d];
+            }
+            if
+            (
+                !std::binary_search
+                (
+                    other.sub_.begin() + other.start_[otherK],
+                    other.sub_.begin() + other.start_[otherK + 1],
+                    otherSub
+                )
+            )
+            {
+                continue;
+            }
+
+            where = map.position(xi);
+            if
+            (
+                shape_->contains(celli, where)
+             && other.shape_->contains(celli, where)
+            )
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::pointRegion::checkOverlap(const pointRegion& other) const
+{
+    if (mayOverlap_ || other.mayOverlap_)
+    {
+        return;
+    }
+
+    label j = 0;
+    forAll(cells_, k)
+    {
+        while (j < other.cells_.size() && other.cells_[j] < cells_[k])
+        {
+            ++j;
+        }
+        if (j == other.cells_.size())
+        {
+            return;
+        }
+
+        // Both ways: sub-cells may be of different size
+        point where;
+        if
+        (
+            other.cells_[j] == cells_[k]
+         && (
+                overlaps(other, k, j, where)
+             || other.overlaps(*this, j, k, where)
+            )
+        )
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Regions " << other.name_ << " and " << name_
+                << " overlap: both have points at " << where << " (cell "
+                << cells_[k] << "), and their phases share a velocity field."
+                << nl << "Change a shape, or write  overlap allow;  in one of"
+                << " the regions if that is meant." << exit(FatalIOError);
+        }
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,108 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cylinderShape.H"
+#include "selector.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(cylinderShape, 0);
+    addToRunTimeSelectionTable(pointRegionShape, cylinderShape, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::cylinderShape::cylinderShape
+(
+    const hexGrid& grid,
+    const dictionary& dict
+)
+:
+    pointRegionShape(grid),
+    start_(computed(dict.get<point>("point1"))),
+    axis_(dict.get<point>("point2") - dict.get<point>("point1")),
+    radius_(positive(dict, "radius"))
+{
+    const scalar length = mag(axis_);
+    if (!(length > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The ends of the cylinder's axis, point1 and point2, are both "
+            << dict.get<point>("point1") << "; they must differ."
+            << exit(FatalIOError);
+    }
+
+    const vector inPlane(computed(axis_));
+    const scalar tol = 1e-6*length;
+    if (mag(inPlane) > tol && mag(axis_ - inPlane) > tol)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The cylinder's axis " << axis_ << " is oblique to the mesh's"
+            << " empty direction; it must be along it or normal to it."
+            << exit(FatalIOError);
+    }
+    axis_ = mag(inPlane) > tol ? inPlane : vector(Zero);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::mpm::cylinderShape::keywords() const
+{
+    return {"point1", "point2", "radius"};
+}
+
+
+Foam::boundBox Foam::mpm::cylinderShape::bounds() const
+{
+    // The ends are circles: in direction c they reach r*sqrt(1 - e_c^2)
+    vector r(radius_, radius_, radius_);
+    for (direction c = 0; c < 3; ++c)
+    {
+        if (magSqr(axis_) > 0)
+        {
+            r[c] *= sqrt(max(1 - sqr(axis_[c])/magSqr(axis_), scalar(0)));
+        }
+    }
+    const point end(start_ + axis_);
+    return boundBox(min(start_, end) - r, max(start_, end) + r);
+}
+
+
+bool Foam::mpm::cylinderShape::contains(const label, const point& x) const
+{
+    const vector dx(computed(x) - start_);
+    const scalar length2 = magSqr(axis_);
+    if (!(length2 > 0))
+    {
+        return magSqr(dx) <= sqr(radius_);
+    }
+
+    const scalar t = (dx & axis_)/length2;
+    return t >= 0 && t < 1 && magSqr(dx - t*axis_) <= sqr(radius_);
+}
+
+
+Foam::scalar Foam::mpm::cylinderShape::volume() const
+{
+    const int n = grid_.nDim();
+    return
+        section()
+       *(
+            magSqr(axis_) > 0
+          ? ball(n - 1, radius_)*mag(axis_)
+          : ball(n, radius_)
+        );
+}
+
+// ************************************************************************* //

@@ -1,0 +1,160 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceShape.H"
+#include "triSurfaceMesh.H"
+#include "volumeType.H"
+#include "Time.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(surfaceShape, 0);
+    addToRunTimeSelectionTable(pointRegionShape, surfaceShape, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::surfaceShape::read(const word& name, const dictionary& dict)
+{
+    const Time& time = grid_.mesh().time();
+    const word type(dict.get<word>("type"));
+    string problem;
+
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+    try
+    {
+        surface_ = searchableSurface::New
+        (
+            type,
+            IOobject
+            (
+                name,
+                time.constant(),
+                "triSurface",
+                time,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            dict
+        );
+    }
+    catch (const Foam::error& err)
+    {
+        problem = err.message();
+    }
+    FatalError.dontThrowExceptions();
+    FatalIOError.dontThrowExceptions();
+
+    if (problem.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Cannot make the surface: " << problem.c_str()
+            << exit(FatalIOError);
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::surfaceShape::surfaceShape
+(
+    const hexGrid& grid,
+    const dictionary& dict
+)
+:
+    pointRegionShape(grid),
+    volume_(-1)
+{
+    const dictionary& surfaceDict = dict.subDict("surface");
+    read(dict.dictName(), surfaceDict);
+
+    if (!surface_->hasVolumeType())
+    {
+        FatalIOErrorInFunction(surfaceDict)
+            << "The surface is not closed: it has no inside. surfaceCheck"
+            << " shows where it is open." << exit(FatalIOError);
+    }
+
+    if (isA<triSurfaceMesh>(*surface_))
+    {
+        // Divergence theorem, from the middle of the surface: tetrahedra far
+        // from the origin would cancel
+        const triSurface& s = refCast<const triSurfaceMesh>(*surface_);
+        const point middle(surface_->bounds().midpoint());
+
+        scalar sum = 0;
+        for (const labelledTri& t : s)
+        {
+            const vector a(s.points()[t[0]] - middle);
+            const vector b(s.points()[t[1]] - middle);
+            const vector c(s.points()[t[2]] - middle);
+            sum += ((a ^ b) & c)/6;
+        }
+        if (!(sum > 0))
+        {
+            FatalIOErrorInFunction(surfaceDict)
+                << "The normals of the surface point inwards (its volume is "
+                << sum << "); turn them with surfaceOrient."
+                << exit(FatalIOError);
+        }
+        if (grid_.nDim() == 3)
+        {
+            volume_ = sum;
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::mpm::surfaceShape::keywords() const
+{
+    return {"surface"};
+}
+
+
+Foam::boundBox Foam::mpm::surfaceShape::bounds() const
+{
+    return surface_->bounds();
+}
+
+
+bool Foam::mpm::surfaceShape::contains
+(
+    const label celli,
+    const point& x
+) const
+{
+    return contains(celli, pointField(1, x))[0];
+}
+
+
+Foam::boolList Foam::mpm::surfaceShape::contains
+(
+    const label,
+    const pointField& x
+) const
+{
+    List<volumeType> types;
+    surface_->getVolumeType(x, types);
+
+    boolList inside(x.size());
+    forAll(x, i)
+    {
+        inside[i] = types[i] == volumeType::INSIDE;
+    }
+    return inside;
+}
+
+// ************************************************************************* //
