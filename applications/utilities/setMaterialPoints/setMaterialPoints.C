@@ -47,18 +47,25 @@ Usage
 
     Entries of a region:
     \table
-        Property       | Description                            | Required | Default
-        phase          | one of phases in phaseProperties       | yes      |
-        type           | shape, see below                       | yes      |
-        pointsPerCell  | points per direction, 1 to 16: a number or a vector; entries of empty directions are ignored | yes |
-        samples        | positions per direction of a sub-cell, 1 to 8: their part inside the shape multiplies the volume | no | 1
-        velocity       | velocity [m/s]                         | no       | (0 0 0)
-        stress         | (xx xy xz yy yz zz) [Pa], or ambient: minus pressure | no | zero
-        pressure       | with stress ambient [Pa]               | no       |
-        volumeFraction | factor of volume and mass, (0, 1]      | no       | 1
-        density        | for the mass, instead of the law's rho [kg/m3] | no | rho
-        overlap        | allow: share places with other regions | no       | forbid
+        Property       | Description                    | Required | Default
+        phase          | one of phases (phaseProperties) | yes     |
+        type           | shape, see below               | yes      |
+        pointsPerCell  | per direction, 1 to 16         | yes      |
+        samples        | per direction, 1 to 8          | no       | 1
+        velocity       | [m/s]                          | no       | (0 0 0)
+        stress         | (xx xy xz yy yz zz) [Pa] or ambient | no  | 0
+        pressure       | only with stress ambient [Pa]  | no       |
+        volumeFraction | factor of the volume, (0, 1]   | no       | 1
+        density        | for the mass [kg/m3]           | no       | rho of law
+        overlap        | allow or forbid                | no       | forbid
     \endtable
+
+    pointsPerCell is a number or a vector; its entries of empty directions are
+    ignored. With samples > 1, for curved shapes, samples^nDim positions in each
+    sub-cell are looked at, and a point gets the part of the sub-cell's volume
+    whose positions lie in the shape. With stress ambient the stress is that of
+    the pressure. Regions whose phases share a velocity field must not overlap,
+    unless one of them allows it.
 
     Shapes and their entries:
     \table
@@ -77,12 +84,10 @@ Usage
 #include "Time.H"
 #include "polyMesh.H"
 #include "IOdictionary.H"
-#include "IOmanip.H"
-#include "StringStream.H"
 #include "OSspecific.H"
 #include "PtrList.H"
 #include "materialPointPhase.H"
-#include "pointRegion.H"
+#include "regionTable.H"
 
 using namespace Foam;
 using namespace Foam::mpm;
@@ -91,25 +96,6 @@ using namespace Foam::mpm;
 
 namespace
 {
-
-IOobject dictionaryObject
-(
-    const polyMesh& mesh,
-    const fileName& name,
-    const fileName& instance
-)
-{
-    return IOobject
-    (
-        name,
-        instance,
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
-}
-
 
 //- The phases, without points
 void readPhases
@@ -133,6 +119,17 @@ void readPhases
 }
 
 
+wordList namesOf(const PtrList<materialPointPhase>& phases)
+{
+    wordList names(phases.size());
+    forAll(phases, i)
+    {
+        names[i] = phases[i].name();
+    }
+    return names;
+}
+
+
 //- The regions with their points
 void readRegions
 (
@@ -142,11 +139,7 @@ void readRegions
     PtrList<pointRegion>& regions
 )
 {
-    wordList names(phases.size());
-    forAll(phases, i)
-    {
-        names[i] = phases[i].name();
-    }
+    const wordList names(namesOf(phases));
 
     const auto phaseOf = [&](const pointRegion& r) -> const materialPointPhase&
     {
@@ -208,82 +201,6 @@ DynamicList<materialPointCloud::newPoint> pointsOf
         }
     }
     return points;
-}
-
-
-//- A line of the table; a negative volume is not known
-void printLine
-(
-    const std::string& region,
-    const word& phase,
-    const label nPoints,
-    const scalar mass,
-    const scalar volume,
-    const scalar exactVolume
-)
-{
-    const auto padded = [](std::string s)
-    {
-        s.resize(max(s.size(), std::size_t(15)), ' ');
-        return s + ' ';
-    };
-
-    OStringStream line;
-    line.precision(6);
-    line<< "    " << padded(region).c_str() << padded(phase).c_str()
-        << setw(10) << nPoints << setw(14) << mass << setw(14) << volume;
-    if (exactVolume > 0)
-    {
-        line<< setw(14) << exactVolume
-            << setw(14) << (volume - exactVolume)/exactVolume;
-    }
-    else
-    {
-        line<< setw(14) << "n/a" << setw(14) << "n/a";
-    }
-    Info<< line.str().c_str() << nl;
-}
-
-
-void printTable
-(
-    const PtrList<materialPointPhase>& phases,
-    const PtrList<pointRegion>& regions
-)
-{
-    Info<< "    region          phase               points     mass [kg]"
-        << "   volume [m3]    exact [m3]    difference" << nl;
-
-    forAll(regions, i)
-    {
-        const pointRegion& r = regions[i];
-        printLine
-        (
-            r.name(), r.phase(), r.points().size(), r.mass(), r.volume(),
-            r.exactVolume()
-        );
-    }
-    Info<< nl;
-
-    forAll(phases, i)
-    {
-        label n = 0;
-        scalar mass = 0, volume = 0, exact = 0;
-        forAll(regions, j)
-        {
-            const pointRegion& r = regions[j];
-            if (r.phase() == phases[i].name())
-            {
-                n += r.points().size();
-                mass += r.mass();
-                volume += r.volume();
-                const scalar v = r.exactVolume();
-                exact = v < 0 || exact < 0 ? -1 : exact + v;
-            }
-        }
-        printLine("total", phases[i].name(), n, mass, volume, exact);
-    }
-    Info<< endl;
 }
 
 
@@ -353,7 +270,13 @@ int main(int argc, char *argv[])
 
     const IOdictionary phaseProperties
     (
-        dictionaryObject(mesh, "phaseProperties", runTime.constant())
+        IOobject
+        (
+            "phaseProperties",
+            runTime.constant(),
+            mesh,
+            IOobject::MUST_READ
+        )
     );
     PtrList<materialPointPhase> phases;
     readPhases(grid, phaseProperties, phases);
@@ -363,7 +286,7 @@ int main(int argc, char *argv[])
     PtrList<pointRegion> regions;
     readRegions(grid, dict, phases, regions);
 
-    printTable(phases, regions);
+    printTable(namesOf(phases), regions);
 
     if (!args.found("count"))
     {

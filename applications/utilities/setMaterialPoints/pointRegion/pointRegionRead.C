@@ -1,0 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointRegion.H"
+#include "selector.H"
+#include "labelVector.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pointRegion::checkEntries() const
+{
+    wordList valid
+    ({
+        "phase", "type", "pointsPerCell", "samples", "velocity", "stress",
+        "pressure", "volumeFraction", "density", "overlap"
+    });
+    valid.append(shape_->keywords());
+    checkKeywords(dict_, valid);
+}
+
+
+void Foam::mpm::pointRegion::readPointsPerCell()
+{
+    const word key("pointsPerCell");
+    const token first(dict_.lookup(key));
+    const labelVector perAxis
+    (
+        first.isNumber()
+      ? labelVector::uniform(dict_.get<label>(key))
+      : dict_.get<labelVector>(key)
+    );
+
+    nSub_ = nSamples_ = 1;
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        n_[d] = perAxis[grid_.direction(d)];
+        if (n_[d] < 1 || n_[d] > 16)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry " << key << " asks for " << n_[d]
+                << " points in direction " << "xyz"[grid_.direction(d)]
+                << " of a cell; it must be 1 to 16." << exit(FatalIOError);
+        }
+        nSub_ *= n_[d];
+        nSamples_ *= m_;
+    }
+}
+
+
+void Foam::mpm::pointRegion::readVelocity()
+{
+    U_ = dict_.getOrDefault<vector>("velocity", Zero);
+
+    vector rest(U_);
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        rest[grid_.direction(d)] = 0;
+    }
+    if (rest != vector(Zero))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The velocity " << U_ << " has a component in an empty"
+            << " direction of the mesh; it must be 0." << exit(FatalIOError);
+    }
+}
+
+
+void Foam::mpm::pointRegion::readStress()
+{
+    sigma_ = Zero;
+
+    const bool found = dict_.found("stress");
+    const bool ambient = found && token(dict_.lookup("stress")).isWord();
+
+    if (ambient)
+    {
+        oneOf(dict_, "stress", {"ambient"});
+        const scalar p = dict_.get<scalar>("pressure");
+        sigma_ = symmTensor(-p, 0, 0, -p, 0, -p);
+        return;
+    }
+    if (dict_.found("pressure"))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry pressure only goes with:  stress ambient;"
+            << exit(FatalIOError);
+    }
+    if (!found)
+    {
+        return;
+    }
+
+    sigma_ = dict_.get<symmTensor>("stress");
+
+    bool isComputed[3] = {false, false, false};
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        isComputed[grid_.direction(d)] = true;
+    }
+    if
+    (
+        (sigma_.xy() != 0 && !(isComputed[0] && isComputed[1]))
+     || (sigma_.xz() != 0 && !(isComputed[0] && isComputed[2]))
+     || (sigma_.yz() != 0 && !(isComputed[1] && isComputed[2]))
+    )
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The stress (xx xy xz yy yz zz) " << sigma_ << " has shear in"
+            << " an empty direction of the mesh; it must be 0."
+            << exit(FatalIOError);
+    }
+}
+
+// ************************************************************************* //
