@@ -7,9 +7,6 @@ License
 Application
     setMaterialPoints
 
-Group
-    grpPreProcessingUtilities
-
 Description
     Fills regions of the mesh with material points: the setFields of points.
 
@@ -208,10 +205,7 @@ DynamicList<materialPointCloud::newPoint> pointsOf
 void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
 {
     const Time& time = phase.cloud().time();
-    const fileName folder
-    (
-        time.timePath()/cloud::prefix/phase.name()
-    );
+    const fileName folder(time.timePath()/cloud::prefix/phase.name());
     if (isDir(folder))
     {
         rmDir(folder);
