@@ -411,25 +411,19 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
     forAll(oldCells_, k)
     {
         const label celli = oldCells_[k];
-        label p = oldStart_[k];
-        while (p < oldStart_[k + 1])
+        label to = count_[celli];
+        for (label p = oldStart_[k]; p < oldStart_[k + 1]; ++p)
         {
-            const label stop =
-                m < movers.size() && movers[m].point < oldStart_[k + 1]
-              ? movers[m].point
-              : oldStart_[k + 1];
-            label to = count_[celli];
-            for (; p < stop; ++p)
-            {
-                from_[to++] = p;
-            }
-            count_[celli] = to;
             if (m < movers.size() && movers[m].point == p)
             {
                 ++m;
-                ++p;
+            }
+            else
+            {
+                from_[to++] = p;
             }
         }
+        count_[celli] = to;
     }
     const scalar* id = id_[0];
     for (const mover& mv : movers)

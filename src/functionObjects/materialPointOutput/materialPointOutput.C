@@ -1,0 +1,233 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointOutput.H"
+#include "selector.H"
+#include <sstream>
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::mpm::pointPhaseSystem*
+Foam::functionObjects::materialPointOutput::findPoints() const
+{
+    return mesh_.cfindObject<mpm::pointPhaseSystem>("pointPhaseSystem");
+}
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases
+(
+    const mpm::pointPhaseSystem& points
+) const
+{
+    DynamicList<word> valid;
+    for (const mpm::materialPointPhase& p : points.phases())
+    {
+        valid.append(p.name());
+    }
+
+    wordList names;
+    if (dict_.found("phase"))
+    {
+        if (dict_.found("phases"))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Give either phase or phases, not both."
+                << exit(FatalIOError);
+        }
+        names.setSize(1, dict_.get<word>("phase"));
+    }
+    else if (dict_.found("phases"))
+    {
+        names = dict_.get<wordList>("phases");
+    }
+    else
+    {
+        names = valid;
+    }
+
+    forAll(names, i)
+    {
+        if (!valid.found(names[i]))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Unknown phase " << names[i] << nl << nl
+                << "Valid phases are: " << wordList(valid) << nl
+                << exit(FatalIOError);
+        }
+        if (names.find(names[i]) != i)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Phase " << names[i] << " is listed twice."
+                << exit(FatalIOError);
+        }
+    }
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The list of phases is empty." << nl << nl
+            << "Valid phases are: " << wordList(valid) << nl
+            << exit(FatalIOError);
+    }
+    return names;
+}
+
+
+const Foam::mpm::materialPointPhase&
+Foam::functionObjects::materialPointOutput::phase
+(
+    const mpm::pointPhaseSystem& points,
+    const word& name
+)
+{
+    for (const mpm::materialPointPhase& p : points.phases())
+    {
+        if (p.name() == name)
+        {
+            return p;
+        }
+    }
+    FatalErrorInFunction
+        << "There is no phase " << name << "." << exit(FatalError);
+
+    return points.phases()[0];
+}
+
+
+void Foam::functionObjects::materialPointOutput::setFiles
+(
+    const wordList& names,
+    const List<string>& headers
+)
+{
+    if (names != fileNames_ || headers != headers_)
+    {
+        fileNames_ = names;
+        headers_ = headers;
+        files_.clear();
+        files_.setSize(names.size());
+    }
+}
+
+
+Foam::Ostream& Foam::functionObjects::materialPointOutput::row
+(
+    const label filei
+)
+{
+    const Time& runTime = mesh_.time();
+
+    if (!files_.set(filei))
+    {
+        autoPtr<OFstream> file
+        (
+            opened_
+          ? createFile(fileNames_[filei], runTime.value())
+          : createFile(fileNames_[filei])
+        );
+        files_.set(filei, file.release());
+
+        // initStream() leaves a width for what comes next
+        OFstream& os = files_[filei];
+        os.width(0);
+
+        std::istringstream lines(headers_[filei]);
+        std::string line, next;
+        std::getline(lines, line);
+        while (std::getline(lines, next))
+        {
+            os  << "# " << line.c_str() << nl;
+            line = next;
+        }
+        os  << "# Time[s]" << line.c_str() << endl;
+    }
+
+    OFstream& os = files_[filei];
+    os  << (useUserTime_ ? runTime.timeOutputValue() : runTime.value());
+    return os;
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::materialPointOutput::materialPointOutput
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name),
+    ready_(false),
+    opened_(false)
+{}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    writeFile::read(dict);
+
+    // Whatever controlDict has for fields, balances need all digits
+    if (!dict.found("writePrecision"))
+    {
+        writePrecision_ = 16;
+    }
+
+    dict_ = dict;
+    ready_ = false;
+
+    wordList valid
+    ({
+        "type", "libs", "functionObjectLibs", "enabled", "log", "errors",
+        "region", "subRegion", "timeStart", "timeEnd", "executeControl",
+        "executeInterval", "writeControl", "writeInterval", "outputControl",
+        "outputInterval", "controlMode", "triggerStart", "triggerEnd",
+        "deltaTCoeff", "nStepsToStartTimeChange", "writeToFile",
+        "writePrecision", "useUserTime", "updateHeader", "useNamePrefix"
+    });
+    valid.append(keywords());
+    mpm::checkKeywords(dict, valid);
+
+    // Mistakes in the dictionary stop the run before its first step
+    if (const mpm::pointPhaseSystem* points = findPoints())
+    {
+        prepare(*points);
+        ready_ = true;
+    }
+    return true;
+}
+
+
+bool Foam::functionObjects::materialPointOutput::write()
+{
+    const mpm::pointPhaseSystem* points = findPoints();
+
+    if (!points)
+    {
+        FatalErrorInFunction
+            << type() << " " << name() << ": there are no material points."
+            << nl << "This function object works with materialPointFoam and"
+            << " materialPointFoam -postProcess." << exit(FatalError);
+    }
+    if (!ready_)
+    {
+        prepare(*points);
+        ready_ = true;
+    }
+    if (writeToFile_)
+    {
+        sample(*points);
+        opened_ = true;
+    }
+    return true;
+}
+
+// ************************************************************************* //

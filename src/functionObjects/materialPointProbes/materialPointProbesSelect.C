@@ -1,0 +1,173 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointProbes.H"
+#include "boundBox.H"
+#include "selector.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::materialPointProbes::checkIds
+(
+    const mpm::materialPointPhase& phase,
+    const dictionary& dict
+) const
+{
+    const mpm::materialPointCloud& cloud = phase.cloud();
+    labelList there(cloud.size());
+    forAll(there, p)
+    {
+        there[p] = label(cloud.id()[0][p]);
+    }
+    const mpm::idTable table(there, there.size());
+
+    for (const label id : id_)
+    {
+        if (table[id] < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown id " << id << " of phase " << phase_ << nl << nl
+                << "It has " << there.size() << " points with ids from "
+                << min(there) << " to " << max(there) << "." << nl
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::functionObjects::materialPointProbes::selectNearest
+(
+    const mpm::hexGrid& grid,
+    const pointField& locations
+)
+{
+    id_.setSize(locations.size());
+    forAll(locations, i)
+    {
+        scalar best = VGREAT;
+        forAll(start_->x(), p)
+        {
+            scalar distance2 = 0;
+            for (int d = 0; d < grid.nDim(); ++d)
+            {
+                const int c = grid.direction(d);
+                distance2 += sqr(start_->x()[p][c] - locations[i][c]);
+            }
+            // The lowest id of points at the same distance
+            const label id = start_->id()[p];
+            if (distance2 < best || (distance2 == best && id < id_[i]))
+            {
+                best = distance2;
+                id_[i] = id;
+            }
+        }
+    }
+}
+
+
+void Foam::functionObjects::materialPointProbes::selectBox
+(
+    const mpm::hexGrid& grid,
+    const dictionary& dict
+)
+{
+    ITstream& is = dict.lookupEntry("box", keyType::LITERAL).stream();
+    const point low(is), high(is);
+
+    bool right = !is.nRemainingTokens();
+    for (int d = 0; d < grid.nDim(); ++d)
+    {
+        right = right && low[grid.direction(d)] <= high[grid.direction(d)];
+    }
+    if (!right)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry box must be two corners, (xmin ymin zmin)"
+            << " (xmax ymax zmax)." << exit(FatalIOError);
+    }
+
+    DynamicList<label> ids;
+    forAll(start_->x(), p)
+    {
+        bool inside = true;
+        for (int d = 0; d < grid.nDim(); ++d)
+        {
+            const int c = grid.direction(d);
+            const scalar x = start_->x()[p][c];
+            inside = inside && x >= low[c] && x <= high[c];
+        }
+        if (inside)
+        {
+            ids.append(start_->id()[p]);
+        }
+    }
+    Foam::sort(ids);
+    id_.transfer(ids);
+
+    if (id_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "At time " << start_->time() << " no point of phase " << phase_
+            << " is in the box " << low << ' ' << high << nl << nl
+            << "Its points are in the box "
+            << boundBox(start_->x(), false).min() << ' '
+            << boundBox(start_->x(), false).max() << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::functionObjects::materialPointProbes::select
+(
+    const mpm::materialPointPhase& phase,
+    const dictionary& dict
+)
+{
+    mpm::checkKeywords(dict, {"ids", "nearest", "box"});
+    if (dict.size() != 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give one of ids, nearest and box." << exit(FatalIOError);
+    }
+
+    const mpm::hexGrid& grid = phase.cloud().grid();
+
+    if (dict.found("ids"))
+    {
+        id_ = dict.get<labelList>("ids");
+    }
+    else if (dict.found("nearest"))
+    {
+        selectNearest(grid, dict.get<pointField>("nearest"));
+    }
+    else
+    {
+        selectBox(grid, dict);
+    }
+
+    if (id_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are no points in the list."  << exit(FatalIOError);
+    }
+    labelList sorted(id_);
+    Foam::sort(sorted);
+    for (label i = 1; i < sorted.size(); ++i)
+    {
+        if (sorted[i] == sorted[i - 1])
+        {
+            FatalIOErrorInFunction(dict)
+                << "Point " << sorted[i] << " is chosen twice."
+                << exit(FatalIOError);
+        }
+    }
+    checkIds(phase, dict);
+    table_ = mpm::idTable(id_, phase.cloud().size());
+}
+
+// ************************************************************************* //

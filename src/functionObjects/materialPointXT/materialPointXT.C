@@ -1,0 +1,213 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointXT.H"
+#include "addToRunTimeSelectionTable.H"
+#include "pointQuantity.H"
+#include "selector.H"
+#include "Pair.H"
+#include <vector>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(materialPointXT, 0);
+    addToRunTimeSelectionTable
+    (
+        functionObject,
+        materialPointXT,
+        dictionary
+    );
+}
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::wordList Foam::functionObjects::materialPointXT::keywords() const
+{
+    return {"phase", "phases", "field", "direction", "range", "nBins"};
+}
+
+
+void Foam::functionObjects::materialPointXT::makeBins
+(
+    const int c,
+    const scalar low,
+    const scalar high
+)
+{
+    std::vector<bool> used(nBins_, false);
+    label nPoints = 0, nIn = 0;
+    scalar first = VGREAT, last = -VGREAT;
+
+    bin_.setSize(start_.size());
+    forAll(start_, i)
+    {
+        const pointField& x = start_[i].x();
+        bin_[i].setSize(x.size());
+        nPoints += x.size();
+        forAll(x, p)
+        {
+            first = min(first, x[p][c]);
+            last = max(last, x[p][c]);
+            bin_[i][p] = -1;
+            if (x[p][c] >= low && x[p][c] <= high)
+            {
+                bin_[i][p] = min
+                (
+                    nBins_ - 1,
+                    label(nBins_*((x[p][c] - low)/(high - low)))
+                );
+                used[bin_[i][p]] = true;
+                ++nIn;
+            }
+        }
+    }
+
+    if (!nIn)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "At the start no point is in the range (" << low << ' ' << high
+            << ")." << nl << nl << "They are in (" << first << ' ' << last
+            << ")." << nl << exit(FatalIOError);
+    }
+
+    label nEmpty = 0;
+    for (const bool filled : used)
+    {
+        nEmpty += !filled;
+    }
+    Info<< type() << ' ' << name() << ": " << nIn << " of " << nPoints
+        << " points in " << nBins_ << " bins, " << nEmpty << " of them empty"
+        << endl;
+}
+
+
+void Foam::functionObjects::materialPointXT::prepare
+(
+    const mpm::pointPhaseSystem& points
+)
+{
+    phases_ = selectedPhases(points);
+    field_ = dict_.get<word>("field");
+    nBins_ = label(mpm::bounded(dict_, "nBins", 1, 1e6));
+
+    const Pair<scalar> range(dict_.get<Pair<scalar>>("range"));
+    if (!(range.first() < range.second()))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry range is (" << range.first() << ' ' << range.second()
+            << "); the first value must be smaller than the second."
+            << exit(FatalIOError);
+    }
+
+    const wordList axes({"x", "y", "z"});
+    const int c = axes.find(mpm::oneOf(dict_, "direction", axes));
+    DynamicList<word> computed;
+    for (int d = 0; d < points.grid().nDim(); ++d)
+    {
+        computed.append(axes[points.grid().direction(d)]);
+    }
+    if (!computed.found(axes[c]))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Direction " << axes[c] << " is not computed." << nl << nl
+            << "Valid directions are: " << wordList(computed) << nl
+            << exit(FatalIOError);
+    }
+
+    std::string unit;
+    start_.clear();
+    start_.setSize(phases_.size());
+    forAll(phases_, i)
+    {
+        const mpm::materialPointPhase& material = phase(points, phases_[i]);
+        const mpm::pointQuantity q(dict_, material, field_, nullptr);
+        if (q.size() > 1)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Field " << field_ << " has " << q.size()
+                << " components; choose one." << nl << nl
+                << "Valid choices are: " << q.titles() << nl
+                << exit(FatalIOError);
+        }
+        unit = q.unit();
+        start_.set(i, new mpm::startState(dict_, material));
+    }
+    makeBins(c, range.first(), range.second());
+
+    OStringStream os;
+    os.precision(writePrecision_);
+    os  << field_ << unit.c_str() << " of " << phases_ << ", mean over bins of "
+        << axes[c] << " at time " << start_[0].time() << nl
+        << "Columns: time, then bins, whose centres [m] are" << nl;
+    const scalar width = (range.second() - range.first())/nBins_;
+    for (label b = 0; b < nBins_; ++b)
+    {
+        os  << tab << range.first() + (b + 0.5)*width;
+    }
+    setFiles(wordList(1, field_), List<string>(1, os.str()));
+}
+
+
+void Foam::functionObjects::materialPointXT::sample
+(
+    const mpm::pointPhaseSystem& points
+)
+{
+    scalarField sum(nBins_, Zero), volume(nBins_, Zero);
+
+    forAll(phases_, i)
+    {
+        const mpm::materialPointPhase& material = phase(points, phases_[i]);
+        const mpm::materialPointCloud& cloud = material.cloud();
+        const mpm::pointQuantity q(dict_, material, field_, &start_[i]);
+
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            // Points that came later have no place in the diagram
+            const label first = start_[i].find(label(cloud.id()[0][p]));
+            const label b = first < 0 ? -1 : bin_[i][first];
+            if (b >= 0)
+            {
+                scalar v[mpm::pointQuantity::maxSize];
+                q.get(p, v);
+                const scalar V = cloud.volume()[0][p];
+                sum[b] += V*v[0];
+                volume[b] += V;
+            }
+        }
+    }
+
+    Ostream& os = row(0);
+    forAll(sum, b)
+    {
+        os  << tab << (volume[b] > 0 ? sum[b]/volume[b] : 0);
+    }
+    os  << endl;
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::materialPointXT::materialPointXT
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    materialPointOutput(name, runTime, dict),
+    nBins_(0)
+{
+    read(dict);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,308 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include <doctest/doctest.h>
+#include "constitutiveModel.H"
+#include "failureModel.H"
+#include "IStringStream.H"
+#include "IOstreams.H"
+#include <cmath>
+#include <vector>
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+namespace
+{
+
+//- Columns of n points for a law, without any cloud
+struct points
+{
+    int nDim;
+    label n;
+    std::vector<std::vector<scalar>> dL, stress, history;
+    std::vector<scalar> mass, volume, damage;
+
+    points(const int D, const label nPoints, const scalar rho)
+    :
+        nDim(D),
+        n(nPoints),
+        dL(9, std::vector<scalar>(nPoints, 0)),
+        stress(6, std::vector<scalar>(nPoints, 0)),
+        history(24, std::vector<scalar>(nPoints, 0)),
+        mass(nPoints, rho),
+        volume(nPoints, 1),
+        damage(nPoints, 0)
+    {}
+
+    pointBlock block()
+    {
+        pointBlock b;
+        b.nDim = nDim;
+        b.n = n;
+        b.dt = 1;
+        for (int i = 0; i < 9; ++i) b.dL[i] = dL[i].data();
+        for (int i = 0; i < 6; ++i) b.stress[i] = stress[i].data();
+        for (int i = 0; i < 24; ++i) b.history[i] = history[i].data();
+        b.mass = mass.data();
+        b.volume = volume.data();
+        b.damage = damage.data();
+        b.strength = nullptr;
+        return b;
+    }
+
+    //- One increment dt L for all points; the volume follows
+    void apply(const constitutiveModel& law, const std::vector<scalar>& L)
+    {
+        scalar tr = 0;
+        for (int i = 0; i < nDim*nDim; ++i)
+        {
+            std::fill(dL[i].begin(), dL[i].end(), L[i]);
+            if (i % (nDim + 1) == 0) tr += L[i];
+        }
+        for (scalar& v : volume) v *= std::exp(tr);
+        pointBlock b(block());
+        law.correct(b);
+    }
+
+    //- First and second invariant of the stress, norm
+    std::vector<scalar> invariants(const label p) const
+    {
+        scalar s[9];
+        points& me = const_cast<points&>(*this);
+        fullStress(me.block(), p, s);
+        const scalar I1 = s[0] + s[4] + s[8];
+        scalar n2 = 0;
+        for (scalar a : s) n2 += a*a;
+        const scalar det =
+            s[0]*(s[4]*s[8] - s[5]*s[7]) - s[1]*(s[3]*s[8] - s[5]*s[6])
+          + s[2]*(s[3]*s[7] - s[4]*s[6]);
+        return {I1, n2, det};
+    }
+};
+
+
+autoPtr<constitutiveModel> elastic(const scalar nu)
+{
+    IStringStream is
+    (
+        "type linearElastic; rho 2700; E 70e9; nu " + Foam::name(nu) + ";"
+    );
+    return constitutiveModel::New(dictionary(is));
+}
+
+const scalar E = 70e9;
+
+}
+
+
+TEST_CASE("linearElastic: uniaxial strain against the closed form")
+{
+    // sigma = (lambda + 2 mu) ln(F)/F, lateral lambda ln(F)/F
+    const scalar nu = 0.3;
+    const scalar lambda = E*nu/((1 + nu)*(1 - 2*nu)), mu = E/(2*(1 + nu));
+    const auto law(elastic(nu));
+
+    for (int D = 1; D <= 3; ++D)
+    {
+        for (const scalar step : {1e-3, -1e-3, 0.02, -0.02, 0.3})
+        {
+            points p(D, 11, 2700);
+            std::vector<scalar> L(9, 0);
+            L[0] = step;
+            for (int i = 0; i < 5; ++i) p.apply(*law, L);
+
+            const scalar h = 5*step, J = std::exp(h);
+            const scalar axial = (lambda + 2*mu)*h/J, side = lambda*h/J;
+            for (label i = 0; i < p.n; ++i)
+            {
+                CHECK(p.stress[0][i] == doctest::Approx(axial).epsilon(1e-11));
+                CHECK(p.stress[1][i] == doctest::Approx(side).epsilon(1e-11));
+                CHECK(p.stress[2][i] == doctest::Approx(side).epsilon(1e-11));
+            }
+            pointBlock b(p.block());
+            CHECK
+            (
+                law->strainEnergy(b)
+             == doctest::Approx(p.n*0.5*(lambda + 2*mu)*h*h).epsilon(1e-10)
+            );
+        }
+    }
+}
+
+
+TEST_CASE("linearElastic: simple shear in logarithmic strain")
+{
+    // F = (1 g; 0 1): h has principal values +-asinh(g/2), so
+    // |tau_dev| = 2 mu sqrt(2) asinh(g/2), trace 0
+    const auto law(elastic(0.25));
+    const scalar mu = E/2.5;
+    for (int D = 2; D <= 3; ++D)
+    {
+        for (const scalar g : {1e-4, 0.1, 1.0, 4.0})
+        {
+            points p(D, 9, 2700);
+            std::vector<scalar> L(9, 0);
+            const int n = g > 0.5 ? 10 : 1;
+            L[1] = g/n;
+            for (int i = 0; i < n; ++i) p.apply(*law, L);
+            const std::vector<scalar> inv(p.invariants(3));
+            const scalar expected = std::sqrt(8.0)*mu*std::asinh(g/2);
+            CHECK(std::sqrt(inv[1]) == doctest::Approx(expected).epsilon(1e-9));
+            CHECK(std::abs(inv[0]) <= 1e-9*expected);
+        }
+    }
+}
+
+
+TEST_CASE("linearElastic: invariants under 1e5 exact incremental rotations")
+{
+    const auto law(elastic(0.3));
+    for (int D = 2; D <= 3; ++D)
+    {
+        points p(D, 5, 2700);
+        std::vector<scalar> L(9, 0);
+        L[0] = 0.01; L[1] = 0.004; L[D] = -0.002; L[D + 1] = -0.006;
+        if (D == 3) { L[2] = 0.003; L[8] = 0.002; }
+        p.apply(*law, L);
+        const std::vector<scalar> before(p.invariants(0));
+
+        // exp(dt W) of a skew W is a rotation by |w|
+        std::fill(L.begin(), L.end(), 0);
+        L[1] = -0.0123; L[D] = 0.0123;
+        if (D == 3) { L[2] = 0.007; L[6] = -0.007; L[5] = -0.004; L[7] = 0.004; }
+        for (int i = 0; i < 100000; ++i) p.apply(*law, L);
+
+        const std::vector<scalar> after(p.invariants(0));
+        const scalar size = std::sqrt(before[1]);
+        for (label i = 0; i < p.n; ++i)
+        {
+            CHECK(std::abs(after[0] - before[0]) <= 1e-10*size);
+            CHECK(std::abs(after[1] - before[1]) <= 1e-10*size*size);
+            CHECK(std::abs(after[2] - before[2]) <= 1e-10*size*size*size);
+        }
+        CHECK(p.volume[0] == doctest::Approx(std::exp(D == 3 ? 0.006 : 0.004)).epsilon(1e-12));
+    }
+}
+
+
+TEST_CASE("linearElastic: superposed rotation turns the stress")
+{
+    // Stretch then quarter turn about z: xx and yy change places
+    const auto law(elastic(0.2));
+    points p(3, 8, 2700);
+    std::vector<scalar> L(9, 0);
+    L[0] = 0.02; L[4] = -0.01;
+    p.apply(*law, L);
+    const scalar xx = p.stress[0][0], yy = p.stress[1][0];
+    std::fill(L.begin(), L.end(), 0);
+    const scalar angle = 2*std::atan(1.0)/50;
+    L[1] = -angle; L[3] = angle;
+    for (int i = 0; i < 50; ++i) p.apply(*law, L);
+    CHECK(p.stress[0][0] == doctest::Approx(yy).epsilon(1e-12));
+    CHECK(p.stress[1][0] == doctest::Approx(xx).epsilon(1e-12));
+    CHECK(std::abs(p.stress[3][0]) <= 1e-11*std::abs(xx));
+}
+
+
+TEST_CASE("linearElastic: initial stress gives the strain that carries it")
+{
+    const auto law(elastic(0.3));
+    for (int D = 1; D <= 3; ++D)
+    {
+        points p(D, 7, 2700);
+        const scalar nu = 0.3;
+        const scalar lambda = E*nu/((1 + nu)*(1 - 2*nu)), mu = E/(2*(1 + nu));
+        // A stress that plane strain can have
+        const scalar hx = 1e-3;
+        for (label i = 0; i < p.n; ++i)
+        {
+            p.stress[0][i] = (lambda + 2*mu)*hx;
+            p.stress[1][i] = p.stress[2][i] = lambda*hx;
+        }
+        pointBlock b(p.block());
+        law->initialise(b);
+        const std::vector<scalar> before(p.invariants(2));
+        p.apply(*law, std::vector<scalar>(9, 0));
+        const std::vector<scalar> after(p.invariants(2));
+        CHECK(after[0] == doctest::Approx(before[0]).epsilon(1e-12));
+        CHECK(after[1] == doctest::Approx(before[1]).epsilon(1e-12));
+    }
+}
+
+
+TEST_CASE("maxPrincipalStress: fails at the limit, keeps compression only")
+{
+    IStringStream is("type maxPrincipalStress; strength 400e6;");
+    const auto model(failureModel::New(dictionary(is)));
+
+    points p(3, 4, 2700);
+    // Just below, just above in a turned direction, compression
+    const scalar c = std::cos(0.4), s = std::sin(0.4);
+    const auto turned = [&](label i, scalar a, scalar b)
+    {
+        p.stress[0][i] = a*c*c + b*s*s;
+        p.stress[1][i] = a*s*s + b*c*c;
+        p.stress[3][i] = (a - b)*c*s;
+    };
+    turned(0, 399.9e6, -100e6);
+    turned(1, 400.1e6, -100e6);
+    turned(2, -500e6, -600e6);
+    turned(3, 500e6, 450e6);
+
+    pointBlock b(p.block());
+    CHECK(model->correct(b) == 2);
+    CHECK(p.damage[0] == 0);
+    CHECK(p.damage[1] == 1);
+    CHECK(p.damage[2] == 0);
+    CHECK(p.damage[3] == 1);
+
+    // What point 1 keeps is -100 MPa along its second direction
+    CHECK(p.stress[0][1] == doctest::Approx(-100e6*s*s).epsilon(1e-9));
+    CHECK(p.stress[1][1] == doctest::Approx(-100e6*c*c).epsilon(1e-9));
+    CHECK(p.stress[3][1] == doctest::Approx(100e6*c*s).epsilon(1e-9));
+    CHECK(std::abs(p.stress[0][3]) < 1e-3);
+}
+
+
+TEST_CASE("Weibull strengths: by id only, with the right distribution")
+{
+    IStringStream is
+    ("type maxPrincipalStress; strength 1e6; weibull { modulus 5; seed 3; }");
+    const auto model(failureModel::New(dictionary(is)));
+    CHECK(model->scatters());
+
+    const int n = 200000;
+    scalar mean = 0, below = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const scalar s = model->strength(uint64_t(i));
+        mean += s/n;
+        below += s < 1e6 ? 1.0/n : 0;
+    }
+    // Mean Gamma(1 + 1/5), P(s < scale) = 1 - 1/e; three standard errors
+    CHECK(mean == doctest::Approx(1e6*std::tgamma(1.2)).epsilon(0.002));
+    CHECK(below == doctest::Approx(1 - std::exp(-1.0)).epsilon(0.006));
+    CHECK(model->strength(17) == model->strength(17));
+    CHECK(model->strength(17) != model->strength(18));
+}
+
+
+TEST_CASE("input errors of laws name what is valid")
+{
+    const auto from = [](const char* s)
+    {
+        IStringStream is(s);
+        return constitutiveModel::New(dictionary(is));
+    };
+    CHECK_THROWS_AS(from("type linearElasticc; rho 1; E 1; nu 0;"), Foam::IOerror);
+    CHECK_THROWS_AS(from("type linearElastic; rho -1; E 1; nu 0;"), Foam::IOerror);
+    CHECK_THROWS_AS(from("type linearElastic; rho 1; E 1; nu 0.5;"), Foam::IOerror);
+    CHECK_THROWS_AS(from("type linearElastic; rho 1; E 1;"), Foam::IOerror);
+    CHECK_THROWS_AS(from("type linearElastic; rho 1; E 1; nu 0; foo 1;"), Foam::IOerror);
+}
