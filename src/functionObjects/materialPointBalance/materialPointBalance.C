@@ -124,14 +124,13 @@ void Foam::functionObjects::materialPointBalance::prepare
     forAll(files, i)
     {
         OStringStream os;
-        os  << (i < phases_.size() ? "Phase " : "Sum of ");
         if (i < phases_.size())
         {
-            os  << phases_[i];
+            os  << "Phase " << phases_[i];
         }
         else
         {
-            os  << phases_;
+            os  << "Sum of " << joined(phases_).c_str();
         }
         os  << ", angular momentum about " << origin_ << nl
             << "\tnPoints\tmass[kg]"

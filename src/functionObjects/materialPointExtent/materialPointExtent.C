@@ -94,7 +94,8 @@ void Foam::functionObjects::materialPointExtent::sample
 {
     forAll(phases_, phasei)
     {
-        const mpm::materialPointPhase& material = phase(points, phases_[phasei]);
+        const mpm::materialPointPhase& material =
+            phase(points, phases_[phasei]);
         const mpm::materialPointCloud& cloud = material.cloud();
         const mpm::hexGrid& grid = cloud.grid();
 

@@ -9,6 +9,7 @@ License
 #include "materialPointOutput.H"
 #include "selector.H"
 #include <sstream>
+#include "OSspecific.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -17,6 +18,41 @@ const Foam::mpm::pointPhaseSystem*
 Foam::functionObjects::materialPointOutput::findPoints() const
 {
     return mesh_.cfindObject<mpm::pointPhaseSystem>("pointPhaseSystem");
+}
+
+
+Foam::OFstream* Foam::functionObjects::materialPointOutput::newFile
+(
+    const word& name
+) const
+{
+    const Time& runTime = mesh_.time();
+
+    scalar t = late_ ? runTime.value() : runTime.startTime().value();
+    if (useUserTime_)
+    {
+        t = runTime.timeToUserTime(t);
+    }
+
+    // What is there stays there
+    const fileName path(baseFileDir()/prefix_/Time::timeName(t)/name);
+    fileName free(path + ".dat");
+    for (int i = 1; isFile(free); ++i)
+    {
+        free = path + '_' + std::to_string(i) + ".dat";
+    }
+    mkDir(path.path());
+
+    OFstream* os = new OFstream(free);
+    if (!os->good())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << free << exit(FatalError);
+    }
+    initStream(*os);
+    os->width(0);
+
+    return os;
 }
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
@@ -100,6 +136,20 @@ Foam::functionObjects::materialPointOutput::phase
 }
 
 
+Foam::string Foam::functionObjects::materialPointOutput::joined
+(
+    const wordList& names
+)
+{
+    string all;
+    for (const word& name : names)
+    {
+        all += (all.empty() ? "" : " ") + name;
+    }
+    return all;
+}
+
+
 void Foam::functionObjects::materialPointOutput::setFiles
 (
     const wordList& names,
@@ -125,18 +175,9 @@ Foam::Ostream& Foam::functionObjects::materialPointOutput::row
 
     if (!files_.set(filei))
     {
-        autoPtr<OFstream> file
-        (
-            opened_
-          ? createFile(fileNames_[filei], runTime.value())
-          : createFile(fileNames_[filei])
-        );
-        files_.set(filei, file.release());
+        files_.set(filei, newFile(fileNames_[filei]));
 
-        // initStream() leaves a width for what comes next
         OFstream& os = files_[filei];
-        os.width(0);
-
         std::istringstream lines(headers_[filei]);
         std::string line, next;
         std::getline(lines, line);
@@ -165,7 +206,13 @@ Foam::functionObjects::materialPointOutput::materialPointOutput
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name),
     ready_(false),
-    opened_(false)
+
+    // A startTime of controlDict is no start of -postProcess
+    late_
+    (
+        functionObject::postProcess
+     || runTime.timeIndex() > runTime.startTimeIndex()
+    )
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -225,7 +272,7 @@ bool Foam::functionObjects::materialPointOutput::write()
     if (writeToFile_)
     {
         sample(*points);
-        opened_ = true;
+        late_ = true;
     }
     return true;
 }

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointProbes.H"
+#include "FlatOutput.H"
 #include "addToRunTimeSelectionTable.H"
 #include "pointQuantity.H"
 #include "selector.H"
@@ -49,8 +50,9 @@ void Foam::functionObjects::materialPointProbes::prepare
     {
         FatalIOErrorInFunction(dict_)
             << "The list of fields is empty." << nl << nl
-            << "Valid fields are: " << mpm::pointQuantity::names(material)
-            << nl << exit(FatalIOError);
+            << "Valid fields are: "
+            << flatOutput(mpm::pointQuantity::names(material)) << nl
+            << exit(FatalIOError);
     }
 
     const dictionary& pointsDict = dict_.subDict("points");

@@ -146,8 +146,9 @@ void Foam::functionObjects::materialPointXT::prepare
 
     OStringStream os;
     os.precision(writePrecision_);
-    os  << field_ << unit.c_str() << " of " << phases_ << ", mean over bins of "
-        << axes[c] << " at time " << start_[0].time() << nl
+    os  << field_ << unit.c_str() << " of " << joined(phases_).c_str()
+        << ", mean over bins of " << axes[c] << " at time "
+        << start_[0].time() << nl
         << "Columns: time, then bins, whose centres [m] are" << nl;
     const scalar width = (range.second() - range.first())/nBins_;
     for (label b = 0; b < nBins_; ++b)

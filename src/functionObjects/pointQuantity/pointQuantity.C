@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointQuantity.H"
+#include "FlatOutput.H"
 #include "spectral.H"
 #include <algorithm>
 
@@ -128,7 +129,8 @@ Foam::mpm::pointQuantity::pointQuantity
     {
         for (int i = 0; i < HISTORY; ++i)
         {
-            if (asked == known[i].name && (i != DAMAGE || phase.cloud().damage()))
+            const bool there = i != DAMAGE || phase.cloud().damage();
+            if (there && asked == known[i].name)
             {
                 quantity_ = i;
                 rank_ = known[i].rank;
@@ -167,7 +169,7 @@ Foam::mpm::pointQuantity::pointQuantity
     {
         FatalIOErrorInFunction(dict)
             << "Unknown field " << name << " of phase " << phase.name() << nl
-            << nl << "Valid fields are: " << names(phase) << nl
+            << nl << "Valid fields are: " << flatOutput(names(phase)) << nl
             << "and components of vectors and tensors, such as U_y and"
             << " sigma_xy." << nl << exit(FatalIOError);
     }
