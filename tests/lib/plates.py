@@ -1,0 +1,70 @@
+"""The flyer and the target of plateImpactExact as a case: a narrow strip.
+
+2D, the normal of the plates is y, target 0..3.8 mm, flyer above it. nu = 0, so
+a strip of a few cells with slip sides is the same as wide plates. Both phases
+have one velocity field, as in tutorials/spall.
+"""
+
+import numpy as np
+
+import plateImpactExact as exact
+from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, velocityFile)
+
+
+def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxCo,
+              strength=None, pointsPerCell=2, width=4, margin=4, probes=()):
+    """Write, mesh and fill a case; not run yet. Probes: phase, name, fields,
+    y from, y to (of the start), operation."""
+    h = exact.H/cellsPerFlyer
+    low, high = -margin*h, 3*exact.H + margin*h
+    w = width*h
+    law = {"velocityField": "plates",
+           "constitutiveModel": {"type": "linearElastic", "rho": exact.RHO,
+                                 "E": exact.E, "nu": 0}}
+    if strength:
+        law["failureModel"] = {"type": "maxPrincipalStress", "strength": strength}
+
+    case = FoamCase(group, name)
+    case.write("constant/phaseProperties",
+               {"phases": ["target", "flyer"], "target": law, "flyer": law})
+    case.write("system/blockMeshDict", boxMesh(
+        (0, low, 0), (w, high, h), (width, 3*cellsPerFlyer + 2*margin, 1),
+        {"ends": ("patch", ("y-", "y+")), "sides": ("patch", ("x-", "x+")),
+         "frontAndBack": ("empty", ("z-", "z+"))}))
+    velocityFile(case, "plates", {"ends": "calculated", "sides": "slip",
+                                  "frontAndBack": "empty"})
+    case.write("system/setMaterialPointsDict", {"regions": {
+        "target": {"phase": "target", "type": "box", "min": (0, 0, 0),
+                   "max": (w, 2*exact.H, h), "pointsPerCell": pointsPerCell},
+        "flyer": {"phase": "flyer", "type": "box", "min": (0, 2*exact.H, 0),
+                  "max": (w, 3*exact.H, h), "pointsPerCell": pointsPerCell,
+                  "velocity": (0, -exact.V, 0)}}})
+    case.write("system/fvSolution", {"materialPoints": numerics})
+    noSchemes(case)
+
+    functions = {}
+    for phase, label, fields, y0, y1, operation in probes:
+        functions[label] = {
+            "type": "materialPointProbes", "libs": "(mpmFunctionObjects)",
+            "phase": phase, "fields": list(fields), "operation": operation,
+            "points": {"box": f"(-1 {y0!r} -1) (1 {y1!r} 1)"},
+            "writeControl": "timeStep", "writeInterval": 1}
+    case.write("system/controlDict",
+               controlDict(endTime, writeInterval, maxCo, functions=functions))
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    return case
+
+
+def startPositions(case, phase):
+    """y of the points at the start, in the order of their ids."""
+    return case.points("0", phase).byId("x")[:, 1]
+
+
+def crossing(t, f, level, after=0.0):
+    """First time after which f has risen through the level; linear between the
+    steps; NaN if it never does."""
+    for i in range(1, len(t)):
+        if t[i] > after and f[i - 1] < level <= f[i]:
+            return t[i - 1] + (level - f[i - 1])/(f[i] - f[i - 1])*(t[i] - t[i - 1])
+    return np.nan
