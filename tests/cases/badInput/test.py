@@ -1,0 +1,822 @@
+#!/usr/bin/env python3
+"""Wrong input and runs that go wrong.
+
+Each row changes one thing of the small case and runs the initialiser or the
+solver. What must hold: an end within the time limit by one fatal message, with
+what the user needs to find the mistake (file, line and choices, or point,
+position and time); no signal, no core, and the time folders that were there
+before stay byte for byte. Rows that start with "allowed" must run to the end.
+
+    test.py              all rows
+    test.py word ...     only rows whose name has one of the words
+
+A row's case stays in tests/run/badInput/<number> with its log.
+"""
+
+import glob
+import os
+import re
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
+RUN = os.path.join(PROJECT, "tests", "run", "badInput")
+LIMIT = 20.0
+CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
+    r"|Assertion|terminate called"
+
+sys.path.insert(0, os.path.join(PROJECT, "tests", "lib"))
+from report import Report  # noqa: E402
+
+
+# --- a case and changes of it ------------------------------------------------
+
+class Case:
+    def __init__(self, path, seed):
+        self.path = path
+        shutil.copytree(seed, path)
+
+    def file(self, name):
+        return os.path.join(self.path, name)
+
+    def read(self, name):
+        with open(self.file(name), encoding="latin-1") as f:
+            return f.read()
+
+    def write(self, name, text):
+        os.makedirs(os.path.dirname(self.file(name)), exist_ok=True)
+        with open(self.file(name), "w", encoding="latin-1") as f:
+            f.write(text)
+
+    def sub(self, name, pattern, new):
+        """Replace the first place where a pattern matches; it must."""
+        text, n = re.subn(pattern, lambda m: m.expand(new), self.read(name),
+                          count=1, flags=re.S)
+        if not n:
+            raise LookupError(f"{name} has no {pattern}")
+        self.write(name, text)
+
+    def remove(self, name):
+        path = self.file(name)
+        shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
+
+    def column(self, name, change):
+        """Rewrite the values of a field of points, given as strings."""
+        text = self.read(name)
+        head, body = re.match(r"(.*?// (?:\* )+//\n)(.*)", text, re.S).groups()
+        n, same, values = re.match(r"\s*(\d+)\s*(?:\{(.*?)\}|\((.*)\))", body,
+                                   re.S).groups()
+        if same is not None:
+            values = [same]*int(n)
+        else:
+            values = re.findall(r"\([^()]*\)|[^\s()]+", values)
+        values = change(values)
+        self.write(name, f"{head}\n{len(values)}\n(\n"
+                   + "\n".join(values) + "\n)\n")
+
+    def contents(self):
+        """Bytes of all files in time folders."""
+        found = {}
+        for folder in os.listdir(self.path):
+            if re.fullmatch(r"[0-9].*", folder):
+                for root, _, files in os.walk(self.file(folder)):
+                    for f in files:
+                        name = os.path.join(root, f)
+                        with open(name, "rb") as stream:
+                            found[os.path.relpath(name, self.path)] = \
+                                stream.read()
+        return found
+
+    def run(self, command, environment=None):
+        """Exit status (None: stopped at the limit), output, seconds."""
+        start = time.monotonic()
+        with open(self.file("log." + command[0]), "ab+") as log:
+            begin = log.tell()
+            process = subprocess.Popen(
+                command, cwd=self.path, stdout=log, stderr=subprocess.STDOUT,
+                stdin=subprocess.DEVNULL, start_new_session=True,
+                env={**os.environ, **(environment or {})})
+            try:
+                status = process.wait(LIMIT)
+            except subprocess.TimeoutExpired:
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
+                status = None
+            seconds = time.monotonic() - start
+            log.seek(begin)
+            text = log.read(2_000_000).decode("latin-1")
+        return status, text, seconds
+
+
+def replace(name, pattern, new):
+    return lambda case: case.sub(name, pattern, new)
+
+
+def remove(name):
+    return lambda case: case.remove(name)
+
+
+def setValue(name, p, value):
+    """Another value for point p of a column."""
+    return lambda case: case.column(
+        name, lambda v: v[:p] + [value(v[p]) if callable(value) else value]
+        + v[p + 1:])
+
+
+def setBinary(name, p, n, value):
+    """The first of n numbers of point p in a binary column."""
+    def change(case):
+        with open(case.file(name), "rb") as f:
+            data = f.read()
+        head, size = re.match(rb"(.*\n(\d+)\n?\()", data, re.S).groups()
+        at = len(head) + 8*n*p
+        assert data[len(head) + 8*n*int(size):][:1] == b")", name
+        with open(case.file(name), "wb") as f:
+            f.write(data[:at] + struct.pack("d", value) + data[at + 8:])
+    return change
+
+
+def several(*changes):
+    def change(case):
+        for c in changes:
+            c(case)
+    return change
+
+
+# --- what the message must hold ----------------------------------------------
+
+def line(name):
+    """File and line of a dictionary."""
+    return rf"file: \S*{name}\S* (at|from) line \d+"
+
+
+POINT = r"[Mm]aterial point \d+ of \w+ (at|.* from) \(\S+ \S+ \S+\)"
+TIME = r"time \d"
+VALID = r"[Vv]alid \w[\w ]*:"
+
+PHASES = "constant/phaseProperties"
+NUMERICS = "system/fvSolution"
+REGIONS = "system/setMaterialPointsDict"
+CONTROL = "system/controlDict"
+BLOCKS = "system/blockMeshDict"
+BLOCK = "0/lagrangian/block/"
+
+inLaw = [line("phaseProperties"), r"constitutiveModel"]
+inRegion = [line("setMaterialPointsDict")]
+inControl = [line("controlDict")]
+inNumerics = [line("fvSolution")]
+
+
+def meshOf(change):
+    """Change of blockMeshDict: mesh anew, and points if the mesh has them."""
+    def make(case):
+        change(case)
+        status, text, _ = case.run(["blockMesh"])
+        if status:
+            raise RuntimeError("blockMesh failed: " + text[-500:])
+    return make
+
+
+def withPoints(change):
+    def make(case):
+        change(case)
+        status, text, _ = case.run(["setMaterialPoints"])
+        if status:
+            raise RuntimeError("setMaterialPoints failed: " + text[-500:])
+    return make
+
+
+skewed = meshOf(replace(BLOCKS, r"\(10 10 0\) (.*)\(10 10 1\)",
+                        r"(9 10 0) \1(9 10 1)"))
+graded = meshOf(several(
+    replace(BLOCKS, r"\(10 10 1\) simple", "(5 10 1) simple"),
+    replace(BLOCKS, r"simpleGrading \(1 1 1\)", "simpleGrading (4 1 1)")))
+
+
+def lShape(case):
+    """Three blocks around a re-entrant corner at (5 5)."""
+    xy = [(0, 0), (5, 0), (10, 0), (0, 5), (5, 5), (10, 5), (0, 10), (5, 10)]
+    vertices = "".join(f"({x} {y} {z})\n" for z in (0, 1) for x, y in xy)
+    quads = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6)]
+    blocks = "".join(
+        "hex (" + " ".join(str(v + z) for z in (0, 8) for v in q)
+        + ") (5 5 1) simpleGrading (1 1 1)\n" for q in quads)
+
+    def side(a, b):
+        return f"({a} {b} {b + 8} {a + 8})"
+
+    outside = " ".join(side(a, b) for a, b in
+                       [(2, 5), (5, 4), (4, 7), (7, 6), (6, 3), (3, 0)])
+    flat = "".join(f"({a} {d} {c} {b}) ({a + 8} {b + 8} {c + 8} {d + 8})\n"
+                   for a, b, c, d in quads)
+    case.sub(BLOCKS, r"vertices.*",
+             f"vertices\n(\n{vertices});\nblocks\n(\n{blocks});\nboundary\n(\n"
+             f"outside {{ type patch; faces ({outside}); }}\n"
+             f"ground {{ type wall; faces ({side(0, 1)} {side(1, 2)}); }}\n"
+             f"frontAndBack {{ type empty; faces ({flat}); }}\n);\n")
+
+
+def wedge(case):
+    case.sub(BLOCKS, r"vertices.*",
+             """vertices
+((1 0 -0.05) (10 0 -0.5) (10 10 -0.5) (1 10 -0.05)
+ (1 0 0.05) (10 0 0.5) (10 10 0.5) (1 10 0.05));
+blocks (hex (0 1 2 3 4 5 6 7) (9 10 1) simpleGrading (1 1 1));
+boundary
+(
+    outside { type patch; faces ((3 7 6 2) (0 4 7 3) (1 2 6 5)); }
+    ground { type wall; faces ((0 1 5 4)); }
+    front { type wedge; faces ((0 3 2 1)); }
+    back { type wedge; faces ((4 5 6 7)); }
+);
+""")
+    case.sub("0/U.body", r"frontAndBack\s*\{.*?\}",
+             "front { type wedge; }\n    back { type wedge; }")
+
+
+def prisms(case):
+    """The left side of the block is one edge."""
+    case.sub(BLOCKS, r"hex \(0 1 2 3 4 5 6 7\)", "hex (0 1 2 0 4 5 6 4)")
+    case.sub(BLOCKS, r"\(10 10 0\) \(0 10 0\)", "(10 10 0)")
+    case.sub(BLOCKS, r"\(0 0 1\) \(10 0 1\) \(10 10 1\) \(0 10 1\)",
+             "(0 0 1) (10 0 1) (10 10 1)")
+    case.sub(BLOCKS, r"hex \(0 1 2 0 4 5 6 4\)", "hex (0 1 2 0 3 4 5 3)")
+    case.sub(BLOCKS, r"\(\(3 7 6 2\) \(0 4 7 3\) \(1 2 6 5\)\)",
+             "((0 3 5 2) (1 2 5 4))")
+    case.sub(BLOCKS, r"\(\(0 1 5 4\)\)", "((0 1 4 3))")
+    case.sub(BLOCKS, r"\(\(0 3 2 1\) \(4 5 6 7\)\)", "((0 0 2 1) (3 4 5 3))")
+
+
+def tetrahedron(case):
+    """A mesh of one tetrahedron."""
+    def put(name, kind, text):
+        case.write(f"constant/polyMesh/{name}",
+                   "FoamFile { version 2.0; format ascii; class "
+                   f"{kind}; object {name}; }}\n{text}\n")
+
+    case.remove("constant/polyMesh")
+    put("points", "vectorField", "4((0 0 0)(10 0 0)(0 10 0)(0 0 10))")
+    put("faces", "faceList", "4(3(0 2 1)3(0 1 3)3(0 3 2)3(1 2 3))")
+    put("owner", "labelList", "4(0 0 0 0)")
+    put("neighbour", "labelList", "0()")
+    put("boundary", "polyBoundaryMesh",
+        "1(outside { type patch; nFaces 4; startFace 0; })")
+
+
+def truncate(name, part=0.5):
+    def change(case):
+        with open(case.file(name), "rb") as f:
+            data = f.read()
+        with open(case.file(name), "wb") as f:
+            f.write(data[:int(part*len(data))])
+    return change
+
+
+def binary(case):
+    """Write the time 0.1 anew in binary, with scatter in all columns."""
+    case.column("0.05/lagrangian/block/V",
+                lambda v: [repr(float(x)*(1 + 1e-9*i)) for i, x in enumerate(v)])
+    case.column("0.05/lagrangian/block/m",
+                lambda v: [repr(float(x)*(1 + 1e-9*i)) for i, x in enumerate(v)])
+    case.column("0.05/lagrangian/block/halfSize",
+                lambda v: [f"({0.25 + 1e-9*i!r} 0.25 0)" for i in range(len(v))])
+    case.column("0.05/lagrangian/block/damage",
+                lambda v: [repr(1e-30*i) for i in range(len(v))])
+    case.remove("0.1")
+    case.sub(CONTROL, "ascii", "binary")
+    case.sub(CONTROL, r"endTime +0\.2", "endTime 0.1")
+    status, text, _ = case.run(SOLVE)
+    case.sub(CONTROL, r"endTime +0\.1", "endTime 0.2")
+    if status:
+        raise RuntimeError("materialPointFoam failed: " + text[-500:])
+
+
+def fields(a, b):
+    """Velocity field names of the phases base and block."""
+    def change(case):
+        text = case.read("0/U.body")
+        for name in {a, b}:
+            case.write(f"0/U.{name}", text.replace("U.body", f"U.{name}"))
+        case.sub(PHASES, r"velocityField\s+body", f"velocityField {a}")
+        case.sub(PHASES, r"\$base;", f"$base;\n    velocityField {b};")
+    return change
+
+
+def nanLaw(n):
+    return several(
+        replace(CONTROL, "application", 'libs ("../nanLaw/libnanLaw.so");\n'
+                "application"),
+        replace(PHASES, r"type\s+linearElastic;",
+                f"type nanLaw; nanAfter {n};"),
+        replace(PHASES, r"nu\s+0.2;", ""),
+        replace(PHASES, r"failureModel\s*\{.*?\}", ""))
+
+
+# --- rows: name, programme, change, patterns of the message, options ---------
+
+SET, SOLVE = ["setMaterialPoints"], ["materialPointFoam"]
+
+#- keywords that nobody reads, and required ones misspelt: then the message
+#  must hold the misspelt word or the valid ones
+ROWS = [
+    ("keyword of phaseProperties", SOLVE,
+     replace(PHASES, "phases", "dragModel none;\nphases"),
+     [line("phaseProperties"), "dragModel", VALID]),
+    ("keyword of phaseProperties", SET,
+     replace(PHASES, "phases", "dragModel none;\nphases"),
+     [line("phaseProperties"), "dragModel", VALID]),
+    ("keyword of phase", SOLVE,
+     replace(PHASES, "velocityField", "velocityfield"),
+     [line("phaseProperties"), "velocityfield", VALID]),
+    ("keyword of phase", SET,
+     replace(PHASES, "velocityField", "velocityfield"),
+     [line("phaseProperties"), "velocityfield", VALID]),
+    ("required keyword of phase", SOLVE,
+     replace(PHASES, "constitutiveModel", "constitutivModel"),
+     [line("phaseProperties"), "constitutivModel|" + VALID]),
+    ("keyword phases", SOLVE, replace(PHASES, r"phases\s", "phase "),
+     [line("phaseProperties"), "phases"]),
+    ("phase without dictionary", SOLVE, replace(PHASES, "base block", "base brick"),
+     [line("phaseProperties"), "brick"]),
+    ("keyword of law", SOLVE, replace(PHASES, "nu  ", "Nu 0.1; nu  "),
+     inLaw + ["Nu", VALID]),
+    ("required keyword of law", SOLVE, replace(PHASES, "nu  ", "Nu  "),
+     inLaw + ["Nu", VALID]),
+    ("required keyword rho of law", SOLVE, replace(PHASES, "rho ", "rhoo "),
+     inLaw + ["rhoo|" + VALID]),
+    ("keyword of failureModel", SOLVE,
+     replace(PHASES, "strength", "toughness 1; strength"),
+     [line("phaseProperties"), "toughness", VALID]),
+    ("required keyword of failureModel", SOLVE,
+     replace(PHASES, "strength", "strenght"),
+     [line("phaseProperties"), "strenght|" + VALID]),
+    ("keyword of weibull", SOLVE,
+     replace(PHASES, "strength", "weibull { modulus 5; sead 1; } strength"),
+     [line("phaseProperties"), "sead", VALID]),
+    ("keyword of materialPoints", SOLVE,
+     replace(NUMERICS, "PICfraction", "PICFraction"),
+     inNumerics + ["PICFraction", VALID]),
+    ("required keyword of materialPoints", SOLVE,
+     replace(NUMERICS, "transfer", "transfr"),
+     inNumerics + ["transfr", VALID]),
+    ("keyword of region", SET, replace(REGIONS, "velocity", "Velocity"),
+     inRegion + ["Velocity", VALID]),
+    ("required keyword of region", SET, replace(REGIONS, "phase  ", "phas  "),
+     inRegion + ["phas[ .\n]|" + VALID]),
+    ("required keyword of shape", SET, replace(REGIONS, "max ", "maxx "),
+     inRegion + ["maxx|" + VALID]),
+    ("keyword regions", SET, replace(REGIONS, "regions", "region"),
+     inRegion + ["regions"]),
+
+    #- choices that do not exist
+    ("unknown law", SOLVE, replace(PHASES, "linearElastic", "hyperGlue"),
+     inLaw + ["hyperGlue", VALID, "linearElastic"]),
+    ("unknown law", SET, replace(PHASES, "linearElastic", "hyperGlue"),
+     inLaw + ["hyperGlue", VALID, "linearElastic"]),
+    ("unknown failureModel", SOLVE,
+     replace(PHASES, "maxPrincipalStress", "bang"),
+     [line("phaseProperties"), "bang", VALID, "maxPrincipalStress"]),
+    ("unknown shapeFunction", SOLVE, replace(NUMERICS, "GIMP", "spline9"),
+     inNumerics + ["spline9", VALID, "GIMP", "linear"]),
+    ("unknown transfer", SOLVE, replace(NUMERICS, "FLIP", "PIC9"),
+     inNumerics + ["PIC9", VALID, "FLIP", "FMPM"]),
+    ("unknown region type", SET, replace(REGIONS, "box", "blob"),
+     inRegion + ["blob", VALID, "box", "cylinder"]),
+    ("unknown phase of region", SET, replace(REGIONS, "phase  +block", "phase brick"),
+     inRegion + ["brick", VALID, "base", "block"]),
+    ("unknown type of phase", SOLVE,
+     replace(PHASES, "velocityField", "type gas; velocityField"),
+     [line("phaseProperties"), "gas", VALID, "materialPoints"]),
+    ("phase listed twice", SOLVE, replace(PHASES, "base block", "base base"),
+     [line("phaseProperties"), "base is listed twice"]),
+
+    #- missing files
+    ("no U of field", SOLVE, remove("0/U.body"), ["cannot find file", r"0/U\.body"]),
+    ("no phaseProperties", SOLVE, remove(PHASES), ["cannot find file", PHASES]),
+    ("no phaseProperties", SET, remove(PHASES), ["cannot find file", PHASES]),
+    ("no setMaterialPointsDict", SET, remove(REGIONS), ["cannot find file", REGIONS]),
+    ("no materialPoints in fvSolution", SOLVE,
+     replace(NUMERICS, r"materialPoints\s*\{.*?\}", ""),
+     ["materialPoints", "system/fvSolution"]),
+    ("no fvSolution", SOLVE, remove(NUMERICS), ["system/fvSolution"]),
+    ("no mesh", SOLVE, remove("constant/polyMesh"), ["constant/polyMesh"]),
+    ("no cloud", SOLVE, remove("0/lagrangian/block"),
+     ["0/lagrangian/block", "setMaterialPoints"]),
+    ("no clouds", SOLVE, remove("0/lagrangian"),
+     ["0/lagrangian/base", "setMaterialPoints"]),
+    ("no column m", SOLVE, remove(BLOCK + "m"), ["0/lagrangian/block"]),
+    ("no column V", SOLVE, remove(BLOCK + "V"),
+     ["cannot find file", "0/lagrangian/block/V"]),
+    ("no column halfSize", SOLVE, remove(BLOCK + "halfSize"),
+     ["cannot find file", "0/lagrangian/block/halfSize"]),
+    ("no positions at all", SOLVE,
+     several(remove(BLOCK + "x"), remove(BLOCK + "positions"),
+             remove(BLOCK + "coordinates")),
+     ["0/lagrangian/block|Cloud block"]),
+    ("no surface file", SET,
+     replace(REGIONS, r"box;\s+min.*?max.*?\);",
+             'surface; surface { type triSurfaceMesh; file "none.stl"; }'),
+     inRegion + ["none.stl"]),
+    ("no library", SOLVE,
+     replace(CONTROL, "application", 'libs ("libnone.so");\napplication'),
+     None, {"allowed": "by OpenFOAM", "has": "libnone.so"}),
+
+    #- numbers
+    ("density -1000", SOLVE, replace(PHASES, "1000", "-1000"),
+     inLaw + ["rho is -1000", "greater than 0"]),
+    ("density -1000", SET, replace(PHASES, "1000", "-1000"),
+     inLaw + ["rho is -1000", "greater than 0"]),
+    ("density of region 0", SET, replace(REGIONS, "velocity", "density 0; velocity"),
+     inRegion + ["density is 0"]),
+    ("density nan", SOLVE, replace(PHASES, "1000", "nan"),
+     inLaw + ["rho"]),
+    ("E inf", SOLVE, replace(PHASES, "1e6", "inf"), inLaw + ["E"]),
+    ("E 0", SOLVE, replace(PHASES, "1e6", "0"), inLaw + ["E is 0"]),
+    ("nu 0.5", SOLVE, replace(PHASES, "0.2", "0.5"),
+     inLaw + ["nu is 0.5", r"\[.*\]"]),
+    ("strength -1", SOLVE, replace(PHASES, "1e5", "-1"),
+     [line("phaseProperties"), "strength is -1"]),
+    ("weibull modulus 0", SOLVE,
+     replace(PHASES, "strength", "weibull { modulus 0; seed 1; } strength"),
+     [line("phaseProperties"), "modulus is 0"]),
+    ("volumeFraction 2", SET, replace(REGIONS, "velocity", "volumeFraction 2; velocity"),
+     inRegion + ["volumeFraction is 2", r"\[.*\]"]),
+    ("pointsPerCell 0", SET, replace(REGIONS, "pointsPerCell   2", "pointsPerCell 0"),
+     inRegion + ["pointsPerCell", "1 to 16"]),
+    ("PICfraction 2", SOLVE, replace(NUMERICS, "0.01", "2"),
+     inNumerics + ["PICfraction is 2", r"\[0, 1\]"]),
+    ("order 0", SOLVE, replace(NUMERICS, "FLIP", "FMPM; order 0"),
+     inNumerics + ["order is 0", r"\[1, \d+\]"]),
+    ("order 1.5", SOLVE, replace(NUMERICS, "FLIP", "FMPM; order 1.5"),
+     inNumerics + ["order"]),
+    ("maxTravel 5", SOLVE, replace(NUMERICS, "PICf", "maxTravel 5; PICf"),
+     inNumerics + ["maxTravel is 5"]),
+    ("maxCo missing", SOLVE, replace(CONTROL, "maxCo.*?;", ""),
+     inControl + ["maxCo"]),
+    ("maxCo 0", SOLVE, replace(CONTROL, r"maxCo\s+0.4", "maxCo 0"),
+     inControl + ["maxCo is 0", r"\[.*\]"]),
+    ("maxCo 2", SOLVE, replace(CONTROL, r"maxCo\s+0.4", "maxCo 2"),
+     inControl + ["maxCo is 2", r"\[.*\]"]),
+    ("maxDeltaT 0", SOLVE, replace(CONTROL, "maxCo", "maxDeltaT 0; maxCo"),
+     inControl + ["maxDeltaT is 0"]),
+
+    #- entries of the wrong type
+    ("word for rho", SOLVE, replace(PHASES, "1000", "heavy"), inLaw + ["heavy|rho"]),
+    ("word for PICfraction", SOLVE, replace(NUMERICS, "0.01", "some"),
+     inNumerics + ["some"]),
+    ("number for transfer", SOLVE, replace(NUMERICS, "FLIP", "3"),
+     inNumerics + ["transfer|3"]),
+    ("word for maxCo", SOLVE, replace(CONTROL, "0.4", "big"), inControl),
+    ("number for velocity", SET, replace(REGIONS, r"\(0 -1 0\)", "-1"), inRegion),
+    ("word for pointsPerCell", SET,
+     replace(REGIONS, "pointsPerCell   2", "pointsPerCell many"), inRegion),
+    ("fraction for pointsPerCell", SET,
+     replace(REGIONS, "pointsPerCell   2", "pointsPerCell 2.5"), inRegion),
+    ("word for a dictionary", SOLVE,
+     replace(PHASES, r"failureModel\s*\{.*?\}", "failureModel strong;"),
+     [line("phaseProperties"), "failureModel"]),
+    ("word for a region", SET,
+     replace(REGIONS, r"regions\s*\{", "regions\n{\n    rest all;"),
+     inRegion + ["rest"]),
+    ("brace missing", SOLVE, replace(PHASES, r"\}\s*block", "block"),
+     ["phaseProperties"]),
+    ("brace missing", SET, truncate(REGIONS, 0.9), ["setMaterialPointsDict"]),
+
+    #- fields of points
+    ("truncated x", SOLVE, truncate(BLOCK + "x"), ["0/lagrangian/block/x"]),
+    ("truncated x, binary", SOLVE,
+     several(withPoints(replace(CONTROL, "ascii", "binary")),
+             truncate(BLOCK + "x")), ["0/lagrangian/block/x"]),
+    ("empty file m", SOLVE, truncate(BLOCK + "m", 0), ["0/lagrangian/block/m"]),
+    ("header of m wrong", SOLVE, replace(BLOCK + "m", "scalarField", "vectorField"),
+     ["scalarField", "vectorField", "0/lagrangian/block/m"]),
+    ("size of x too large", SOLVE,
+     replace(BLOCK + "x", "\n48\n", "\n99999999999\n"), ["0/lagrangian/block/x"]),
+    ("size of x 49", SOLVE, replace(BLOCK + "x", "\n48\n", "\n49\n"),
+     ["0/lagrangian/block/x"]),
+    ("size of x -1", SOLVE, replace(BLOCK + "x", "\n48\n", "\n-1\n"),
+     ["0/lagrangian/block/x"]),
+    ("word in V", SOLVE, setValue(BLOCK + "V", 5, "much"),
+     [line("lagrangian/block/V")]),
+]
+
+for column in ("x", "U", "V", "sigma", "id", "halfSize", "damage", "leftStretch"):
+    ROWS.append(
+        (f"one value of {column} too few", SOLVE,
+         lambda c, name=column: c.column(BLOCK + name, lambda v: v[:-1]),
+         [f"lagrangian/block/{column}", "47", "48"]))
+ROWS.append(("one value of m too few", SOLVE,
+             lambda c: c.column(BLOCK + "m", lambda v: v[:-1]),
+             ["lagrangian/block", "47", "48"]))
+
+for column, n in (("x", 3), ("U", 3), ("m", 1), ("V", 1), ("sigma", 6),
+                  ("halfSize", 3), ("damage", 1), ("leftStretch", 6)):
+    ROWS.append((f"nan in {column}", SOLVE,
+                 setValue(BLOCK + column, 7,
+                          lambda v: re.sub(r"[^\s()]+", "nan", v, count=1)),
+                 [line(f"lagrangian/block/{column}"), "nan"]))
+    for traps in ("true", "false"):
+        # Restart: no column is uniform
+        ROWS.append(
+            (f"nan in binary {column}, FOAM_SIGFPE {traps}", SOLVE,
+             several(binary, setBinary(f"0.1/lagrangian/block/{column}", 7, n,
+                                       float("nan"))),
+             [POINT, TIME, "block"],
+             {"environment": {"FOAM_SIGFPE": traps}, "seed": "half"}))
+
+ROWS += [
+    ("inf in U", SOLVE, setValue(BLOCK + "U", 7, "(inf 0 0)"),
+     ["point 7 of block", TIME]),
+    ("1e200 in U", SOLVE, setValue(BLOCK + "U", 7, "(1e200 0 0)"),
+     ["point 7 of block", TIME]),
+    ("m 0", SOLVE, setValue(BLOCK + "m", 7, "0"),
+     [r"point 7 of block at \(\S+ \S+ \S+\)", TIME]),
+    ("V -1", SOLVE, setValue(BLOCK + "V", 7, "-1"),
+     [r"point 7 of block at \(\S+ \S+ \S+\)", TIME]),
+    ("halfSize 0", SOLVE, setValue(BLOCK + "halfSize", 7, "(0 0 0)"),
+     [r"point 7 of block at \(\S+ \S+ \S+\)", TIME, "halfSize"]),
+    ("halfSize larger than cell", SOLVE, setValue(BLOCK + "halfSize", 7, "(2 2 0)"),
+     [r"point 7 of block at \(\S+ \S+ \S+\)", TIME, "half-?[sS]ize"]),
+    ("duplicate id", SOLVE, setValue(BLOCK + "id", 7, "8"),
+     ["block", "id 8", TIME]),
+    ("point outside the mesh", SOLVE, setValue(BLOCK + "x", 7, "(30 3.25 0.5)"),
+     [r"point 7 of block at \(30 3.25 0.5\)", TIME, "outside"]),
+    ("point just outside", SOLVE, setValue(BLOCK + "x", 7, "(3.25 -1e-9 0.5)"),
+     [r"point 7 of block at \(3.25 -1e-09 0.5\)", TIME, "outside"]),
+    ("point far outside", SOLVE, setValue(BLOCK + "x", 7, "(1e300 0 0.5)"),
+     ["point 7 of block", TIME]),
+    ("velocity 1e200 of region", SET, replace(REGIONS, r"\(0 -1 0\)", "(0 -1e200 0)"),
+     None, {"allowed": "writes it"}),
+    ("stress 1e200 of region", SET,
+     replace(REGIONS, "velocity", "stress (1e200 0 0 0 0 0); velocity"),
+     None, {"allowed": "writes it"}),
+
+    #- regions and meshes
+    ("region without points", SET,
+     replace(REGIONS, r"min +\(3 3 0\);\s+max +\(7 6 1\)",
+             "min (3.3 3.3 0); max (3.7 3.7 1)"),
+     inRegion + ["block has no points"]),
+    ("region outside the mesh", SET,
+     replace(REGIONS, r"min +\(3 3 0\);\s+max +\(7 6 1\)",
+             "min (30 3 0); max (70 6 1)"),
+     inRegion + ["block has no points", r"\(0 0 0\) \(10 10 1\)"]),
+    ("regions overlap", SET, replace(REGIONS, r"min +\(3 3 0\)", "min (3 2 0)"),
+     inRegion + ["base and block overlap", r"\(\S+ \S+ \S+\)"]),
+    ("GIMP on skewed cells", SOLVE, withPoints(skewed),
+     inNumerics + ["GIMP", "linear"]),
+    ("allowed: linear on skewed cells", SOLVE,
+     several(withPoints(skewed), replace(NUMERICS, "GIMP", "linear")), None),
+    ("allowed: GIMP on graded boxes", SOLVE, withPoints(graded), None),
+    ("GIMP on a re-entrant corner", SOLVE, withPoints(meshOf(lShape)),
+     inNumerics + ["GIMP", "linear", "re-entrant"]),
+    ("allowed: linear at a re-entrant corner", SOLVE,
+     several(withPoints(meshOf(lShape)), replace(NUMERICS, "GIMP", "linear")), None),
+    ("mesh with prisms", SET, meshOf(prisms), [r"Cell \d+ at \(", "hexahedr"]),
+    ("mesh with prisms", SOLVE, meshOf(prisms), [r"Cell \d+ at \(", "hexahedr"]),
+    ("mesh of a tetrahedron", SET, tetrahedron, [r"Cell \d+ at \(", "hexahedr"]),
+    ("mesh with wedges", SET, meshOf(wedge), ["Patch front is a wedge"]),
+    ("mesh with wedges", SOLVE, meshOf(wedge), ["Patch front is a wedge"]),
+
+    #- boundary conditions
+    ("patch type inletOutlet", SOLVE, replace("0/U.body", "calculated", "inletOutlet"),
+     [line(r"0/U\.body"), "inletOutlet", VALID, "fixedValue", "slip"]),
+    ("patch type of another field", SOLVE, replace("0/U.body", "calculated", "noType"),
+     [line(r"0/U\.body"), "noType", VALID, "fixedValue", "slip"]),
+    ("patch missing in U", SOLVE, replace("0/U.body", r"ground\s*\{.*?\}", ""),
+     [line(r"0/U\.body"), "ground"]),
+    ("patch of U without value", SOLVE, replace("0/U.body", r"value.*?;", ""),
+     [line(r"0/U\.body"), "value"]),
+    ("patch type empty on a patch", SOLVE, replace("0/U.body", "calculated", "empty"),
+     [line(r"0/U\.body"), "outside"]),
+    ("class of U", SOLVE, replace("0/U.body", "pointVectorField", "volVectorField"),
+     [r"0/U\.body", "volVectorField", "pointVectorField"]),
+    ("internalField of U too short", SOLVE,
+     replace("0/U.body", "uniform", "nonuniform List<vector> 2((0 0 0)(0 0 0)); //"),
+     [line(r"0/U\.body")]),
+    ("allowed: zeroGradient", SOLVE, replace("0/U.body", "calculated", "zeroGradient"), None),
+    ("allowed: slip", SOLVE, replace("0/U.body", "calculated", "slip"), None),
+    ("allowed: uniformFixedValue of time", SOLVE,
+     replace("0/U.body", r"fixedValue;.*?;",
+             "uniformFixedValue;\n uniformValue table ((0 (0 0 0)) (1 (0 1 0)));"),
+     None),
+    ("table of uniformFixedValue out of range", SOLVE,
+     replace("0/U.body", r"fixedValue;.*?;",
+             "uniformFixedValue;\n uniformValue { type table; outOfBounds error;"
+             " values ((0 (0 0 0)) (0.1 (0 0 0))); }"),
+     ["0.1"]),
+
+    #- runs that go wrong
+    ("E 1e300", SOLVE, replace(PHASES, "1e6", "1e300"), [r"time step|deltaT|E is"]),
+    ("E 1e30: the time does not advance", SOLVE, replace(PHASES, "1e6", "1e30"),
+     [r"time step|deltaT"], {"seed": "half"}),
+    ("velocity 1e30", SOLVE,
+     withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 -1e30 0)")),
+     [r"time step|deltaT|step"]),
+    ("velocity 1e200", SOLVE,
+     withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 -1e200 0)")),
+     [POINT, TIME]),
+    ("velocity 1e200, fixed step", SOLVE,
+     several(withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 -1e200 0)")),
+             replace(CONTROL, "adjustTimeStep  yes", "adjustTimeStep no")),
+     [POINT, TIME]),
+    ("point leaves the mesh", SOLVE,
+     withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 50 0)")),
+     [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME, "U.body"]),
+    ("point leaves the mesh after restart", SOLVE,
+     lambda c: c.column("0.1/lagrangian/block/U", lambda v: ["(100 0 0)"]*len(v)),
+     [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME, "U.body"],
+     {"seed": "half"}),
+    ("point leaves in the first step", SOLVE,
+     several(setValue(BLOCK + "x", 47, "(9.99 9.99 0.5)"),
+             setValue(BLOCK + "U", 47, "(10 0 0)")),
+     [r"point 47 of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME]),
+    ("point leaves in the first step after restart", SOLVE,
+     several(setValue("0.1/lagrangian/block/x", 47, "(9.99 9.99 0.5)"),
+             setValue("0.1/lagrangian/block/U", 47, "(10 0 0)")),
+     [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME],
+     {"seed": "half"}),
+    ("allowed: deltaT far too large", SOLVE,
+     several(replace(CONTROL, "5e-4", "0.2"),
+             replace(CONTROL, "adjustTimeStep  yes", "adjustTimeStep no")),
+     None, {"maybe": True}),
+    ("allowed: deltaT 1e6", SOLVE,
+     several(replace(CONTROL, "5e-4", "1e6"),
+             replace(CONTROL, "adjustTimeStep  yes", "adjustTimeStep no")),
+     None, {"maybe": True}),
+    ("allowed: deltaT 0.03, Courant number above 1", SOLVE,
+     several(replace(CONTROL, "5e-4", "0.05"),
+             replace(CONTROL, "adjustTimeStep  yes", "adjustTimeStep no")),
+     None, {"maybe": True}),
+    ("deltaT 0", SOLVE,
+     several(replace(CONTROL, "5e-4", "0"),
+             replace(CONTROL, "adjustTimeStep  yes", "adjustTimeStep no")),
+     ["deltaT"]),
+    ("deltaT -1", SOLVE,
+     several(replace(CONTROL, "5e-4", "-1"),
+             replace(CONTROL, "adjustTimeStep  yes", "adjustTimeStep no")),
+     ["deltaT"]),
+    ("parallel, not decomposed", ["mpirun", "--oversubscribe", "-np", "2",
+                                  "materialPointFoam", "-parallel"],
+     lambda c: None, ["processor|decomposeParDict"]),
+    ("parallel", ["mpirun", "--oversubscribe", "-np", "2", "materialPointFoam",
+                  "-parallel"],
+     "decompose", ["one processor", "-parallel"], {"ranks": 2}),
+    ("parallel", SET + ["-parallel"], lambda c: None, ["-parallel"]),
+    ("allowed: fields that meet", SOLVE, fields("base", "block"), None,
+     {"warnings": 1, "has": "velocity fields"}),
+    ("allowed: fields that overlap", SOLVE,
+     withPoints(several(fields("base", "block"),
+                        replace(REGIONS, r"min +\(3 3 0\)", "min (3 2 0)"))),
+     None, {"warnings": 1, "has": "velocity fields"}),
+    ("allowed: user's law", SOLVE, nanLaw(1000000000), None, {"has": "nanLaw"}),
+    ("unknown law beside the user's", SOLVE,
+     several(nanLaw(5), replace(PHASES, "nanLaw", "nan9Law")),
+     inLaw + ["nan9Law", VALID, "nanLaw"]),
+]
+
+for traps in ("true", "false"):
+    for name, n in (("first step", 50), ("middle", 1234), ("write time", 900)):
+        ROWS.append(
+            (f"user's law gives nan, {name}, FOAM_SIGFPE {traps}", SOLVE,
+             nanLaw(n), [POINT, TIME, "stress"],
+             {"environment": {"FOAM_SIGFPE": traps}, "seed": "half" if n == 50
+              else "start", "points": True}))
+
+
+# --- one row ------------------------------------------------------------------
+
+def decompose(case):
+    case.write("system/decomposeParDict",
+               "FoamFile { version 2.0; format ascii; class dictionary;"
+               " object decomposeParDict; }\nnumberOfSubdomains 2;\n"
+               "method simple;\nsimpleCoeffs { n (2 1 1); delta 0.001; }\n")
+    status, text, _ = case.run(["decomposePar"])
+    if status:
+        raise RuntimeError("decomposePar failed: " + text[-500:])
+
+
+def block(text):
+    """The text of the fatal message, as one line."""
+    at = text.find("--> FOAM FATAL")
+    text = re.sub(r"^\[\d+\] ?", "", text[at:], flags=re.M)
+    return " ".join(text.split())
+
+
+def judge(command, case, patterns, options):
+    """What is wrong, and the message in short."""
+    before = case.contents()
+    status, text, seconds = case.run(command, options.get("environment"))
+    fatal = text.count("--> FOAM FATAL")
+    message = block(text) if fatal else ""
+    wrong = []
+
+    if status is None:
+        return [f"still runs after {LIMIT:g} s"], ""
+    if status < 0 or status > 127:
+        wrong.append(f"ended by signal {-status if status < 0 else status - 128}")
+    crash = re.search(CRASH, text)
+    if crash:
+        wrong.append(f"crash: {crash.group()}")
+    if glob.glob(case.file("core*")):
+        wrong.append("core file")
+
+    maybe = options.get("maybe") and fatal
+    if patterns is None and not maybe:
+        if status or fatal:
+            wrong.append(f"exit {status}, {fatal} fatal messages")
+        if "End" not in text.split():
+            wrong.append("no End")
+    else:
+        if status == 0:
+            wrong.append("exit 0")
+        if fatal != options.get("ranks", 1):
+            wrong.append(f"{fatal} fatal messages")
+        missing = [p for p in patterns or [] if not re.search(p, message)]
+        if missing:
+            wrong.append("message without " + ", ".join(missing))
+    if "has" in options and options["has"] not in text:
+        wrong.append(f"output without {options['has']}")
+    if "warnings" in options:
+        n = len(re.findall(r"--> FOAM Warning", text))
+        if n != options["warnings"]:
+            wrong.append(f"{n} warnings")
+
+    after = case.contents()
+    if command[0] == "materialPointFoam":
+        changed = [f for f in before if after.get(f) != before[f]]
+        if changed:
+            wrong.append("changed " + " ".join(changed[:3])
+                         + (f" and {len(changed) - 3} more"
+                            if len(changed) > 3 else ""))
+    elif patterns is not None and after != before:
+        wrong.append("changed time folders")
+
+    if options.get("points"):
+        holds = [f for f in after if re.search(rb"\bnan\b", after[f])]
+        if holds:
+            wrong.append("nan written in " + " ".join(sorted(holds)[:3]))
+
+    # Only the message itself, without where and file
+    message = re.sub(r"^--> FOAM FATAL (IO )?ERROR:? *", "", message)
+    message = re.sub(r" (file: |From |FOAM exiting).*", "", message)
+    return wrong, message or f"exit {status} in {seconds:.1f} s"
+
+
+def run(table, number, row, seeds):
+    name, command, change, patterns = row[:4]
+    options = row[4] if len(row) > 4 else {}
+    case = Case(os.path.join(RUN, f"{number:03d}"),
+                seeds[options.get("seed", "start")])
+    try:
+        (decompose if change == "decompose" else change)(case)
+        wrong, message = judge(command, case, patterns, options)
+    except (LookupError, RuntimeError, OSError, AttributeError) as e:
+        wrong, message = [f"cannot prepare the row: {e}"], ""
+    detail = f"{number:03d}: " + ("; ".join(wrong) + " | " if wrong else "")
+    tool = [c for c in command if c in SET + SOLVE][0]
+    table.check(f"{name} ({tool})", not wrong, detail + message[:90])
+
+
+def prepare():
+    """Case with mesh and points; case that has run half way; user's law."""
+    shutil.rmtree(RUN, ignore_errors=True)
+    os.makedirs(RUN)
+    start = Case(os.path.join(RUN, "start"), os.path.join(HERE, "case"))
+    for command in (["blockMesh"], SET):
+        status, text, _ = start.run(command)
+        if status:
+            sys.exit(f"{command[0]} failed:\n{text[-2000:]}")
+    half = Case(os.path.join(RUN, "half"), start.path)
+    half.sub(CONTROL, r"endTime +0\.2", "endTime         0.1")
+    status, text, _ = half.run(SOLVE)
+    half.sub(CONTROL, r"endTime +0\.1", "endTime         0.2")
+    if status or "0.1/U.body" not in half.contents():
+        sys.exit(f"materialPointFoam failed:\n{text[-2000:]}")
+
+    law = Case(os.path.join(RUN, "nanLaw"), os.path.join(HERE, "nanLaw"))
+    return {"start": start.path, "half": half.path}, law.run(["wmake"])
+
+
+def main():
+    words = sys.argv[1:]
+    table = Report("badInput")
+    os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1",
+                      OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", FOAM_SIGFPE="true")
+    os.environ.pop("FOAM_ABORT", None)
+    seeds, (status, text, seconds) = prepare()
+    table.check("a user's law in one file compiles without warning",
+                status == 0 and "warning:" not in text,
+                f"exit {status} in {seconds:.1f} s")
+    for number, row in enumerate(ROWS, 1):
+        if not words or any(w in row[0] for w in words):
+            run(table, number, row, seeds)
+    return table.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
