@@ -104,15 +104,19 @@ class FoamCase:
                 raise RunFailed(f"{command[0]} did not end in {limit} s: {log}")
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         if bool(code) != fails:
-            raise RunFailed(f"{' '.join(command)}: exit status {code}\n"
-                            + self.tail(log))
+            raise RunFailed(f"{' '.join(command)}: exit status {code}: "
+                            + self.reason(log))
         return (after.ru_utime + after.ru_stime
                 - before.ru_utime - before.ru_stime)
 
     @staticmethod
-    def tail(log, lines=25):
+    def reason(log):
+        """One line: OpenFOAM's error or the last words, and the log's name."""
         with open(log, errors="replace") as f:
-            return log + ":\n" + "".join(f.readlines()[-lines:])
+            text = f.read()
+        error = re.search(r"FATAL (?:IO )?ERROR:\s*(.*?)\n\s*\n", text, flags=re.S)
+        words = (error[1] if error else text[-300:]).split()
+        return " ".join(words)[:300] + f" ({log})"
 
     def log(self, application="materialPointFoam"):
         with open(self.file("log." + application), errors="replace") as f:
