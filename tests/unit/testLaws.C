@@ -87,11 +87,16 @@ struct points
 };
 
 
-autoPtr<constitutiveModel> elastic(const scalar nu)
+autoPtr<constitutiveModel> elastic
+(
+    const scalar nu,
+    const string& stress = "Cauchy"
+)
 {
     IStringStream is
     (
-        "type linearElastic; rho 2700; E 70e9; nu " + Foam::name(nu) + ";"
+        "type linearElastic; rho 2700; E 70e9; nu " + Foam::name(nu)
+      + "; stress " + stress + ";"
     );
     return constitutiveModel::New(dictionary(is));
 }
@@ -103,13 +108,16 @@ const scalar E = 70e9;
 
 TEST_CASE("linearElastic: uniaxial strain against the closed form")
 {
-    // sigma = (lambda + 2 mu) ln(F)/F, lateral lambda ln(F)/F
+    // s = (lambda + 2 mu) ln F, lateral lambda ln F; s = sigma or F sigma.
+    // Work done: int sigma dF, with M = lambda + 2 mu:
+    // M (F ln F - F + 1) or M (ln F)^2/2
     const scalar nu = 0.3;
     const scalar lambda = E*nu/((1 + nu)*(1 - 2*nu)), mu = E/(2*(1 + nu));
-    const auto law(elastic(nu));
 
+    for (const bool kirchhoff : {false, true})
     for (int D = 1; D <= 3; ++D)
     {
+        const auto law(elastic(nu, kirchhoff ? "Kirchhoff" : "Cauchy"));
         for (const scalar step : {1e-3, -1e-3, 0.02, -0.02, 0.3})
         {
             points p(D, 11, 2700);
@@ -117,7 +125,7 @@ TEST_CASE("linearElastic: uniaxial strain against the closed form")
             L[0] = step;
             for (int i = 0; i < 5; ++i) p.apply(*law, L);
 
-            const scalar h = 5*step, J = std::exp(h);
+            const scalar h = 5*step, F = std::exp(h), J = kirchhoff ? F : 1;
             const scalar axial = (lambda + 2*mu)*h/J, side = lambda*h/J;
             for (label i = 0; i < p.n; ++i)
             {
@@ -129,7 +137,11 @@ TEST_CASE("linearElastic: uniaxial strain against the closed form")
             CHECK
             (
                 law->strainEnergy(b)
-             == doctest::Approx(p.n*0.5*(lambda + 2*mu)*h*h).epsilon(1e-10)
+             == doctest::Approx
+                (
+                    p.n*(lambda + 2*mu)
+                   *(kirchhoff ? 0.5*h*h : F*h - F + 1)
+                ).epsilon(1e-9)
             );
         }
     }

@@ -377,42 +377,67 @@ void Foam::mpm::gridState::momentumStep(const scalar dt, const vector& g)
 }
 
 
-void Foam::mpm::gridState::startFilter()
+void Foam::mpm::gridState::startFilter(const bool tentative)
 {
+    // work = [increments v in 2 stride per node][sum of m S S^T v]
     if (!work_.data())
     {
         work_ = alignedArray(3*stride_*grid_.nNodes());
     }
-    // work = [increment v_1 = u^L in 2 stride per node][sum of M S S^T v]
-    for (const label n : active_)
+    if (tentative && !Ustrain_.data())
+    {
+        Ustrain_ = alignedArray(stride_*grid_.nNodes());
+    }
+    scalar* v = work_.data();
+    for (const label n : tentative ? activeNew_ : active_)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            work_.data()[2*stride_*n + d] = UL_.data()[2*stride_*n + d];
+            if (tentative)
+            {
+                v[2*stride_*n + d] = UNew_.data()[stride_*n + d];
+                Ustrain_.data()[stride_*n + d] = UNew_.data()[stride_*n + d];
+            }
+            else
+            {
+                v[2*stride_*n + d] = UL_.data()[2*stride_*n + d];
+            }
         }
     }
 }
 
 
-void Foam::mpm::gridState::addFilter(const scalar* mIncrement)
+void Foam::mpm::gridState::addFilter(const bool tentative, const scalar* Mv)
 {
-    // v_{l+1} = v_l - (m S S^T v_l)/m ;  u^L += v_{l+1}
+    const labelList& nodes = tentative ? activeNew_ : active_;
+    const scalar* mU = tentative ? mUNew_.data() : mU_.data();
     scalar* v = work_.data();
-    for (const label n : active_)
+
+    for (const label n : nodes)
     {
-        const scalar m = mU_.data()[stride_*n + nDim_];
+        const scalar m = mU[stride_*n + nDim_];
         const scalar rm = m > 0 ? 1/m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            v[2*stride_*n + d] -= rm*mIncrement[stride_*n + d];
+            v[2*stride_*n + d] -= rm*Mv[stride_*n + d];
         }
     }
+
+    // The sum keeps the fixed velocities: increments have none there
     constrain(v, 2*stride_, true);
-    for (const label n : active_)
+
+    for (const label n : nodes)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            UL_.data()[2*stride_*n + d] += v[2*stride_*n + d];
+            if (tentative)
+            {
+                Ustrain_.data()[stride_*n + d] += v[2*stride_*n + d];
+            }
+            else
+            {
+                UL_.data()[2*stride_*n + d] += v[2*stride_*n + d];
+            }
         }
     }
 }
@@ -510,7 +535,7 @@ Foam::scalar Foam::mpm::gridState::bytes() const
     return
         scalar(grid_.nNodes())
        *(
-            sizeof(scalar)*stride_*(7 + (work_.data() ? 3 : 0))
+            sizeof(scalar)*stride_*(7 + (work_.data() ? 4 : 0))
           + sizeof(label)
         )
       + sizeof(label)*scalar(active_.size() + activeNew_.size());

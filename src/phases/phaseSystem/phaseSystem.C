@@ -109,6 +109,48 @@ void Foam::mpm::pointPhaseSystem::readNumerics()
 }
 
 
+void Foam::mpm::pointPhaseSystem::filter(const bool tentative)
+{
+    // Sum of k terms of the series of the inverse of the consistent mass
+    // matrix, m^-1 = sum_j (I - m_l^-1 S m_p S^T)^j m_l^-1, times momentum
+    for (label k = 1; k < order_; ++k)
+    {
+        const timer t(clock_.project);
+        forAll(fields_, fieldi)
+        {
+            gridState& field = fields_[fieldi];
+            if (k == 1)
+            {
+                field.startFilter(tentative);
+            }
+            scalar* v = field.work();
+            scalar* Mv = v + 2*field.stride()*grid_.nNodes();
+            for (const label n : tentative ? field.activeNew() : field.active())
+            {
+                for (int d = 0; d < field.stride(); ++d)
+                {
+                    Mv[field.stride()*n + d] = 0;
+                }
+            }
+            forAll(phases_, phasei)
+            {
+                if (fieldOf_[phasei] == fieldi)
+                {
+                    passes_->massTimes
+                    (
+                        phases_[phasei].cloud(),
+                        tentative,
+                        v,
+                        Mv
+                    );
+                }
+            }
+            field.addFilter(tentative, Mv);
+        }
+    }
+}
+
+
 void Foam::mpm::pointPhaseSystem::updateWaveRate()
 {
     waveRate_ = 0;
@@ -547,37 +589,7 @@ void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
         }
     }
 
-    // FMPM(k): u^L is the sum of k terms of the series of the inverse of the
-    // consistent mass matrix, m^-1 = sum_j (I - m_l^-1 S M S^T)^j m_l^-1
-    for (label k = 1; k < order_; ++k)
-    {
-        const timer t(clock_.project);
-        forAll(fields_, fieldi)
-        {
-            gridState& field = fields_[fieldi];
-            if (k == 1)
-            {
-                field.startFilter();
-            }
-            scalar* v = field.work();
-            scalar* mv = v + 2*field.stride()*grid_.nNodes();
-            for (const label n : field.active())
-            {
-                for (int d = 0; d < field.stride(); ++d)
-                {
-                    mv[field.stride()*n + d] = 0;
-                }
-            }
-            forAll(phases_, phasei)
-            {
-                if (fieldOf_[phasei] == fieldi)
-                {
-                    passes_->massTimes(phases_[phasei].cloud(), v, mv);
-                }
-            }
-            field.addFilter(mv);
-        }
-    }
+    filter(false);
 }
 
 
@@ -649,6 +661,10 @@ Foam::scalar Foam::mpm::pointPhaseSystem::project(const scalar dt)
     {
         const timer t(clock_.project);
         projectAll(true);
+    }
+    {
+        const noTraps guard;
+        filter(true);
     }
     {
         const timer t(clock_.nodes);
@@ -727,7 +743,7 @@ void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
             phase.law(),
             phase.failure(),
             dt,
-            fields_[fieldOf_[phasei]].U(),
+            fields_[fieldOf_[phasei]].Ustrain(),
             fields_[fieldOf_[phasei]].force()
         );
         phase.nFailed() += returnReduce(nFailed, sumOp<label>());

@@ -11,12 +11,13 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
+namespace
 {
-namespace mpm
-{
-    static const addShapePasses<gimpShape> addGimpPasses("GIMP");
-}
+
+using namespace Foam::mpm;
+
+const addShapePasses addGimpPasses("GIMP", newShapePasses<gimpShape>);
+
 }
 
 // ************************************************************************* //

@@ -8,15 +8,28 @@ License
 
 #include "shapePasses.H"
 #include "linearShape.H"
+#include "hexShape.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
+namespace
 {
-namespace mpm
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+//- linear: by products of 1D functions on a lattice, through the cells' own
+//  coordinates elsewhere
+autoPtr<pointPasses> newLinearPasses(const hexGrid& grid)
 {
-    static const addShapePasses<linearShape> addLinearPasses("linear");
+    return
+        grid.hasLattice()
+      ? newShapePasses<linearShape>(grid)
+      : newShapePasses<hexShape>(grid);
 }
+
+const addShapePasses addLinearPasses("linear", newLinearPasses);
+
 }
 
 // ************************************************************************* //

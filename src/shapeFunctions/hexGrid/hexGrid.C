@@ -12,6 +12,7 @@ License
 #include "cyclicPolyPatch.H"
 #include "hexMatcher.H"
 #include "EdgeMap.H"
+#include "SubField.H"
 #include "PackedBoolList.H"
 
 #include <Eigen/LU>
@@ -192,11 +193,14 @@ void Foam::mpm::hexGrid::makeCells()
     const label nc = label(1) << nDim_;
 
     cellNodes_.setSize(nc*mesh.nCells());
+    cellPoints_.setSize(nc*mesh.nCells());
     cellCells_.setSize(2*nDim_*mesh.nCells(), -1);
     walls_.setSize(mesh.nCells(), 0);
 
     // Cells behind cyclic faces
     labelList coupled(mesh.nFaces() - mesh.nInternalFaces(), -1);
+    vectorField separation(coupled.size(), Zero);
+    bool cyclic = false;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (isA<cyclicPolyPatch>(pp))
@@ -205,9 +209,20 @@ void Foam::mpm::hexGrid::makeCells()
                 refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCells();
             forAll(pp, i)
             {
-                coupled[pp.start() + i - mesh.nInternalFaces()] = nbr[i];
+                const label facei = pp.start() + i - mesh.nInternalFaces();
+                coupled[facei] = nbr[i];
+                separation[facei] =
+                    refCast<const cyclicPolyPatch>(pp).neighbPatch()
+                   .faceCentres()[i]
+                  - pp.faceCentres()[i];
+                cyclic = true;
             }
         }
+    }
+
+    if (cyclic)
+    {
+        shift_.setSize(2*nDim_*mesh.nCells(), vector(Zero));
     }
 
     const faceList& faces = mesh.faces();
@@ -296,7 +311,7 @@ void Foam::mpm::hexGrid::makeCells()
         // A corner is the node of the points that its sides share
         for (label n = 0; n < nc; ++n)
         {
-            label corner = -1;
+            label corner = -1, own = -1;
             for (const label p : faces[side[0][n & 1]])
             {
                 bool inAll = true;
@@ -307,9 +322,11 @@ void Foam::mpm::hexGrid::makeCells()
                 if (inAll)
                 {
                     corner = pointToNode_[p];
+                    own = p;
                 }
             }
             cellNodes_[nc*celli + n] = corner;
+            cellPoints_[nc*celli + n] = own;
         }
 
         for (int d = 0; d < nDim_; ++d)
@@ -328,6 +345,11 @@ void Foam::mpm::hexGrid::makeCells()
                 else
                 {
                     nbr = coupled[facei - mesh.nInternalFaces()];
+                    if (nbr >= 0)
+                    {
+                        shift_[2*(nDim_*celli + d) + s] =
+                            separation[facei - mesh.nInternalFaces()];
+                    }
                 }
                 cellCells_[2*(nDim_*celli + d) + s] = nbr;
                 if (nbr < 0)
@@ -630,18 +652,20 @@ Foam::scalar Foam::mpm::hexGrid::width(const label celli, const int d) const
 
     // Shortest of the edges along the cell's direction
     const label nc = label(1) << nDim_;
+    scalar corner[24];
+    cornerPositions(celli, corner);
     scalar shortest = GREAT;
     for (label n = 0; n < nc; ++n)
     {
         if (!((n >> d) & 1))
         {
-            const label* c = corners(celli);
-            scalar x0[3], x1[3], s = 0;
-            nodePosition(c[n], x0);
-            nodePosition(c[n | (1 << d)], x1);
+            scalar s = 0;
             for (int e = 0; e < nDim_; ++e)
             {
-                s += sqr(x1[e] - x0[e]);
+                s += sqr
+                (
+                    corner[nDim_*(n | (1 << d)) + e] - corner[nDim_*n + e]
+                );
             }
             shortest = min(shortest, std::sqrt(s));
         }
@@ -650,12 +674,16 @@ Foam::scalar Foam::mpm::hexGrid::width(const label celli, const int d) const
 }
 
 
-void Foam::mpm::hexGrid::nodePosition(const label nodei, scalar* x) const
+void Foam::mpm::hexGrid::cornerPositions(const label celli, scalar* x) const
 {
-    const point& p = mesh().points()[nodePoint_[nodei]];
-    for (int d = 0; d < nDim_; ++d)
+    const label nc = label(1) << nDim_;
+    for (label n = 0; n < nc; ++n)
     {
-        x[d] = p[dir_[d]];
+        const point& p = mesh().points()[cellPoints_[nc*celli + n]];
+        for (int d = 0; d < nDim_; ++d)
+        {
+            x[nDim_*n + d] = p[dir_[d]];
+        }
     }
 }
 
@@ -678,12 +706,8 @@ void Foam::mpm::hexGrid::localCoordinates
     }
 
     const label nc = label(1) << nDim_;
-    const label* c = corners(celli);
-    scalar corner[8][3];
-    for (label n = 0; n < nc; ++n)
-    {
-        nodePosition(c[n], corner[n]);
-    }
+    scalar corner[24];
+    cornerPositions(celli, corner);
 
     for (int d = 0; d < nDim_; ++d)
     {
@@ -709,7 +733,7 @@ void Foam::mpm::hexGrid::localCoordinates
             }
             for (int e = 0; e < nDim_; ++e)
             {
-                r(e) -= w*corner[n][e];
+                r(e) -= w*corner[nDim_*n + e];
             }
             for (int d = 0; d < nDim_; ++d)
             {
@@ -723,7 +747,7 @@ void Foam::mpm::hexGrid::localCoordinates
                 }
                 for (int e = 0; e < nDim_; ++e)
                 {
-                    J(e, d) += dw*corner[n][e];
+                    J(e, d) += dw*corner[nDim_*n + e];
                 }
             }
         }
@@ -820,7 +844,7 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
         scalar xi[3];
         localCoordinates(celli, x, xi);
 
-        label next = -1;
+        label next = -1, through = -1;
         scalar worst = 0;
         bool outside = false;
         for (int d = 0; d < nDim_; ++d)
@@ -835,6 +859,7 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
                 {
                     worst = beyond;
                     next = nbr;
+                    through = 2*(nDim_*celli + d) + s;
                     outside = true;
                 }
             }
@@ -847,6 +872,13 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
         {
             // On the common side to rounding: the higher cell owns it
             return max(celli, next);
+        }
+        if (next >= 0 && shift_.size())
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                x[d] += shift_[through][dir_[d]];
+            }
         }
         celli = next;
     }

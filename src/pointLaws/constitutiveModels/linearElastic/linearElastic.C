@@ -56,13 +56,16 @@ Foam::mpm::linearElastic::linearElastic(const dictionary& dict)
 :
     constitutiveModel(dict)
 {
-    checkKeywords(dict, {"type", "rho", "E", "nu"});
+    checkKeywords(dict, {"type", "rho", "E", "nu", "stress"});
 
     const scalar E = positive(dict, "E");
     const scalar nu = bounded(dict, "nu", -0.999, 0.499999);
 
     lambda_ = E*nu/((1 + nu)*(1 - 2*nu));
     mu_ = E/(2*(1 + nu));
+    kirchhoff_ =
+        oneOfOrDefault(dict, "stress", "Cauchy", {"Cauchy", "Kirchhoff"})
+     == "Kirchhoff";
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -204,8 +207,11 @@ void Foam::mpm::linearElastic::update(pointBlock& b) const
             trh += h[i*(DIM + 1)];
         }
 
-        // sigma = tau/J
-        const T rJ = get(b.mass)/(rho()*get(b.volume));
+        // sigma = s or s/J
+        const T rJ =
+            kirchhoff_
+          ? get(b.mass)/(rho()*get(b.volume))
+          : broadcast<W>(1);
         const T pressurePart = lambda_*trh*rJ;
         const T mu2 = 2*mu_*rJ;
         for (int i = 0; i < 3; ++i)
@@ -252,8 +258,7 @@ void Foam::mpm::linearElastic::correct(pointBlock& block) const
 
 void Foam::mpm::linearElastic::initialise(pointBlock& b) const
 {
-    // tau = lambda tr(h) I + 2 mu h inverted; the volume of the point is that
-    // of the stressed state, its mass follows J = exp(tr h) of the caller
+    // s = lambda tr(h) I + 2 mu h inverted
     for (label p = 0; p < b.n; ++p)
     {
         double sigma[9];
@@ -261,7 +266,7 @@ void Foam::mpm::linearElastic::initialise(pointBlock& b) const
 
         // Strain of the computed directions only; J = rho0 v/m
         const int D = b.nDim;
-        const scalar J = rho()*b.volume[p]/b.mass[p];
+        const scalar J = kirchhoff_ ? rho()*b.volume[p]/b.mass[p] : 1;
         scalar tr = 0;
         for (int i = 0; i < D; ++i)
         {
@@ -298,42 +303,39 @@ Foam::scalar Foam::mpm::linearElastic::waveSpeed() const
 
 Foam::scalar Foam::mpm::linearElastic::strainEnergy(const pointBlock& b) const
 {
-    // From the stress: tau = J sigma gives
-    // h = (tau - lambda tr(h) I)/(2 mu), tr over the computed directions
+    // From the stress: h = (s - lambda tr(h) I)/(2 mu)
     const int D = b.nDim;
     scalar sum = 0;
     for (label p = 0; p < b.n; ++p)
     {
-        if (b.damage && b.damage[p] > 0)
-        {
-            // What a failed point still stores is counted by its stress
-            scalar s2 = 0;
-            for (int i = 0; i < D; ++i)
-            {
-                s2 += sqr(b.stress[i][p]);
-            }
-            sum += b.volume[p]*s2/(2*(lambda_ + 2*mu_));
-            continue;
-        }
-
-        const scalar J = rho()*b.volume[p]/b.mass[p];
-        scalar tr = 0;
+        const scalar J = kirchhoff_ ? rho()*b.volume[p]/b.mass[p] : 1;
+        scalar a = 0;
         for (int i = 0; i < D; ++i)
         {
-            tr += J*b.stress[i][p];
+            a += J*b.stress[i][p];
         }
-        tr /= D*lambda_ + 2*mu_;
+        a /= D*lambda_ + 2*mu_;
 
         scalar hh = 0;
         for (int i = 0; i < D; ++i)
         {
-            hh += sqr((J*b.stress[i][p] - lambda_*tr)/(2*mu_));
+            hh += sqr((J*b.stress[i][p] - lambda_*a)/(2*mu_));
             for (int j = i + 1; j < D; ++j)
             {
                 hh += 2*sqr(J*b.stress[symmSlot(i, j)][p]/(2*mu_));
             }
         }
-        sum += b.mass[p]/rho()*(0.5*lambda_*sqr(tr) + mu_*hh);
+        scalar w = 0.5*lambda_*sqr(a) + mu_*hh;
+
+        if (!kirchhoff_)
+        {
+            // 2 (exp(a) (a - 1) + 1)/a^2, by its series where a is small
+            w *=
+                mag(a) < 1e-3
+              ? 1 + a*(2.0/3 + a*(0.25 + a/15))
+              : 2*(std::exp(a)*(a - 1) + 1)/sqr(a);
+        }
+        sum += b.mass[p]/rho()*w;
     }
     return sum;
 }

@@ -1,0 +1,551 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include <doctest/doctest.h>
+#include "testMesh.H"
+#include "pointPasses.H"
+#include "failureModel.H"
+#include "IStringStream.H"
+#include <random>
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+namespace
+{
+
+std::function<point(const point&)> uniform(const vector& size)
+{
+    return [size](const point& p) { return cmptMultiply(p, size) + point(0.3, -0.2, 0.1); };
+}
+
+point graded(const point& p)
+{
+    return point(p.x() + 0.4*p.x()*p.x(), 2*p.y() + p.y()*p.y(), std::exp(p.z()));
+}
+
+point skewed(const point& p)
+{
+    return point
+    (
+        p.x() + 0.2*p.y() + 0.08*std::sin(5*p.y())*p.x() + 0.05*p.z(),
+        p.y() + 0.15*p.x()*p.x() + 0.06*p.x()*p.z(),
+        p.z() + 0.1*p.x()*p.y()
+    );
+}
+
+//- In 2D the third coordinate must not depend on the others
+point skewed2(const point& p)
+{
+    const point q(skewed(point(p.x(), p.y(), 0)));
+    return point(q.x(), q.y(), p.z());
+}
+
+autoPtr<pointPasses> passes(const word& name, const hexGrid& grid)
+{
+    IStringStream is("shapeFunction " + name + ";");
+    return pointPasses::New(dictionary(is), grid);
+}
+
+//- Identities of theory.md section 2 at random points of random cells, with
+//  many of them in wall cells and on sides
+scalar worstIdentity
+(
+    const hexGrid& grid,
+    const word& name,
+    const scalar halfSizeOfCell,
+    scalar& smallest
+)
+{
+    const auto p(passes(name, grid));
+    std::mt19937 gen(7);
+    std::uniform_real_distribution<scalar> u(0, 1);
+    const int D = grid.nDim();
+
+    scalar worst = 0;
+    smallest = 0;
+    DynamicList<label> nodes;
+    DynamicList<scalar> S, dS;
+
+    for (int trial = 0; trial < 4000; ++trial)
+    {
+        const label celli =
+            trial % 2 ? label(u(gen)*grid.nCells()) % grid.nCells() : (trial/2 % 2 ? 0 : grid.nCells() - 1);
+        scalar corner[24], x[3] = {0, 0, 0}, xi[3], l[3];
+        grid.cornerPositions(celli, corner);
+        for (int d = 0; d < D; ++d)
+        {
+            xi[d] = u(gen);
+            if (trial % 7 == 0) xi[d] = 0;
+            if (trial % 11 == 0) xi[d] = 1 - 1e-13;
+            l[d] = halfSizeOfCell*grid.width(celli, d);
+        }
+        for (int n = 0; n < (1 << D); ++n)
+        {
+            scalar w = 1;
+            for (int d = 0; d < D; ++d) w *= (n >> d) & 1 ? xi[d] : 1 - xi[d];
+            for (int d = 0; d < D; ++d) x[d] += w*corner[D*n + d];
+        }
+        p->weights(celli, x, l, nodes, S, dS);
+
+        scalar sum = 0, sumX[3] = {0, 0, 0}, sumG[3] = {0, 0, 0}, sumGX[9] = {};
+        forAll(nodes, i)
+        {
+            const point& at = grid.mesh().points()[grid.nodePoint()[nodes[i]]];
+            sum += S[i];
+            smallest = min(smallest, S[i]);
+            for (int d = 0; d < D; ++d)
+            {
+                const scalar xn = at[grid.direction(d)];
+                sumX[d] += S[i]*xn;
+                sumG[d] += dS[D*i + d];
+                for (int e = 0; e < D; ++e)
+                {
+                    sumGX[3*d + e] += xn*dS[D*i + e];
+                }
+            }
+        }
+        worst = max(worst, mag(sum - 1));
+        for (int d = 0; d < D; ++d)
+        {
+            const scalar h = grid.width(celli, d);
+            worst = max(worst, mag(sumX[d] - x[d]));
+            worst = max(worst, mag(sumG[d])*h);
+            for (int e = 0; e < D; ++e)
+            {
+                worst = max(worst, mag(sumGX[3*d + e] - (d == e ? 1 : 0))*0.1);
+            }
+        }
+    }
+    return worst;
+}
+
+}
+
+
+TEST_CASE("nodes and lattice of 1D, 2D and 3D meshes")
+{
+    const testMesh m1(7, 0, 0, uniform(vector(2, 1, 1)));
+    CHECK(m1.grid().nDim() == 1);
+    CHECK(m1.grid().nNodes() == 8);
+    const testMesh m2(0, 5, 4, uniform(vector(2, 1, 1)));
+    CHECK(m2.grid().nDim() == 2);
+    CHECK(m2.grid().direction(0) == 1);
+    CHECK(m2.grid().direction(1) == 2);
+    CHECK(m2.grid().nNodes() == 30);
+    CHECK(m2.grid().hasLattice());
+    const testMesh m3(3, 4, 5, graded);
+    CHECK(m3.grid().nNodes() == 120);
+    CHECK(m3.grid().hasLattice());
+    const testMesh ms(3, 4, 5, skewed);
+    CHECK(!ms.grid().hasLattice());
+}
+
+
+TEST_CASE("half-open cells: a side belongs to the upper cell, the last is closed")
+{
+    const testMesh m(4, 3, 0, [](const point& p) { return p; });
+    const hexGrid& g = m.grid();
+    scalar x[3] = {0.25, 1.0/3, 0};
+    CHECK(g.find(x) == 5);
+    x[0] = 0.25 - 1e-15;
+    CHECK(g.find(x) == 4);
+    x[0] = 1; x[1] = 1;
+    CHECK(g.find(x) == 11);
+    x[0] = 0; x[1] = 0;
+    CHECK(g.find(x) == 0);
+    x[0] = -1e-15;
+    CHECK(g.find(x) == -1);
+    x[0] = 1 + 1e-15;
+    CHECK(g.find(x) == -1);
+    // By walking from far away
+    x[0] = 0.99; x[1] = 0.99;
+    CHECK(g.locate(0, x) == 11);
+}
+
+
+TEST_CASE("identities of the shape functions")
+{
+    // sum S = 1, sum S x = x, sum grad S = 0, sum x grad S = I, S >= 0
+    struct item
+    {
+        const char* name;
+        const char* shape;
+        testMesh mesh;
+        scalar l;
+    };
+    const item items[] =
+    {
+        {"1D uniform", "linear", {9, 0, 0, uniform(vector(1, 1, 1))}, 0},
+        {"2D graded", "linear", {6, 5, 0, graded}, 0},
+        {"3D graded", "linear", {4, 5, 3, graded}, 0},
+        {"2D skewed", "linear", {6, 5, 0, skewed2}, 0},
+        {"3D skewed", "linear", {4, 3, 4, skewed}, 0},
+        {"1D uniform", "GIMP", {9, 0, 0, uniform(vector(1, 1, 1))}, 0.25},
+        {"1D graded", "GIMP", {9, 0, 0, graded}, 0.25},
+        {"1D one cell", "GIMP", {1, 0, 0, graded}, 0.25},
+        {"1D wide points", "GIMP", {9, 0, 0, graded}, 0.7},
+        {"2D graded", "GIMP", {6, 5, 0, graded}, 0.25},
+        {"2D yz", "GIMP", {0, 5, 6, graded}, 0.5},
+        {"3D uniform", "GIMP", {4, 4, 4, uniform(vector(1, 2, 3))}, 0.25},
+        {"3D graded", "GIMP", {4, 5, 3, graded}, 0.125}
+    };
+    for (const item& i : items)
+    {
+        CAPTURE(i.name);
+        CAPTURE(i.shape);
+        scalar smallest;
+        CHECK(worstIdentity(i.mesh.grid(), i.shape, i.l, smallest) <= 1e-12);
+        CHECK(smallest >= -1e-14);
+    }
+}
+
+
+TEST_CASE("GIMP at a wall: S_0(wall) = 1, graded too")
+{
+    for (const bool gradedMesh : {false, true})
+    {
+        const testMesh m
+        (
+            8, 0, 0,
+            gradedMesh
+          ? std::function<point(const point&)>(graded)
+          : uniform(vector(1, 1, 1))
+        );
+        const hexGrid& g = m.grid();
+        const auto p(passes("GIMP", g));
+        DynamicList<label> nodes;
+        DynamicList<scalar> S, dS;
+        for (const label celli : {0, 7})
+        {
+            scalar corner[24], l[3];
+            g.cornerPositions(celli, corner);
+            l[0] = 0.25*g.width(celli, 0);
+            const int side = celli ? 1 : 0;
+            p->weights(celli, corner + side, l, nodes, S, dS);
+            scalar atWall = 0;
+            forAll(nodes, i)
+            {
+                if (nodes[i] == g.corners(celli)[side]) atWall += S[i];
+            }
+            CHECK(atWall == doctest::Approx(1).epsilon(1e-13));
+        }
+    }
+}
+
+
+TEST_CASE("GIMP refuses meshes by reason, linear takes all hexahedra")
+{
+    const testMesh m(3, 3, 0, skewed2);
+    CHECK_THROWS_AS(passes("GIMP", m.grid()), Foam::IOerror);
+    CHECK_THROWS_AS(passes("gimp", m.grid()), Foam::IOerror);
+    CHECK_NOTHROW(passes("linear", m.grid()));
+}
+
+
+TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
+{
+    struct item
+    {
+        const char* name;
+        const char* shape;
+        testMesh mesh;
+    };
+    const item items[] =
+    {
+        {"1D", "linear", {9, 0, 0, graded}}, {"1D", "GIMP", {9, 0, 0, graded}},
+        {"2D", "linear", {6, 5, 0, graded}}, {"2D", "GIMP", {6, 5, 0, graded}},
+        {"2Dskew", "linear", {6, 5, 0, skewed2}},
+        {"3D", "linear", {4, 5, 3, graded}}, {"3D", "GIMP", {4, 5, 3, graded}},
+        {"3Dskew", "linear", {4, 5, 3, skewed}}
+    };
+    for (const item& it : items)
+    {
+        CAPTURE(it.name);
+        CAPTURE(it.shape);
+        const hexGrid& g = it.mesh.grid();
+        const int D = g.nDim();
+        const int P = D == 1 ? 2 : 4;
+        const auto passesPtr(passes(it.shape, g));
+        const pointPasses& pass = *passesPtr;
+
+        materialPointCloud cloud(g, "test");
+        if (pass.hasExtent()) cloud.needHalfSize();
+
+        std::mt19937 gen(5);
+        std::uniform_real_distribution<scalar> u(-1, 1);
+        List<materialPointCloud::newPoint> points(517);
+        for (auto& p : points)
+        {
+            const label celli = label(0.5*(u(gen) + 1)*g.nCells()) % g.nCells();
+            scalar corner[24], x[3] = {0, 0, 0};
+            g.cornerPositions(celli, corner);
+            p.x = g.mesh().cellCentres()[celli];
+            scalar xi[3];
+            for (int d = 0; d < D; ++d) xi[d] = 0.5*(u(gen) + 1);
+            for (int n = 0; n < (1 << D); ++n)
+            {
+                scalar w = 1;
+                for (int d = 0; d < D; ++d) w *= (n >> d) & 1 ? xi[d] : 1 - xi[d];
+                for (int d = 0; d < D; ++d) x[d] += w*corner[D*n + d];
+            }
+            for (int d = 0; d < D; ++d) p.x[g.direction(d)] = x[d];
+            p.U = vector(u(gen), u(gen), u(gen));
+            p.mass = 1 + 0.5*u(gen);
+            p.volume = 1 + 0.5*u(gen);
+            p.sigma = symmTensor(u(gen), u(gen), u(gen), u(gen), u(gen), u(gen));
+            p.halfSize = vector(0.02, 0.02, 0.02);
+        }
+        cloud.add(points);
+        CHECK(cloud.size() == 517);
+
+        const label N = g.nNodes();
+        alignedArray mU(P*N), f(P*N), q(P*N), u2(2*P*N), Mu(P*N);
+        pass.project(cloud, false, mU.data());
+        pass.force(cloud, f.data());
+
+        scalar mass = 0, p0[3] = {}, nodeMass = 0, np[3] = {}, nf[3] = {};
+        scalar size = 0;
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            mass += cloud.mass()[0][p];
+            for (int d = 0; d < D; ++d) p0[d] += cloud.mass()[0][p]*cloud.U()[d][p];
+        }
+        for (label n = 0; n < N; ++n)
+        {
+            nodeMass += mU.data()[P*n + D];
+            CHECK(mU.data()[P*n + D] >= 0);
+            for (int d = 0; d < D; ++d)
+            {
+                np[d] += mU.data()[P*n + d];
+                nf[d] += f.data()[P*n + d];
+                size = max(size, mag(f.data()[P*n + d]));
+            }
+        }
+        CHECK(mag(nodeMass - mass) <= 1e-12*mass);
+        for (int d = 0; d < D; ++d)
+        {
+            CHECK(mag(np[d] - p0[d]) <= 1e-12*mass);
+            // sum_l grad S_l = 0: no net force
+            CHECK(mag(nf[d]) <= 1e-11*size);
+        }
+
+        // Power: sum_l f_l.u_l = -sum_p v_p sigma_p : grad u(x_p), with
+        // grad u from the same weights one point at a time
+        for (label n = 0; n < N; ++n)
+        {
+            for (int d = 0; d < D; ++d)
+            {
+                q.data()[P*n + d] = u(gen);
+                u2.data()[2*P*n + d] = q.data()[P*n + d];
+            }
+        }
+        scalar nodePower = 0, pointPower = 0, power = 0;
+        for (label n = 0; n < N; ++n)
+        {
+            for (int d = 0; d < D; ++d) nodePower += f.data()[P*n + d]*q.data()[P*n + d];
+        }
+        pass.massTimes(cloud, false, u2.data(), Mu.data());
+        scalar nodeMuu = 0, pointMuu = 0;
+        for (label n = 0; n < N; ++n)
+        {
+            for (int d = 0; d < D; ++d) nodeMuu += Mu.data()[P*n + d]*q.data()[P*n + d];
+        }
+        DynamicList<label> nodes;
+        DynamicList<scalar> S, dS;
+        forAll(cloud.cells(), k)
+        {
+            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+            {
+                scalar x[3], l[3] = {0.02, 0.02, 0.02}, L[9] = {}, up[3] = {};
+                for (int d = 0; d < D; ++d) x[d] = cloud.x()[d][p];
+                pass.weights(cloud.cells()[k], x, l, nodes, S, dS);
+                forAll(nodes, i)
+                {
+                    for (int a = 0; a < D; ++a)
+                    {
+                        up[a] += S[i]*q.data()[P*nodes[i] + a];
+                        for (int b = 0; b < D; ++b)
+                        {
+                            L[3*a + b] += q.data()[P*nodes[i] + a]*dS[D*i + b];
+                        }
+                    }
+                }
+                for (int a = 0; a < D; ++a)
+                {
+                    pointMuu += cloud.mass()[0][p]*sqr(up[a]);
+                    for (int b = 0; b < D; ++b)
+                    {
+                        const scalar w =
+                            cloud.volume()[0][p]
+                           *cloud.stress()[symmSlot(a, b)][p]*L[3*a + b];
+                        pointPower -= w;
+                        power += mag(w);
+                    }
+                }
+            }
+        }
+        CHECK(mag(nodePower - pointPower) <= 1e-12*power);
+        CHECK(mag(nodeMuu - pointMuu) <= 1e-12*mag(pointMuu));
+
+        // A linear velocity field gives its gradient at every point, whatever
+        // the number of points of a cell
+        IStringStream is("type linearElastic; rho 1; E 1; nu 0;");
+        const auto law(constitutiveModel::New(dictionary(is)));
+        for (label n = 0; n < N; ++n)
+        {
+            const point& at = g.mesh().points()[g.nodePoint()[n]];
+            for (int a = 0; a < D; ++a)
+            {
+                q.data()[P*n + a] = 0;
+                for (int b = 0; b < D; ++b)
+                {
+                    q.data()[P*n + a] += 1e-3*(1 + a + 2*b)*at[g.direction(b)];
+                }
+            }
+        }
+        cloud.needHistory("leftStretch", column::strains);
+        cloud.history()[0].reserve(cloud.capacity(), 0);
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            for (int s = 0; s < nStress(D); ++s) cloud.stress()[s][p] = 0;
+            cloud.mass()[0][p] = cloud.volume()[0][p] = 1;
+        }
+        pass.correctStress(cloud, *law, nullptr, 1e-4, q.data(), f.data());
+        scalar least = GREAT, most = -GREAT, trace = 0;
+        for (int a = 0; a < D; ++a) trace += 1e-7*(1 + 3*a);
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            least = min(least, cloud.volume()[0][p]);
+            most = max(most, cloud.volume()[0][p]);
+        }
+        CHECK(mag(least - std::exp(trace)) <= 1e-14);
+        CHECK(mag(most - std::exp(trace)) <= 1e-14);
+        // sigma_xx = E h_xx: of each point
+        scalar worst = 0;
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            worst = max(worst, mag(cloud.stress()[0][p] - 1e-7));
+        }
+        CHECK(worst <= 1e-13);
+    }
+}
+
+
+TEST_CASE("sort brings every column along and reject restores every bit")
+{
+    const testMesh m(8, 7, 0, [](const point& p) { return p; });
+    const hexGrid& g = m.grid();
+    materialPointCloud cloud(g, "test");
+    cloud.needDamage();
+    cloud.needHistory("h", column::tensors);
+
+    std::mt19937 gen(11);
+    std::uniform_real_distribution<scalar> u(0, 1);
+    List<materialPointCloud::newPoint> points(601);
+    for (auto& p : points)
+    {
+        p.x = point(0.2 + 0.4*u(gen), 0.3 + 0.4*u(gen), 0.5);
+        p.U = vector(u(gen), u(gen), 0);
+        p.mass = u(gen);
+        p.volume = u(gen);
+        p.sigma = symmTensor(u(gen), 0, 0, u(gen), 0, u(gen));
+        p.halfSize = vector::one;
+    }
+    cloud.add(points);
+    const label n = cloud.size();
+
+    // Every column gets a value that its id knows
+    const auto mark = [&]()
+    {
+        for (label p = 0; p < n; ++p)
+        {
+            const scalar id = cloud.id()[0][p];
+            (*cloud.damage())[0][p] = 2*id;
+            for (int c = 0; c < 4; ++c) cloud.history()[0][c][p] = id + 0.1*c;
+            cloud.mass()[0][p] = 3*id + 1;
+        }
+    };
+    mark();
+
+    for (int round = 0; round < 30; ++round)
+    {
+        std::vector<scalar> ids, x0, y0;
+        for (label p = 0; p < n; ++p)
+        {
+            ids.push_back(cloud.id()[0][p]);
+            x0.push_back(cloud.x()[0][p]);
+            y0.push_back(cloud.x()[1][p]);
+        }
+        const labelList cells0(cloud.cells()), start0(cloud.start());
+
+        // Random walk, reflected
+        DynamicList<materialPointCloud::mover> movers;
+        forAll(cells0, k)
+        {
+            for (label p = start0[k]; p < start0[k + 1]; ++p)
+            {
+                scalar x[3];
+                for (int d = 0; d < 2; ++d)
+                {
+                    x[d] = cloud.x()[d][p] + 0.2*(u(gen) - 0.5);
+                    x[d] = mag(x[d]);
+                    if (x[d] > 1) x[d] = 2 - x[d];
+                    cloud.xNew()[d][p] = x[d];
+                    cloud.UNew()[d][p] = cloud.id()[0][p];
+                }
+                const label to = g.locate(cells0[k], x);
+                REQUIRE(to >= 0);
+                if (to != cells0[k])
+                {
+                    movers.append(materialPointCloud::mover{p, to});
+                }
+            }
+        }
+        cloud.sort(movers);
+
+        if (round % 3 == 2)
+        {
+            cloud.reject();
+            REQUIRE(cloud.cells() == cells0);
+            REQUIRE(cloud.start() == start0);
+            for (label p = 0; p < n; ++p)
+            {
+                REQUIRE(cloud.id()[0][p] == ids[p]);
+                REQUIRE(cloud.x()[0][p] == x0[p]);
+                REQUIRE(cloud.x()[1][p] == y0[p]);
+                REQUIRE(cloud.mass()[0][p] == 3*ids[p] + 1);
+            }
+            continue;
+        }
+        cloud.accept();
+
+        label counted = 0;
+        forAll(cloud.cells(), k)
+        {
+            REQUIRE((k == 0 || cloud.cells()[k] > cloud.cells()[k - 1]));
+            REQUIRE(cloud.start()[k + 1] > cloud.start()[k]);
+            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+            {
+                ++counted;
+                scalar x[3] = {cloud.x()[0][p], cloud.x()[1][p], 0};
+                REQUIRE(g.find(x) == cloud.cells()[k]);
+                const scalar id = cloud.id()[0][p];
+                REQUIRE((p == cloud.start()[k] || id > cloud.id()[0][p - 1]));
+                REQUIRE(cloud.U()[0][p] == id);
+                REQUIRE((*cloud.damage())[0][p] == 2*id);
+                REQUIRE(cloud.mass()[0][p] == 3*id + 1);
+                for (int c = 0; c < 4; ++c)
+                {
+                    REQUIRE(cloud.history()[0][c][p] == id + 0.1*c);
+                }
+            }
+        }
+        REQUIRE(counted == n);
+    }
+}
