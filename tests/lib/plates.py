@@ -12,7 +12,8 @@ from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, velocityFile)
 
 
 def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxCo,
-              strength=None, pointsPerCell=2, width=4, margin=4, probes=()):
+              strength=None, pointsPerCell=2, width=4, margin=4, probes=(),
+              writeFormat="binary"):
     """Write, mesh and fill a case; not run yet. Probes: phase, name, fields,
     y from, y to (of the start), operation."""
     h = exact.H/cellsPerFlyer
@@ -49,8 +50,8 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
             "phase": phase, "fields": list(fields), "operation": operation,
             "points": {"box": f"(-1 {y0!r} -1) (1 {y1!r} 1)"},
             "writeControl": "timeStep", "writeInterval": 1}
-    case.write("system/controlDict",
-               controlDict(endTime, writeInterval, maxCo, functions=functions))
+    case.write("system/controlDict", controlDict(
+        endTime, writeInterval, maxCo, functions=functions, writeFormat=writeFormat))
     case.run("blockMesh")
     case.run("setMaterialPoints")
     return case
