@@ -27,14 +27,21 @@ def main(path, failedScripts):
             rows.append([script, "script ends without an error", "holds",
                          "see its log", "", "", "FAILED"])
 
+    # Tests ran side by side: the rows of each together, by name
+    rows.sort(key=lambda row: row[0])
+
     shown = [COLUMNS] + [[" ".join(v.split()) for v in row] for row in rows]
     shown = [[v if len(v) <= LONGEST or i == 1 else v[:LONGEST - 3] + "..."
               for i, v in enumerate(row)] for row in shown]
     widths = [max(len(row[i]) for row in shown) for i in range(len(COLUMNS))]
-    for row in shown:
-        print(" | ".join(v.ljust(w) for v, w in zip(row, widths)).rstrip())
+    lines = [" | ".join(v.ljust(w) for v, w in zip(row, widths)).rstrip()
+             for row in shown]
+    print("\n".join(lines))
 
     failed = sum(row[-1] != "ok" for row in rows)
+    if failed:
+        print("\nFailed:")
+        print("\n".join(line for line, row in zip(lines[1:], rows) if row[-1] != "ok"))
     print(f"\nResults: {path}")
     print(f"{len(rows) - failed} passed, {failed} failed")
     return 1 if failed or not rows else 0
