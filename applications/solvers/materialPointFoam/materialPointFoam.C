@@ -36,7 +36,20 @@ int main(int argc, char *argv[])
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    #include "createMesh.H"
+
+    // Not createMesh.H: -dry-run checks the case on its own mesh
+    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    fvMesh mesh
+    (
+        IOobject
+        (
+            fvMesh::defaultRegion,
+            runTime.timeName(),
+            runTime,
+            IOobject::MUST_READ
+        )
+    );
+
 
     #include "createFields.H"
     mpm::timeStepControl control(runTime);
@@ -61,7 +74,10 @@ int main(int argc, char *argv[])
             control.redo(factor);
         }
 
-        points.report();
+        if (control.reports())
+        {
+            points.report();
+        }
 
         if (runTime.writeTime())
         {

@@ -84,6 +84,17 @@ void Foam::mpm::timeStepControl::redo(const scalar factor)
 }
 
 
+bool Foam::mpm::timeStepControl::reports() const
+{
+    const label interval = label
+    (
+        boundedOrDefault(time_.controlDict(), "reportInterval", 10, 1, 1e9)
+    );
+    return
+        time_.timeIndex() % interval == 0 || time_.writeTime() || !time_.run();
+}
+
+
 void Foam::mpm::timeStepControl::report()
 {
     ++nSteps_;

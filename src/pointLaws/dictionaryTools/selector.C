@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "selector.H"
+#include "ListOps.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -70,7 +71,8 @@ Foam::word Foam::mpm::oneOf
     {
         FatalIOErrorInFunction(dict)
             << "Unknown " << key << " " << value << nl << nl
-            << "Valid choices are: " << valid << exit(FatalIOError);
+            << "Valid choices are: " << flatOutput(valid)
+            << exit(FatalIOError);
     }
     return value;
 }
@@ -96,7 +98,7 @@ void Foam::mpm::checkKeywords(const dictionary& dict, const wordList& valid)
         {
             FatalIOErrorInFunction(dict)
                 << "Unknown keyword " << key << " in " << dict.name() << nl
-                << nl << "Valid keywords are: " << valid
+                << nl << "Valid keywords are: " << flatOutput(valid)
                 << exit(FatalIOError);
         }
     }
