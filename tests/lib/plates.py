@@ -5,6 +5,8 @@ a strip of a few cells with slip sides is the same as wide plates. Both phases
 have one velocity field, as in tutorials/spall.
 """
 
+import math
+
 import numpy as np
 
 import plateImpactExact as exact
@@ -12,11 +14,13 @@ from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, velocityFile)
 
 
 def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxCo,
-              strength=None, pointsPerCell=2, width=4, margin=4, probes=(),
+              strength=None, pointsPerCell=2, width=4, probes=(),
               writeFormat="binary"):
     """Write, mesh and fill a case; not run yet. Probes: phase, name, fields,
     y from, y to (of the start), operation."""
     h = exact.H/cellsPerFlyer
+    # The target's outer face moves on with 100 m/s from 0.75 us
+    margin = max(4, math.ceil(exact.V*(endTime - 0.7e-6)/h) + 3)
     low, high = -margin*h, 3*exact.H + margin*h
     w = width*h
     law = {"velocityField": "plates",
