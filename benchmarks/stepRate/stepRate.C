@@ -19,8 +19,31 @@ Description
 #include "fvCFD.H"
 #include "phaseSystem.H"
 #include <chrono>
+#include <fstream>
+#include <string>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Largest resident memory of this process so far [kB]; 0 if the system does
+//  not tell
+label peakMemory()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+    {
+        if (line.compare(0, 6, "VmHWM:") == 0)
+        {
+            return label(std::stol(line.substr(6)));
+        }
+    }
+    return 0;
+}
+
+}
+
 
 int main(int argc, char *argv[])
 {
@@ -90,7 +113,8 @@ int main(int argc, char *argv[])
         << " stress and force " << 100*part.stress/best << nl
         << "columns and buffers [bytes per point] " << points.bytesPerPoint()
         << nl
-        << "node columns [bytes per point] " << points.gridBytes()/n << nl;
+        << "node columns [bytes per point] " << points.gridBytes()/n << nl
+        << "peak memory [kB] " << peakMemory() << nl;
 
     points.report();
 

@@ -107,6 +107,77 @@ void writeField(const cloud& c, const word& name, const label n, const Get& get)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::mpm::materialPointCloud::readPositions
+(
+    const labelList& id,
+    labelList& cell
+)
+{
+    const int D = grid_.nDim();
+    const label n = cell.size();
+
+    vectorField x;
+    if (onDisk(*this, "x"))
+    {
+        x = readField<vector>(*this, "x", n);
+    }
+    else
+    {
+        // Another tool's cloud: positions to the precision of its
+        // barycentric coordinates
+        Cloud<passiveParticle> parcels(grid_.mesh(), name(), false);
+        x.setSize(parcels.size());
+        label p = 0;
+        for (const passiveParticle& parcel : parcels)
+        {
+            x[p++] = parcel.position();
+        }
+    }
+    if (x.size() != n)
+    {
+        FatalErrorInFunction
+            << "Cloud " << name() << " of time " << time().timeName()
+            << " has " << x.size() << " positions for " << n
+            << " masses." << exit(FatalError);
+    }
+
+    label near = -1;
+    for (label p = 0; p < n; ++p)
+    {
+        scalar xp[3];
+        for (int d = 0; d < D; ++d)
+        {
+            xp[d] = x[p][grid_.direction(d)];
+        }
+        if (std::isfinite(magSqr(x[p])))
+        {
+            cell[p] = near >= 0 ? grid_.locate(near, xp) : -1;
+            if (cell[p] < 0)
+            {
+                for (int d = 0; d < D; ++d)
+                {
+                    xp[d] = x[p][grid_.direction(d)];
+                }
+                cell[p] = grid_.find(xp);
+            }
+        }
+        if (cell[p] < 0)
+        {
+            FatalErrorInFunction
+                << "Material point " << id[p] << " of " << name()
+                << " at " << x[p] << ", time " << time().timeName()
+                << ", lies outside the mesh " << grid_.mesh().bounds()
+                << "." << exit(FatalError);
+        }
+        near = cell[p];
+        for (int d = 0; d < D; ++d)
+        {
+            x_[d][p] = xp[d];
+        }
+    }
+}
+
+
 Foam::label Foam::mpm::materialPointCloud::readPoints()
 {
     const int D = grid_.nDim();
@@ -116,9 +187,9 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         return -1;
     }
 
-    // A processor without points has no files
-    scalarField mass, volume;
-    vectorField x;
+    // A processor without points has no files. One field at a time is in
+    // memory beside the columns
+    scalarField mass;
     if (onDisk(*this, "m"))
     {
         mass = readField<scalar>(*this, "m", -1);
@@ -132,40 +203,6 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
 
     if (n)
     {
-        volume = readField<scalar>(*this, "V", n);
-
-        if (onDisk(*this, "x"))
-        {
-            x = readField<vector>(*this, "x", n);
-        }
-        else
-        {
-            // Another tool's cloud: positions to the precision of its
-            // barycentric coordinates
-            Cloud<passiveParticle> parcels(grid_.mesh(), name(), false);
-            x.setSize(parcels.size());
-            label p = 0;
-            for (const passiveParticle& parcel : parcels)
-            {
-                x[p++] = parcel.position();
-            }
-        }
-        if (x.size() != n)
-        {
-            FatalErrorInFunction
-                << "Cloud " << name() << " of time " << time().timeName()
-                << " has " << x.size() << " positions for " << n
-                << " masses." << exit(FatalError);
-        }
-
-        vectorField U(n, Zero);
-        symmTensorField sigma(n, Zero);
-        if (onDisk(*this, "U")) U = readField<vector>(*this, "U", n);
-        if (onDisk(*this, "sigma"))
-        {
-            sigma = readField<symmTensor>(*this, "sigma", n);
-        }
-
         labelList id;
         for (const word name : {"id", "origId"})
         {
@@ -178,52 +215,100 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         {
             id = identity(n);
         }
-
-        label near = -1;
         for (label p = 0; p < n; ++p)
         {
-            const bool finite =
-                std::isfinite(mass[p]) && std::isfinite(volume[p])
-             && std::isfinite(magSqr(x[p])) && std::isfinite(magSqr(U[p]))
-             && std::isfinite(magSqr(sigma[p]));
-            if (!finite || mass[p] <= 0 || volume[p] <= 0)
-            {
-                FatalErrorInFunction
-                    << "Material point " << id[p] << " of " << name()
-                    << " at " << x[p] << ", time " << time().timeName()
-                    << ": mass " << mass[p] << " and volume " << volume[p]
-                    << " must be greater than 0, and mass, volume, x, U and"
-                    << " sigma finite." << exit(FatalError);
-            }
-
-            scalar xp[3];
-            for (int d = 0; d < D; ++d)
-            {
-                xp[d] = x[p][grid_.direction(d)];
-                U_[d][p] = U[p][grid_.direction(d)];
-            }
-            cell[p] = near >= 0 ? grid_.locate(near, xp) : -1;
-            if (cell[p] < 0)
-            {
-                cell[p] = grid_.find(xp);
-            }
-            if (cell[p] < 0)
-            {
-                FatalErrorInFunction
-                    << "Material point " << id[p] << " of " << name()
-                    << " at " << x[p] << ", time " << time().timeName()
-                    << ", lies outside the mesh " << grid_.mesh().bounds()
-                    << "." << exit(FatalError);
-            }
-            near = cell[p];
-            for (int d = 0; d < D; ++d)
-            {
-                x_[d][p] = xp[d];
-            }
-            mass_[0][p] = mass[p];
-            volume_[0][p] = volume[p];
             id_[0][p] = id[p];
-            setSigma(p, sigma[p]);
+        }
+
+        readPositions(id, cell);
+
+        const auto check = [&]
+        (
+            const label p,
+            const bool good,
+            const word& name,
+            const string& value,
+            const char* rule
+        )
+        {
+            if (!good)
+            {
+                FatalErrorInFunction
+                    << "Material point " << id[p] << " of " << this->name()
+                    << " at " << position(p, cell[p]) << ", time "
+                    << time().timeName() << ": " << name << " is "
+                    << value.c_str() << "; it must be " << rule << "."
+                    << exit(FatalError);
+            }
+        };
+
+        const auto positiveField = [&]
+        (
+            const scalarField& f,
+            const word& name,
+            column& c
+        )
+        {
+            for (label p = 0; p < n; ++p)
+            {
+                check
+                (
+                    p,
+                    std::isfinite(f[p]) && f[p] > 0,
+                    name,
+                    Foam::name(f[p]),
+                    "finite and greater than 0"
+                );
+                c[0][p] = f[p];
+            }
+        };
+
+        positiveField(mass, "m (mass)", mass_);
+        mass.clear();
+        positiveField
+        (
+            readField<scalar>(*this, "V", n)(),
+            "V (volume)",
+            volume_
+        );
+
+        if (onDisk(*this, "U"))
+        {
+            const vectorField U(readField<vector>(*this, "U", n));
+            for (label p = 0; p < n; ++p)
+            {
+                check
+                (
+                    p,
+                    std::isfinite(magSqr(U[p])),
+                    "U (velocity)",
+                    Foam::name(mag(U[p])),
+                    "finite"
+                );
+                for (int d = 0; d < D; ++d)
+                {
+                    U_[d][p] = U[p][grid_.direction(d)];
+                }
+            }
+        }
+        if (onDisk(*this, "sigma"))
+        {
+            const symmTensorField sigma
+            (
+                readField<symmTensor>(*this, "sigma", n)
+            );
+            for (label p = 0; p < n; ++p)
+            {
+                check
+                (
+                    p,
+                    std::isfinite(magSqr(sigma[p])),
+                    "sigma (stress)",
+                    Foam::name(mag(sigma[p])),
+                    "finite"
+                );
+                setSigma(p, sigma[p]);
+            }
         }
 
         if (halfSize_)
@@ -238,7 +323,8 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
                     {
                         FatalErrorInFunction
                             << "Material point " << id[p] << " of " << name()
-                            << " at " << x[p] << " has halfSize " << h[p]
+                            << " at " << position(p, cell[p])
+                            << " has halfSize " << h[p]
                             << "; it must be greater than 0 in the computed"
                             << " directions." << exit(FatalError);
                     }
@@ -267,31 +353,39 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
             else
             {
                 // Tensor files hold the components in OpenFOAM's axes
-                const bool symmetric = h.kind() == column::strains;
-                tensorField f(n);
-                if (symmetric)
+                const auto component = [&](const int i, const int j)
                 {
-                    const symmTensorField t
+                    return 3*grid_.direction(i) + grid_.direction(j);
+                };
+                if (h.kind() == column::strains)
+                {
+                    const symmTensorField f
                     (
                         readField<symmTensor>(*this, h.name(), n)
                     );
-                    forAll(f, p)
+                    for (label p = 0; p < n; ++p)
                     {
-                        f[p] = tensor(t[p]);
+                        const tensor t(f[p]);
+                        for (int i = 0; i < D; ++i)
+                        {
+                            for (int j = i; j < D; ++j)
+                            {
+                                h[strainSlot(D, i, j)][p] = t[component(i, j)];
+                            }
+                        }
                     }
                 }
                 else
                 {
-                    f = readField<tensor>(*this, h.name(), n);
-                }
-                for (label p = 0; p < n; ++p)
-                {
-                    for (int i = 0; i < D; ++i)
+                    const tensorField f
+                    (
+                        readField<tensor>(*this, h.name(), n)
+                    );
+                    for (label p = 0; p < n; ++p)
                     {
-                        for (int j = symmetric ? i : 0; j < D; ++j)
+                        for (int i = 0; i < D*D; ++i)
                         {
-                            h[symmetric ? strainSlot(D, i, j) : i*D + j][p] =
-                                f[p][3*grid_.direction(i) + grid_.direction(j)];
+                            h[i][p] = f[p][component(i/D, i % D)];
                         }
                     }
                 }

@@ -1,0 +1,135 @@
+"""Speed and memory of the time step, beside what the machine can do.
+
+The 3D case is the block of the peers' comparison: 262144 points (32^3 cells
+with 8 points) in 40 x 40 x 36 cells of 1/32 m, E 1e6, nu 0.3, rho 1000, gravity,
+bottom fixed, dt 2.5e-4 s, double precision, full steps with FLIP (MUSL), no
+output; and the same block free, without gravity, moving 0.1 cell per step.
+The 2D case is a square of 256^2 cells with 4 points.
+
+Peers' rates (fastest of six open codes, same block, their machine with 22 GB/s
+triad and 58 GFlop/s): linear 2.00, GIMP 0.92 M point-steps/s (MPM3D-F90). The
+last column divides by the peer's rate and by the larger of the ratios of triad
+and FMA, so that a faster machine is no merit.
+
+Best of three of each; run on an idle machine.
+"""
+
+import csv
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+RUN = os.path.join(HERE, "run")
+PEERS = {"linear": 2.00, "GIMP": 0.92}
+
+
+def run(command, folder):
+    result = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    if result.returncode:
+        sys.exit(f"{' '.join(command)} failed in {folder}:\n"
+                 + (result.stdout + result.stderr)[-2000:])
+    return result.stdout
+
+
+def number(text, name):
+    return float(re.search(re.escape(name) + r"\s+([-+.\deE]+)", text).group(1))
+
+
+def set_text(path, pattern, value):
+    with open(path) as f:
+        text = f.read()
+    new, n = re.subn(pattern, lambda m: value, text, flags=re.M)
+    if not n:
+        sys.exit(f"{path}: no {pattern}")
+    with open(path, "w") as f:
+        f.write(new)
+
+
+def prepare(name, template, velocity=None, small=False):
+    case = os.path.join(RUN, name)
+    shutil.rmtree(case, ignore_errors=True)
+    shutil.copytree(os.path.join(HERE, template), case)
+    points = os.path.join(case, "system/setMaterialPointsDict")
+    if velocity:
+        set_text(points, r"^velocity .*", f"velocity ({velocity});")
+        if template == "block":
+            os.remove(os.path.join(case, "constant/g"))
+            set_text(os.path.join(case, "0/U.block"), r"bottom \{.*\}",
+                     "bottom { type calculated; }")
+    if small:
+        set_text(points, r"^high .*", "high 0.16;")
+        if template == "block":
+            set_text(points, r"^top .*", "top 0.04;")
+    run(["blockMesh"], case)
+    run(["setMaterialPoints"], case)
+    return case
+
+
+def measure(case, shape, transfer, steps):
+    set_text(os.path.join(case, "system/fvSolution"), r"materialPoints\s*\{[^}]*\}",
+             "materialPoints { shapeFunction %s; %s }" % (shape, transfer))
+    return run(["stepRate", "-steps", str(steps), "-warmup", "3", "-repeat", "3"], case)
+
+
+def main():
+    shutil.rmtree(RUN, ignore_errors=True)
+    os.makedirs(RUN)
+
+    machine = run(["machineRates"], RUN)
+    triad, fma = (float(x) for x in re.findall(r"([\d.]+) G", machine))
+    factor = max(triad/22, fma/58)
+    print(f"machine, one core: triad {triad} GB/s, FMA {fma} GFlop/s: "
+          f"{factor:.2f} times the peers' machine")
+    print(f"compiler flags: {os.environ.get('MPM_CXXFLAGS', '?')}\n")
+
+    flip, fmpm = "transfer FLIP; PICfraction 0;", "transfer FMPM; order 2;"
+    rows = []
+    for template, motion, velocity, shapes in (
+            ("block", "at rest", None, ("linear", "GIMP")),
+            ("block", "translating", "12.5 0 0", ("linear", "GIMP")),
+            ("square", "at rest", None, ("linear", "GIMP")),
+            ("square", "translating", "19.53125 0 0", ("linear", "GIMP"))):
+        case = prepare(f"{template}-{motion.replace(' ', '')}", template, velocity)
+        for shape in shapes:
+            for name, transfer in (("FLIP", flip), ("FMPM(2)", fmpm)):
+                out = measure(case, shape, transfer, 10)
+                rate = number(out, "rate [M point-steps/s]")
+                share = re.search(r"share of the step \[%\]: (.*)", out).group(1)
+                peer = (rate/PEERS[shape]/factor
+                        if template == "block" and name == "FLIP" else None)
+                rows.append([template, motion, shape, name, f"{rate:.2f}",
+                             f"{number(out, 'ns per point and step'):.1f}",
+                             f"{number(out, 'columns and buffers [bytes per point]'):.0f}",
+                             f"{number(out, 'node columns [bytes per point]'):.0f}",
+                             number(out, "peak memory [kB]"), number(out, "points"),
+                             "" if peer is None else f"{peer:.2f}", share])
+
+    # Memory: the same mesh with a few points instead
+    base = {}
+    for template in ("block", "square"):
+        case = prepare(f"{template}-small", template, small=True)
+        for shape in ("linear", "GIMP"):
+            out = measure(case, shape, flip, 2)
+            base[template, shape] = (number(out, "peak memory [kB]"), number(out, "points"))
+
+    header = ["case", "motion", "shape", "transfer", "M point-steps/s", "ns",
+              "columns B/pt", "nodes B/pt", "(RSS-RSS0)/pt", "raw RSS/pt",
+              "over the peer", "share of the step [%]"]
+    table = []
+    for r in rows:
+        rss0, n0 = base[r[0], r[2]]
+        table.append(r[:8] + [f"{(r[8] - rss0)*1024/(r[9] - n0):.0f}",
+                              f"{r[8]*1024/r[9]:.0f}"] + r[10:])
+    with open(os.path.join(RUN, "rates.csv"), "w", newline="") as f:
+        csv.writer(f).writerows([header] + table)
+    widths = [max(len(str(r[i])) for r in [header] + table) for i in range(len(header))]
+    for r in [header] + table:
+        print("  ".join(str(v).ljust(w) for v, w in zip(r, widths)))
+    print(f"\nCSV: {os.path.join(RUN, 'rates.csv')}")
+
+
+if __name__ == "__main__":
+    main()
