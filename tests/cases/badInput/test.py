@@ -665,6 +665,9 @@ ROWS += [
      several(withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 -15 0)")),
              fixedStep("0.1")), None,
      {"has": "redone", "maybe": True, "end": True}),
+    ("allowed: every step redone, output at its times", SOLVE,
+     replace(NUMERICS, "PICf", "maxTravel 0.005; PICf"), None,
+     {"has": "redone", "times": [0.05, 0.1, 0.15, 0.2]}),
     ("deltaT 0", SOLVE, fixedStep("0"), ["deltaT"]),
     ("deltaT -1", SOLVE, fixedStep("-1"), ["deltaT"]),
     ("parallel, not decomposed", ["mpirun", "--oversubscribe", "-np", "2",
@@ -752,9 +755,13 @@ def judge(command, case, patterns, options):
         if missing:
             wrong.append("message without "
                          + ", ".join(p.replace("\n", "") for p in missing))
-    if options.get("end") and not fatal \
-            and not os.path.isdir(case.file("0.2")):
+    times = sorted(float(f) for f in os.listdir(case.path)
+                   if re.fullmatch(r"\d[\d.e-]*", f))
+    if options.get("end") and not fatal and times[-1] < 0.19:
         wrong.append("ended without a step to the end time")
+    missed = [t for t in options.get("times", []) if t not in times]
+    if missed:
+        wrong.append("no output at " + " ".join(map(str, missed)))
     if "has" in options and options["has"] not in text:
         wrong.append(f"output without {options['has']}")
     if "warnings" in options:
