@@ -61,18 +61,19 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
+    control.setDeltaT(points.courantRate());
+
     while (runTime.run())
     {
-        control.setDeltaT(points.courantRate());
-        ++runTime;
-        Info<< "Time = " << runTime.timeName() << nl << endl;
-
         // Equations (5) to (9) of the paper, then stress (section 3.1)
         scalar factor = 1;
         while (!points.advance(runTime.deltaTValue(), factor))
         {
             control.redo(factor);
         }
+
+        ++runTime;
+        Info<< "Time = " << runTime.timeName() << nl << endl;
 
         if (control.reports())
         {
@@ -85,9 +86,10 @@ int main(int argc, char *argv[])
         }
         runTime.write();
         control.report();
+        control.setDeltaT(points.courantRate());
     }
 
-    Info<< "End\n" << endl;
+    control.end();
 
     return 0;
 }

@@ -16,7 +16,8 @@ Foam::mpm::timeStepControl::timeStepControl(Time& time)
     time_(time),
     startTime_(time.value()),
     nSteps_(0),
-    nRedo_(0)
+    nRedo_(0),
+    growFrom_(GREAT)
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -39,13 +40,34 @@ void Foam::mpm::timeStepControl::setDeltaT(const scalar courantRate)
 
     nRedo_ = 0;
 
+    if (!(time_.deltaTValue() > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry deltaT is " << time_.deltaTValue()
+            << "; it must be greater than 0." << exit(FatalIOError);
+    }
+
     if (adjust)
     {
         const scalar maxCo = bounded(dict, "maxCo", 1e-6, 1);
         const scalar maxDeltaT =
             boundedOrDefault(dict, "maxDeltaT", GREAT, VSMALL, GREAT);
-        time_.setDeltaT(min(maxCo/courantRate, maxDeltaT));
+
+        // After a step that was redone smaller, grow again by a fifth per step
+        const scalar dt = min(maxCo/courantRate, maxDeltaT);
+        if (dt <= 1.2*growFrom_)
+        {
+            growFrom_ = GREAT;
+            time_.setDeltaT(dt);
+        }
+        else
+        {
+            growFrom_ *= 1.2;
+            time_.setDeltaT(growFrom_);
+        }
     }
+
+    checkAdvances();
 
     const scalar Co = courantRate*time_.deltaTValue();
     Info<< "Courant Number mean: " << Co << " max: " << Co << nl
@@ -64,7 +86,6 @@ void Foam::mpm::timeStepControl::setDeltaT(const scalar courantRate)
 void Foam::mpm::timeStepControl::redo(const scalar factor)
 {
     const scalar dt = time_.deltaTValue();
-    time_.setTime(time_.value() - dt, time_.timeIndex() - 1);
 
     if (++nRedo_ > 20)
     {
@@ -77,10 +98,30 @@ void Foam::mpm::timeStepControl::redo(const scalar factor)
             << exit(FatalError);
     }
 
+    // Not fitted to the write times: that might make it larger again
     time_.setDeltaT(factor*dt, false);
-    ++time_;
-    Info<< "Step redone: deltaT = " << time_.deltaTValue() << ", Time = "
-        << time_.timeName() << endl;
+    growFrom_ = factor*dt;
+    checkAdvances();
+    Info<< "Step redone: deltaT = " << time_.deltaTValue() << endl;
+}
+
+
+void Foam::mpm::timeStepControl::checkAdvances() const
+{
+    const scalar dt = time_.deltaTValue();
+    const scalar nLeft = (time_.endTime().value() - time_.value())/dt;
+
+    if (!(time_.value() + dt > time_.value()) || nLeft > labelMax)
+    {
+        FatalErrorInFunction
+            << "The time step " << dt << " s at time " << time_.timeName()
+            << " would take " << nLeft << " steps to the end." << nl
+            << "It follows from maxCo, maxDeltaT or deltaT in"
+            << " system/controlDict, the wave speeds and velocities of the"
+            << " points and the size of the cells: look for a wrong unit in"
+            << " constant/phaseProperties or setMaterialPointsDict."
+            << exit(FatalError);
+    }
 }
 
 
@@ -107,6 +148,20 @@ void Foam::mpm::timeStepControl::report()
     Info<< "Progress: " << 100*min(done, scalar(1)) << " %, about " << left
         << " s left" << nl;
     time_.printExecutionTime(Info);
+}
+
+
+void Foam::mpm::timeStepControl::end() const
+{
+    if (!nSteps_ && time_.value() < time_.endTime().value() - 1e-9*mag(time_.endTime().value()))
+    {
+        FatalIOErrorInFunction(time_.controlDict())
+            << "No step was made from time " << time_.timeName()
+            << ": deltaT " << time_.deltaTValue() << " is more than twice"
+            << " the time to endTime " << time_.endTime().value() << "."
+            << exit(FatalIOError);
+    }
+    Info<< "End\n" << endl;
 }
 
 // ************************************************************************* //

@@ -84,6 +84,7 @@ Usage
 #include "OSspecific.H"
 #include "PtrList.H"
 #include "materialPointPhase.H"
+#include "selector.H"
 #include "regionTable.H"
 
 using namespace Foam;
@@ -102,7 +103,7 @@ void readPhases
     PtrList<materialPointPhase>& phases
 )
 {
-    const wordList names(dict.get<wordList>("phases"));
+    const wordList names(materialPointPhase::names(dict));
 
     phases.setSize(names.size());
     forAll(names, i)
@@ -110,7 +111,7 @@ void readPhases
         phases.set
         (
             i,
-            new materialPointPhase(grid, names[i], dict.subDict(names[i]), true)
+            new materialPointPhase(grid, names[i], requiredDict(dict, names[i]), true)
         );
     }
 }
@@ -143,7 +144,7 @@ void readRegions
         return phases[names.find(r.phase())];
     };
 
-    const dictionary& regionsDict = dict.subDict("regions");
+    const dictionary& regionsDict = requiredDict(dict, "regions");
     const wordList keys(regionsDict.toc());
     if (keys.empty())
     {
@@ -164,7 +165,7 @@ void readRegions
         regions.set
         (
             i,
-            new pointRegion(grid, regionsDict.subDict(keys[i]), names)
+            new pointRegion(grid, requiredDict(regionsDict, keys[i]), names)
         );
         pointRegion& region = regions[i];
         const materialPointPhase& phase = phaseOf(region);

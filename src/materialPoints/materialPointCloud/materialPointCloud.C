@@ -229,6 +229,13 @@ Foam::scalar Foam::mpm::materialPointCloud::bytesPerPoint() const
 }
 
 
+Foam::label Foam::mpm::materialPointCloud::cellOf(const label pointi) const
+{
+    const auto next = std::upper_bound(start_.begin(), start_.end(), pointi);
+    return cells_[label(next - start_.begin()) - 1];
+}
+
+
 Foam::point Foam::mpm::materialPointCloud::position
 (
     const label pointi,

@@ -8,6 +8,7 @@ License
 
 #include "materialPointCloud.H"
 #include "pointBlock.H"
+#include "noTraps.H"
 #include "Cloud.H"
 #include "passiveParticle.H"
 #include "IOField.H"
@@ -70,7 +71,35 @@ tmp<Field<Type>> readField
     const label n
 )
 {
-    IOField<Type> f(columnObject(c, name, IOobject::MUST_READ));
+    const IOobject object(columnObject(c, name, IOobject::MUST_READ));
+
+    // OpenFOAM aborts on a broken list without naming the file
+    string problem;
+    autoPtr<IOField<Type>> fPtr;
+    const bool throwing = FatalError.throwExceptions();
+    try
+    {
+        fPtr.reset(new IOField<Type>(object));
+    }
+    catch (const Foam::IOerror&)
+    {
+        throw;
+    }
+    catch (const Foam::error& e)
+    {
+        problem = e.message();
+    }
+    if (!throwing)
+    {
+        FatalError.dontThrowExceptions();
+    }
+    if (!fPtr)
+    {
+        FatalErrorInFunction
+            << "Field " << object.objectPath() << " cannot be read: "
+            << problem.c_str() << exit(FatalError);
+    }
+    IOField<Type>& f = *fPtr;
 
     if (n >= 0 && f.size() != n)
     {
@@ -181,6 +210,9 @@ void Foam::mpm::materialPointCloud::readPositions
 Foam::label Foam::mpm::materialPointCloud::readPoints()
 {
     const int D = grid_.nDim();
+
+    // Overflow and NaN in the files are found below, by name
+    const noTraps guard;
 
     if (!returnReduce(onDisk(*this, "m"), orOp<bool>()))
     {
@@ -323,8 +355,9 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
                     {
                         FatalErrorInFunction
                             << "Material point " << id[p] << " of " << name()
-                            << " at " << position(p, cell[p])
-                            << " has halfSize " << h[p]
+                            << " at " << position(p, cell[p]) << ", time "
+                            << time().timeName()
+                            << ", has halfSize " << h[p]
                             << "; it must be greater than 0 in the computed"
                             << " directions." << exit(FatalError);
                     }
@@ -335,6 +368,17 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         if (damage_ && onDisk(*this, "damage"))
         {
             const scalarField f(readField<scalar>(*this, "damage", n));
+            for (label p = 0; p < n; ++p)
+            {
+                check
+                (
+                    p,
+                    f[p] >= 0 && f[p] <= 1,
+                    "damage",
+                    Foam::name(f[p]),
+                    "in [0, 1]"
+                );
+            }
             std::copy(f.begin(), f.end(), (*damage_)[0]);
         }
 
@@ -392,6 +436,24 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
             }
         }
 
+        for (const column& h : history_)
+        {
+            for (int i = 0; i < h.nComponents(); ++i)
+            {
+                for (label p = 0; p < n; ++p)
+                {
+                    check
+                    (
+                        p,
+                        std::isfinite(h[i][p]),
+                        h.name(),
+                        Foam::name(h[i][p]),
+                        "finite"
+                    );
+                }
+            }
+        }
+
         // Ids must be unique: they name points for ever
         labelList sortedIds(id);
         Foam::sort(sortedIds);
@@ -418,6 +480,7 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
 void Foam::mpm::materialPointCloud::writePoints() const
 {
     const int D = grid_.nDim();
+    const noTraps guard;
 
     // Positions for other tools
     Cloud<passiveParticle> parcels

@@ -9,6 +9,7 @@ License
 #include "gridState.H"
 #include "valuePointPatchField.H"
 #include "basicSymmetryPointPatchField.H"
+#include "fixedNormalSlipPointPatchField.H"
 #include "calculatedPointPatchField.H"
 #include "zeroGradientPointPatchField.H"
 #include "coupledPointPatchField.H"
@@ -66,7 +67,11 @@ void Foam::mpm::gridState::readBoundary()
             fixedPatch_ = patch;
             fixedIndex_ = index;
         }
-        else if (isA<basicSymmetryPointPatchField<vector>>(pf))
+        else if
+        (
+            isA<basicSymmetryPointPatchField<vector>>(pf)
+         && !isA<fixedNormalSlipPointPatchField<vector>>(pf)
+        )
         {
             const vectorField& normals = pf.patch().pointNormals();
             forAll(points, i)
@@ -103,7 +108,7 @@ void Foam::mpm::gridState::readBoundary()
                 << "Patch " << pf.patch().name() << " of " << Ufield_.name()
                 << " (" << Ufield_.objectPath() << ") has the type "
                 << pf.type() << ", which material points do not know." << nl
-                << "Valid types: fixedValue, uniformFixedValue and others with"
+                << "Valid types: fixedValue, timeVaryingUniformFixedValue and others with"
                 << " a value (fixed velocity); slip, symmetry, symmetryPlane"
                 << " (no normal velocity); calculated, zeroGradient (free);"
                 << " cyclic; empty." << exit(FatalError);

@@ -22,11 +22,11 @@ Foam::mpm::materialPointPhase::materialPointPhase
 :
     name_(name),
     velocityField_(dict.getOrDefault<word>("velocityField", name)),
-    law_(constitutiveModel::New(dict.subDict("constitutiveModel"))),
+    law_(constitutiveModel::New(requiredDict(dict, "constitutiveModel"))),
     failure_
     (
         dict.found("failureModel")
-      ? failureModel::New(dict.subDict("failureModel"))
+      ? failureModel::New(requiredDict(dict, "failureModel"))
       : autoPtr<failureModel>()
     ),
     cloud_(grid, name),
@@ -64,6 +64,34 @@ Foam::mpm::materialPointPhase::materialPointPhase
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::mpm::materialPointPhase::names(const dictionary& dict)
+{
+    requireKeyword(dict, "phases");
+    const wordList names(dict.get<wordList>("phases"));
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are no phases; list at least one in phases (...);"
+            << exit(FatalIOError);
+    }
+    forAll(names, i)
+    {
+        if (names.find(names[i]) != i)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Phase " << names[i] << " is listed twice."
+                << exit(FatalIOError);
+        }
+    }
+    wordList valid(names);
+    valid.append("phases");
+    valid.append("FoamFile");
+    checkKeywords(dict, valid);
+
+    return names;
+}
+
 
 void Foam::mpm::materialPointPhase::read()
 {

@@ -8,9 +8,10 @@ License
 
 #include "phaseSystem.H"
 #include "selector.H"
+#include "noTraps.H"
 #include "uniformDimensionedFields.H"
 #include "Time.H"
-#include <cfenv>
+#include "OSspecific.H"
 #include <chrono>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -55,34 +56,14 @@ public:
 };
 
 
-//- Floating-point traps off in a scope. Results are checked for NaN and
-//  infinity by the passes themselves, which can then name the point; a trap
-//  would end the run without a word about it.
-class noTraps
-{
-    const int enabled_;
-
-public:
-
-    noTraps()
-    :
-        enabled_(fedisableexcept(FE_ALL_EXCEPT))
-    {}
-
-    ~noTraps()
-    {
-        feclearexcept(FE_ALL_EXCEPT);
-        feenableexcept(enabled_);
-    }
-};
-
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::pointPhaseSystem::readNumerics()
 {
-    const dictionary& dict = mesh_.solutionDict().subDict("materialPoints");
+    const dictionary& dict =
+        requiredDict(mesh_.solutionDict(), "materialPoints");
 
     checkKeywords
     (
@@ -98,7 +79,14 @@ void Foam::mpm::pointPhaseSystem::readNumerics()
     order_ = 1;
     if (gridVelocity_)
     {
-        order_ = label(boundedOrDefault(dict, "order", 2, 1, 100));
+        order_ = boundedLabelOrDefault(dict, "order", 2, 1, 100);
+        if (order_ > 4)
+        {
+            WarningInFunction
+                << "FMPM of order " << order_ << " rings at shocks and may"
+                << " grow without bound there: plate impacts with order 8"
+                << " did. Order 2 is what to use." << endl;
+        }
     }
     else
     {
@@ -224,34 +212,32 @@ void Foam::mpm::pointPhaseSystem::stop
     const bool left
 )
 {
-    // The state before the step is untouched: it is what gets written, at
-    // the time it belongs to
+    // The state before the step is untouched: it is what gets written
     Time& time = const_cast<Time&>(mesh_.time());
     const scalar dt = time.deltaTValue();
-    time.setTime(time.value() - dt, time.timeIndex() - 1);
+    const noTraps guard;
 
     materialPointCloud& cloud = phase.cloud();
-    label celli = -1;
-    forAll(cloud.cells(), k)
-    {
-        if (cloud.start()[k + 1] > pointi)
-        {
-            celli = cloud.cells()[k];
-            break;
-        }
-    }
-    const point x(cloud.position(pointi, celli));
+    const point x(cloud.position(pointi, cloud.cellOf(pointi)));
 
     const bool badStress =
         !std::isfinite(magSqr(cloud.sigma(pointi)))
      || !std::isfinite(cloud.volume()[0][pointi]);
 
-    writePoints();
-    for (gridState& field : fields_)
+    // Never over a state that is on disk already
+    const bool onDisk = isDir(time.path()/time.timeName());
+    if (!onDisk)
     {
-        field.writeField();
+        writePoints();
+        time.writeNow();
     }
-    time.writeNow();
+    const string written
+    (
+        onDisk
+      ? "The state before the step is that of time " + time.timeName()
+      + " on disk."
+      : "The state before the step is written to " + time.timeName() + "."
+    );
 
     if (left)
     {
@@ -266,8 +252,7 @@ void Foam::mpm::pointPhaseSystem::stop
             << ": from " << x << " with velocity " << cloud.velocity(pointi)
             << " to " << xNew << " in the step of " << dt << " s after time "
             << time.timeName() << "." << nl
-            << "The state before the step is written to " << time.timeName()
-            << "." << nl
+            << written.c_str() << nl
             << "Make the mesh larger, or keep points inside by the boundary"
             << " conditions of U." << phase.velocityField()
             << " (fixedValue or slip)." << exit(FatalError);
@@ -277,8 +262,7 @@ void Foam::mpm::pointPhaseSystem::stop
         << phase.name() << " at " << x << ", time " << time.timeName()
         << ": " << (badStress ? "sigma (stress)" : "U (velocity)")
         << " is no finite number in the step of " << dt << " s." << nl
-        << "The state before the step is written to " << time.timeName()
-        << "." << nl
+        << written.c_str() << nl
         << "A smaller maxCo in system/controlDict or maxStrain in"
         << " fvSolution.materialPoints makes the step smaller."
         << exit(FatalError);
@@ -382,19 +366,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         grid_
     );
 
-    const wordList names(properties_.get<wordList>("phases"));
-    {
-        wordList valid(names);
-        valid.append("phases");
-        valid.append("FoamFile");
-        checkKeywords(properties_, valid);
-    }
-    if (names.empty())
-    {
-        FatalIOErrorInFunction(properties_)
-            << "There are no phases; list at least one in phases (...);"
-            << exit(FatalIOError);
-    }
+    const wordList names(materialPointPhase::names(properties_));
     phases_.setSize(names.size());
     fieldOf_.setSize(names.size());
     movers_.setSize(names.size());
@@ -402,12 +374,6 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     wordList fieldNames;
     forAll(names, phasei)
     {
-        if (names.find(names[phasei]) != phasei)
-        {
-            FatalIOErrorInFunction(properties_)
-                << "Phase " << names[phasei] << " is listed twice."
-                << exit(FatalIOError);
-        }
         phases_.set
         (
             phasei,
@@ -415,7 +381,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
             (
                 grid_,
                 names[phasei],
-                properties_.subDict(names[phasei]),
+                requiredDict(properties_, names[phasei]),
                 passes_->hasExtent()
             )
         );
@@ -459,7 +425,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
                                 << "Material point " << cloud.id()[0][p]
                                 << " of " << phase.name() << " at "
                                 << cloud.position(p, cloud.cells()[k])
-                                << " has half-size " << l
+                                << ", time " << mesh_.time().timeName()
+                                << ", has half-size " << l
                                 << ", larger than its cell." << nl
                                 << "Use more points per cell in"
                                 << " setMaterialPointsDict or the shape"
@@ -737,16 +704,37 @@ void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
     forAll(phases_, phasei)
     {
         materialPointPhase& phase = phases_[phasei];
-        const label nFailed = passes_->correctStress
+        const pointPasses::stressResult result
         (
-            phase.cloud(),
-            phase.law(),
-            phase.failure(),
-            dt,
-            fields_[fieldOf_[phasei]].Ustrain(),
-            fields_[fieldOf_[phasei]].force()
+            passes_->correctStress
+            (
+                phase.cloud(),
+                phase.law(),
+                phase.failure(),
+                dt,
+                fields_[fieldOf_[phasei]].Ustrain(),
+                fields_[fieldOf_[phasei]].force()
+            )
         );
-        phase.nFailed() += returnReduce(nFailed, sumOp<label>());
+        if (result.badPoint >= 0)
+        {
+            const materialPointCloud& cloud = phase.cloud();
+            const label p = result.badPoint;
+            const point x(cloud.position(p, cloud.cellOf(p)));
+            FatalErrorInFunction
+                << "Material point " << label(cloud.id()[0][p]) << " of "
+                << phase.name() << " at " << x << ", step of " << dt
+                << " s after time " << mesh_.time().timeName()
+                << ": sigma (stress) from the law " << phase.law().type()
+                << " is no finite number; velocity " << cloud.velocity(p)
+                << ", volume " << cloud.volume()[0][p] << "." << nl
+                << "Nothing is written: the last written time is the last"
+                << " good state." << nl
+                << "A smaller maxCo in system/controlDict or maxStrain in"
+                << " fvSolution.materialPoints makes the step smaller."
+                << exit(FatalError);
+        }
+        phase.nFailed() += returnReduce(result.nFailed, sumOp<label>());
     }
 }
 

@@ -11,8 +11,39 @@ License
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+void Foam::mpm::requireKeyword(const dictionary& dict, const word& key)
+{
+    if (!dict.found(key))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " is missing in " << dict.name() << nl
+            << nl << "Keywords found: " << flatOutput(dict.toc())
+            << exit(FatalIOError);
+    }
+}
+
+
+const Foam::dictionary& Foam::mpm::requiredDict
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    requireKeyword(dict, key);
+    if (!dict.isDict(key))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " in " << dict.name() << " is no"
+            << " dictionary; it must be " << key << " { ... }"
+            << exit(FatalIOError);
+    }
+    return dict.subDict(key);
+}
+
+
 Foam::scalar Foam::mpm::positive(const dictionary& dict, const word& key)
 {
+    requireKeyword(dict, key);
     const scalar value(dict.get<scalar>(key));
 
     if (!(value > 0))
@@ -33,6 +64,7 @@ Foam::scalar Foam::mpm::bounded
     const scalar high
 )
 {
+    requireKeyword(dict, key);
     const scalar value(dict.get<scalar>(key));
 
     if (!(value >= low && value <= high))
@@ -40,6 +72,32 @@ Foam::scalar Foam::mpm::bounded
         FatalIOErrorInFunction(dict)
             << "Entry " << key << " is " << value << "; it must be in ["
             << low << ", " << high << "]." << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::label Foam::mpm::boundedLabelOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const label deflt,
+    const label low,
+    const label high
+)
+{
+    if (!dict.found(key))
+    {
+        return deflt;
+    }
+    const label value(dict.get<label>(key));
+
+    if (value < low || value > high)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " is " << value << "; it must be a whole"
+            << " number in [" << low << ", " << high << "]."
+            << exit(FatalIOError);
     }
     return value;
 }
@@ -65,6 +123,7 @@ Foam::word Foam::mpm::oneOf
     const wordList& valid
 )
 {
+    requireKeyword(dict, key);
     const word value(dict.get<word>(key));
 
     if (!valid.found(value))

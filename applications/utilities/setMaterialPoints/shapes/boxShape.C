@@ -6,6 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "selector.H"
 #include "boxShape.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -25,8 +26,8 @@ namespace mpm
 Foam::mpm::boxShape::boxShape(const hexGrid& grid, const dictionary& dict)
 :
     pointRegionShape(grid),
-    min_(dict.get<point>("min")),
-    max_(dict.get<point>("max"))
+    min_(required<point>(dict, "min")),
+    max_(required<point>(dict, "max"))
 {
     for (int d = 0; d < grid_.nDim(); ++d)
     {

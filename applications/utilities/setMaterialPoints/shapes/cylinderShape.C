@@ -30,8 +30,8 @@ Foam::mpm::cylinderShape::cylinderShape
 )
 :
     pointRegionShape(grid),
-    start_(computed(dict.get<point>("point1"))),
-    axis_(dict.get<point>("point2") - dict.get<point>("point1")),
+    start_(computed(required<point>(dict, "point1"))),
+    axis_(required<point>(dict, "point2") - required<point>(dict, "point1")),
     radius_(positive(dict, "radius"))
 {
     const scalar length = mag(axis_);
@@ -39,7 +39,7 @@ Foam::mpm::cylinderShape::cylinderShape
     {
         FatalIOErrorInFunction(dict)
             << "The ends of the cylinder's axis, point1 and point2, are both "
-            << dict.get<point>("point1") << "; they must differ."
+            << required<point>(dict, "point1") << "; they must differ."
             << exit(FatalIOError);
     }
 

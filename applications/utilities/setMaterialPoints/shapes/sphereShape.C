@@ -30,7 +30,7 @@ Foam::mpm::sphereShape::sphereShape
 )
 :
     pointRegionShape(grid),
-    centre_(computed(dict.get<point>("centre"))),
+    centre_(computed(required<point>(dict, "centre"))),
     radius_(positive(dict, "radius"))
 {}
 

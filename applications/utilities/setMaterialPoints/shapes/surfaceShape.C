@@ -6,6 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "selector.H"
 #include "surfaceShape.H"
 #include "triSurfaceMesh.H"
 #include "volumeType.H"
@@ -28,7 +29,7 @@ namespace mpm
 void Foam::mpm::surfaceShape::read(const word& name, const dictionary& dict)
 {
     const Time& time = grid_.mesh().time();
-    const word type(dict.get<word>("type"));
+    const word type(required<word>(dict, "type"));
     string problem;
 
     FatalError.throwExceptions();

@@ -48,10 +48,11 @@ Foam::mpm::failureModel::failureModel(const dictionary& dict)
 {
     if (dict.found("weibull"))
     {
-        const dictionary& w = dict.subDict("weibull");
+        const dictionary& w = requiredDict(dict, "weibull");
         checkKeywords(w, {"modulus", "seed"});
         modulus_ = positive(w, "modulus");
-        seed_ = uint64_t(bounded(w, "seed", 0, 2147483647));
+        requireKeyword(w, "seed");
+        seed_ = uint64_t(boundedLabelOrDefault(w, "seed", 0, 0, labelMax));
     }
 }
 
