@@ -33,6 +33,23 @@ bool Foam::mpm::timeStepControl::dryRun(const argList& args) const
 }
 
 
+void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
+{
+    // Time fits the step to the next write time by the nearest whole number
+    // of steps, which may make it half as large again: ask with smaller ones
+    // until the answer is small enough (two thirds always is)
+    for (scalar f = 1; f > 0.6; f -= 0.05)
+    {
+        time_.setDeltaT(f*largest);
+        if (time_.deltaTValue() <= 1.000001*largest)
+        {
+            return;
+        }
+    }
+    time_.setDeltaT(largest, false);
+}
+
+
 void Foam::mpm::timeStepControl::setDeltaT(const scalar courantRate)
 {
     const dictionary& dict = time_.controlDict();
@@ -58,12 +75,12 @@ void Foam::mpm::timeStepControl::setDeltaT(const scalar courantRate)
         if (dt <= 1.2*growFrom_)
         {
             growFrom_ = GREAT;
-            time_.setDeltaT(dt);
+            fitDeltaT(dt);
         }
         else
         {
             growFrom_ *= 1.2;
-            time_.setDeltaT(growFrom_);
+            fitDeltaT(growFrom_);
         }
     }
 
@@ -98,8 +115,7 @@ void Foam::mpm::timeStepControl::redo(const scalar factor)
             << exit(FatalError);
     }
 
-    // Not fitted to the write times: that might make it larger again
-    time_.setDeltaT(factor*dt, false);
+    fitDeltaT(factor*dt);
     growFrom_ = factor*dt;
     checkAdvances();
     Info<< "Step redone: deltaT = " << time_.deltaTValue() << endl;
