@@ -412,7 +412,12 @@ void Foam::mpm::gridState::startFilter(const bool tentative)
 }
 
 
-void Foam::mpm::gridState::addFilter(const bool tentative, const scalar* Mv)
+void Foam::mpm::gridState::addFilter
+(
+    const bool tentative,
+    const scalar weight,
+    const scalar* Mv
+)
 {
     const labelList& nodes = tentative ? activeNew_ : active_;
     const scalar* mU = tentative ? mUNew_.data() : mU_.data();
@@ -437,7 +442,8 @@ void Foam::mpm::gridState::addFilter(const bool tentative, const scalar* Mv)
         {
             if (tentative)
             {
-                Ustrain_.data()[stride_*n + d] += v[2*stride_*n + d];
+                Ustrain_.data()[stride_*n + d] +=
+                    weight*v[2*stride_*n + d];
             }
             else
             {

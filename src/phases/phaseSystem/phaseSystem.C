@@ -69,14 +69,15 @@ void Foam::mpm::pointPhaseSystem::readNumerics()
     (
         dict,
         {
-            "shapeFunction", "transfer", "PICfraction", "order", "maxTravel",
-            "maxStrain"
+            "shapeFunction", "transfer", "PICfraction", "order",
+            "strainFilter", "maxTravel", "maxStrain"
         }
     );
 
     gridVelocity_ = oneOf(dict, "transfer", {"FLIP", "FMPM"}) == "FMPM";
     PICfraction_ = 0;
     order_ = 1;
+    strainFilter_ = boundedOrDefault(dict, "strainFilter", 0.75, 0, 1);
     if (gridVelocity_)
     {
         order_ = boundedLabelOrDefault(dict, "order", 2, 1, 100);
@@ -101,6 +102,10 @@ void Foam::mpm::pointPhaseSystem::filter(const bool tentative)
 {
     // Sum of k terms of the series of the inverse of the consistent mass
     // matrix, m^-1 = sum_j (I - m_l^-1 S m_p S^T)^j m_l^-1, times momentum
+    if (tentative && strainFilter_ <= 0)
+    {
+        return;
+    }
     for (label k = 1; k < order_; ++k)
     {
         const timer t(clock_.project);
@@ -133,7 +138,7 @@ void Foam::mpm::pointPhaseSystem::filter(const bool tentative)
                     );
                 }
             }
-            field.addFilter(tentative, Mv);
+            field.addFilter(tentative, strainFilter_, Mv);
         }
     }
 }
