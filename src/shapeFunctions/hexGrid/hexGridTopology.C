@@ -1,0 +1,350 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "hexGrid.H"
+#include "emptyPolyPatch.H"
+#include "cyclicPolyPatch.H"
+#include "hexMatcher.H"
+#include "EdgeMap.H"
+#include "SubField.H"
+#include "PackedBoolList.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Sets of joined labels; the smallest label stands for the set
+class joinedLabels
+{
+    labelList parent_;
+
+public:
+
+    explicit joinedLabels(const label n)
+    :
+        parent_(identity(n))
+    {}
+
+    label root(label i)
+    {
+        while (parent_[i] != i)
+        {
+            parent_[i] = parent_[parent_[i]];
+            i = parent_[i];
+        }
+        return i;
+    }
+
+    void join(const label i, const label j)
+    {
+        const label a = root(i), b = root(j);
+        parent_[max(a, b)] = min(a, b);
+    }
+};
+
+
+//- True for faces on empty patches
+PackedBoolList emptyFaces(const polyMesh& mesh)
+{
+    PackedBoolList isEmpty(mesh.nFaces());
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(pp))
+        {
+            forAll(pp, i)
+            {
+                isEmpty.set(pp.start() + i);
+            }
+        }
+    }
+    return isEmpty;
+}
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::hexGrid::makeNodes()
+{
+    const polyMesh& mesh = this->mesh();
+    const PackedBoolList isEmpty(emptyFaces(mesh));
+
+    joinedLabels joined(mesh.nPoints());
+
+    if (nDim_ == 1)
+    {
+        // A cross-section is a face that is not empty
+        forAll(mesh.faces(), facei)
+        {
+            if (!isEmpty.test(facei))
+            {
+                const face& f = mesh.faces()[facei];
+                for (label i = 1; i < f.size(); ++i)
+                {
+                    joined.join(f[0], f[i]);
+                }
+            }
+        }
+    }
+    else if (nDim_ == 2)
+    {
+        // Front and back are joined by the edges that lie in no empty face
+        EdgeMap<bool> inEmpty(4*mesh.nCells());
+        forAll(mesh.faces(), facei)
+        {
+            if (isEmpty.test(facei))
+            {
+                const face& f = mesh.faces()[facei];
+                forAll(f, i)
+                {
+                    inEmpty.insert(f.faceEdge(i), true);
+                }
+            }
+        }
+        forAll(mesh.faces(), facei)
+        {
+            if (!isEmpty.test(facei))
+            {
+                const face& f = mesh.faces()[facei];
+                forAll(f, i)
+                {
+                    const edge e(f.faceEdge(i));
+                    if (!inEmpty.found(e))
+                    {
+                        joined.join(e.first(), e.second());
+                    }
+                }
+            }
+        }
+    }
+
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<cyclicPolyPatch>(pp))
+        {
+            const cyclicPolyPatch& cpp = refCast<const cyclicPolyPatch>(pp);
+            if (!cpp.owner())
+            {
+                continue;
+            }
+            if (!cpp.parallel())
+            {
+                FatalErrorInFunction
+                    << "Cyclic patch " << pp.name() << " is rotational;"
+                    << " material points need a translational one."
+                    << exit(FatalError);
+            }
+            const labelList& own = cpp.meshPoints();
+            const labelList& nbr = cpp.neighbPatch().meshPoints();
+            for (const edge& e : cpp.coupledPoints())
+            {
+                joined.join(own[e[0]], nbr[e[1]]);
+            }
+        }
+    }
+
+    // Compact numbering in the order of the first point
+    pointToNode_.setSize(mesh.nPoints());
+    DynamicList<label> first(mesh.nPoints());
+    forAll(pointToNode_, pointi)
+    {
+        const label root = joined.root(pointi);
+        if (root == pointi)
+        {
+            pointToNode_[pointi] = first.size();
+            first.append(pointi);
+        }
+        else
+        {
+            pointToNode_[pointi] = pointToNode_[root];
+        }
+    }
+    nodePoint_.transfer(first);
+}
+
+
+void Foam::mpm::hexGrid::makeCells()
+{
+    const polyMesh& mesh = this->mesh();
+    const PackedBoolList isEmpty(emptyFaces(mesh));
+    hexMatcher hex;
+    const label nc = label(1) << nDim_;
+
+    cellNodes_.setSize(nc*mesh.nCells());
+    cellPoints_.setSize(nc*mesh.nCells());
+    cellCells_.setSize(2*nDim_*mesh.nCells(), -1);
+    walls_.setSize(mesh.nCells(), 0);
+
+    // Cells behind cyclic faces
+    labelList coupled(mesh.nFaces() - mesh.nInternalFaces(), -1);
+    vectorField separation(coupled.size(), Zero);
+    bool cyclic = false;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<cyclicPolyPatch>(pp))
+        {
+            const labelUList& nbr =
+                refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCells();
+            forAll(pp, i)
+            {
+                const label facei = pp.start() + i - mesh.nInternalFaces();
+                coupled[facei] = nbr[i];
+                separation[facei] =
+                    refCast<const cyclicPolyPatch>(pp).neighbPatch()
+                   .faceCentres()[i]
+                  - pp.faceCentres()[i];
+                cyclic = true;
+            }
+        }
+    }
+
+    if (cyclic)
+    {
+        shift_.setSize(2*nDim_*mesh.nCells(), vector(Zero));
+    }
+
+    const faceList& faces = mesh.faces();
+
+    forAll(mesh.cells(), celli)
+    {
+        if (!hex.isA(mesh, celli))
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at " << mesh.cellCentres()[celli]
+                << " is no hexahedron. Material points need a mesh of"
+                << " hexahedra (shape functions: linear; on meshes of boxes"
+                << " also GIMP)." << exit(FatalError);
+        }
+
+        // The six faces as three pairs without a common point
+        const cell& cFaces = mesh.cells()[celli];
+        label pair[3][2];
+        int nPairs = 0;
+        FixedList<bool, 6> used(false);
+        for (int i = 0; i < 6; ++i)
+        {
+            if (used[i])
+            {
+                continue;
+            }
+            for (int j = i + 1; j < 6; ++j)
+            {
+                bool touches = false;
+                for (const label p : faces[cFaces[i]])
+                {
+                    touches = touches || faces[cFaces[j]].found(p);
+                }
+                if (!used[j] && !touches)
+                {
+                    pair[nPairs][0] = cFaces[i];
+                    pair[nPairs][1] = cFaces[j];
+                    ++nPairs;
+                    used[i] = used[j] = true;
+                    break;
+                }
+            }
+        }
+
+        // Each computed direction takes the pair that lies most along it
+        label side[3][2];
+        FixedList<bool, 3> taken(false);
+        for (int d = 0; d < nDim_; ++d)
+        {
+            int best = -1;
+            scalar along = -1;
+            for (int k = 0; k < nPairs; ++k)
+            {
+                if (taken[k] || isEmpty.test(pair[k][0]))
+                {
+                    continue;
+                }
+                const vector v
+                (
+                    mesh.faceCentres()[pair[k][1]]
+                  - mesh.faceCentres()[pair[k][0]]
+                );
+                const scalar a = mag(v[dir_[d]])/max(mag(v), VSMALL);
+                if (a > along)
+                {
+                    along = a;
+                    best = k;
+                }
+            }
+            if (best < 0)
+            {
+                FatalErrorInFunction
+                    << "Cell " << celli << " at "
+                    << mesh.cellCentres()[celli] << " has no pair of sides"
+                    << " for direction " << d << "; check the empty patches."
+                    << exit(FatalError);
+            }
+            taken[best] = true;
+            const scalar up =
+                mesh.faceCentres()[pair[best][1]][dir_[d]]
+              - mesh.faceCentres()[pair[best][0]][dir_[d]];
+            side[d][0] = pair[best][up > 0 ? 0 : 1];
+            side[d][1] = pair[best][up > 0 ? 1 : 0];
+        }
+
+        // A corner is the node of the points that its sides share
+        for (label n = 0; n < nc; ++n)
+        {
+            label corner = -1, own = -1;
+            for (const label p : faces[side[0][n & 1]])
+            {
+                bool inAll = true;
+                for (int d = 1; d < nDim_; ++d)
+                {
+                    inAll = inAll && faces[side[d][(n >> d) & 1]].found(p);
+                }
+                if (inAll)
+                {
+                    corner = pointToNode_[p];
+                    own = p;
+                }
+            }
+            cellNodes_[nc*celli + n] = corner;
+            cellPoints_[nc*celli + n] = own;
+        }
+
+        for (int d = 0; d < nDim_; ++d)
+        {
+            for (int s = 0; s < 2; ++s)
+            {
+                const label facei = side[d][s];
+                label nbr = -1;
+                if (mesh.isInternalFace(facei))
+                {
+                    nbr =
+                        mesh.faceOwner()[facei] == celli
+                      ? mesh.faceNeighbour()[facei]
+                      : mesh.faceOwner()[facei];
+                }
+                else
+                {
+                    nbr = coupled[facei - mesh.nInternalFaces()];
+                    if (nbr >= 0)
+                    {
+                        shift_[2*(nDim_*celli + d) + s] =
+                            separation[facei - mesh.nInternalFaces()];
+                    }
+                }
+                cellCells_[2*(nDim_*celli + d) + s] = nbr;
+                if (nbr < 0)
+                {
+                    walls_[celli] |= 1u << (2*d + s);
+                }
+            }
+        }
+    }
+}
+
+// ************************************************************************* //
