@@ -167,6 +167,7 @@ Foam::mpm::materialPointCloud::materialPointCloud
     firstMoved_(0),
     sorted_(false),
     count_(grid.nCells(), label(0)),
+    first_(grid.nCells(), label(0)),
     x_("x", column::vectors, grid.nDim()),
     U_("U", column::vectors, grid.nDim()),
     xNew_("xNew", column::vectors, grid.nDim()),
@@ -224,6 +225,7 @@ Foam::scalar Foam::mpm::materialPointCloud::bytesPerPoint() const
             (
                 from_.size() + cells_.size() + start_.size()
               + oldCells_.size() + oldStart_.size() + count_.size()
+              + first_.size()
             )
         )/max(n_, label(1));
 }
@@ -407,7 +409,7 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
     {
         start_[k] = n;
         const label nHere = count_[cells[k]] - 1;
-        count_[cells[k]] = n;
+        count_[cells[k]] = first_[cells[k]] = n;
         n += nHere;
     }
     start_[cells.size()] = n;
@@ -437,12 +439,9 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
     {
         // Into its place by id among those already there
         const label celli = mv.cell;
-        const label k = label
-        (
-            std::lower_bound(cells.begin(), cells.end(), celli) - cells.begin()
-        );
+        const label first = first_[celli];
         label at = count_[celli]++;
-        while (at > start_[k] && id[from_[at - 1]] > id[mv.point])
+        while (at > first && id[from_[at - 1]] > id[mv.point])
         {
             from_[at] = from_[at - 1];
             --at;

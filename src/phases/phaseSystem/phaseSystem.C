@@ -143,21 +143,34 @@ void Foam::mpm::pointPhaseSystem::filter(const bool tentative)
 }
 
 
+Foam::scalar Foam::mpm::pointPhaseSystem::shortestSide
+(
+    const materialPointPhase& phase
+) const
+{
+    if (grid_.sameWidth() > 0)
+    {
+        return grid_.sameWidth();
+    }
+    scalar shortest = GREAT;
+    for (const label celli : phase.cloud().cells())
+    {
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            shortest = min(shortest, grid_.width(celli, d));
+        }
+    }
+    return shortest;
+}
+
+
 void Foam::mpm::pointPhaseSystem::updateWaveRate()
 {
     waveRate_ = 0;
     for (const materialPointPhase& phase : phases_)
     {
         const scalar c = phase.law().waveSpeed();
-        scalar shortest = GREAT;
-        for (const label celli : phase.cloud().cells())
-        {
-            for (int d = 0; d < grid_.nDim(); ++d)
-            {
-                shortest = min(shortest, grid_.width(celli, d));
-            }
-        }
-        waveRate_ = max(waveRate_, c/shortest);
+        waveRate_ = max(waveRate_, c/shortestSide(phase));
     }
     reduce(waveRate_, maxOp<scalar>());
 }
@@ -357,13 +370,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     scalar shortest = GREAT;
     for (const materialPointPhase& phase : phases_)
     {
-        for (const label celli : phase.cloud().cells())
-        {
-            for (int d = 0; d < grid_.nDim(); ++d)
-            {
-                shortest = min(shortest, grid_.width(celli, d));
-            }
-        }
+        shortest = min(shortest, shortestSide(phase));
     }
     rate_ /= shortest;
 

@@ -27,7 +27,8 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
     nDim_(0),
     dir_{0, 0, 0},
     nCells_{0, 0, 0},
-    period_{0, 0, 0}
+    period_{0, 0, 0},
+    sameWidth_(0)
 {
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
@@ -52,6 +53,21 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
     makeNodes();
     makeCells();
     makeLattice();
+
+    if (hasLattice() && mesh.nCells())
+    {
+        scalar shortest = GREAT, spread = 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            const scalar h = width(0, d);
+            shortest = min(shortest, h);
+            forAll(mesh.cells(), celli)
+            {
+                spread = max(spread, mag(width(celli, d) - h)/h);
+            }
+        }
+        sameWidth_ = spread < 1e-9 ? shortest : 0;
+    }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
