@@ -83,9 +83,9 @@ void Foam::mpm::pointPhaseSystem::readNumerics()
         if (order_ > 4)
         {
             WarningInFunction
-                << "FMPM of order " << order_ << " rings at shocks and may"
-                << " grow without bound there: plate impacts with order 8"
-                << " did. Order 2 is what to use." << endl;
+                << "FMPM of order " << order_ << " rings at shocks: in plate"
+                << " impacts with strainFilter 1 order 8 grew without bound."
+                << " Order 2 is what to use." << endl;
         }
     }
     else
