@@ -19,7 +19,7 @@ Description
 
 #include "fvCFD.H"
 #include "phaseSystem.H"
-#include "progress.H"
+#include "timeStepControl.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -35,6 +35,7 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    mpm::timeStepControl::setAsideIncomplete(args);
     #include "createTime.H"
 
     // Not createMesh.H: -dry-run checks the case on its own mesh
@@ -52,7 +53,7 @@ int main(int argc, char *argv[])
 
 
     #include "createFields.H"
-    mpm::timeStepControl control(runTime);
+    mpm::timeStepControl control(runTime, points);
 
     if (control.dryRun(args))
     {
@@ -61,7 +62,7 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
-    control.setDeltaT(points.courantRate());
+    control.setDeltaT();
 
     while (runTime.run())
     {
@@ -85,8 +86,12 @@ int main(int argc, char *argv[])
             points.writePoints();
         }
         runTime.write();
+        if (runTime.writeTime())
+        {
+            control.writeState();
+        }
         control.report();
-        control.setDeltaT(points.courantRate());
+        control.setDeltaT();
     }
 
     control.end();

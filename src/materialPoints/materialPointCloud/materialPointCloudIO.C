@@ -9,6 +9,7 @@ License
 #include "materialPointCloud.H"
 #include "pointBlock.H"
 #include "noTraps.H"
+#include "fullPrecision.H"
 #include "Cloud.H"
 #include "passiveParticle.H"
 #include "IOField.H"
@@ -22,25 +23,6 @@ namespace
 
 using namespace Foam;
 using namespace Foam::mpm;
-
-//- ASCII columns are written with all digits that a double has
-class fullPrecision
-{
-    const unsigned old_;
-
-public:
-
-    fullPrecision()
-    :
-        old_(IOstream::defaultPrecision(17))
-    {}
-
-    ~fullPrecision()
-    {
-        IOstream::defaultPrecision(old_);
-    }
-};
-
 
 IOobject columnObject
 (

@@ -8,6 +8,7 @@ License
 
 #include "phaseSystem.H"
 #include "noTraps.H"
+#include "selector.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -132,6 +133,39 @@ void Foam::mpm::pointPhaseSystem::report() const
         << ", total " << kinetic + strain << nl
         << "Failed points: " << nFailed << ", steps redone: " << nRedone_
         << endl;
+}
+
+
+Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
+{
+    dictionary state;
+    state.add("rate", rate_);
+    state.add("waveRate", waveRate_);
+    state.add("stepsRedone", nRedone_);
+    dictionary failed;
+    for (const materialPointPhase& phase : phases_)
+    {
+        failed.add
+        (
+            phase.name(),
+            const_cast<materialPointPhase&>(phase).nFailed()
+        );
+    }
+    state.add("failed", failed);
+    return state;
+}
+
+
+void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
+{
+    rate_ = required<scalar>(state, "rate");
+    waveRate_ = required<scalar>(state, "waveRate");
+    nRedone_ = required<label>(state, "stepsRedone");
+    const dictionary& failed = requiredDict(state, "failed");
+    for (materialPointPhase& phase : phases_)
+    {
+        phase.nFailed() = failed.getOrDefault<label>(phase.name(), 0);
+    }
 }
 
 

@@ -6,21 +6,135 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "progress.H"
+#include "timeStepControl.H"
 #include "selector.H"
+#include "fullPrecision.H"
+#include "cloud.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+fileName stateFile(const fileName& path, const word& instance)
+{
+    return path/instance/"uniform"/"materialPointState";
+}
+
+}
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::timeStepControl::timeStepControl(Time& time)
+Foam::mpm::timeStepControl::timeStepControl
+(
+    Time& time,
+    pointPhaseSystem& points
+)
 :
     time_(time),
+    points_(points),
+    origin_(time.value()),
     startTime_(time.value()),
     nSteps_(0),
     nRedo_(0),
     growFrom_(GREAT)
-{}
+{
+    const fileName file(stateFile(time.path(), time.timeName()));
+    if (isFile(file))
+    {
+        IFstream is(file);
+        const dictionary state(is);
+        time.setTime
+        (
+            required<scalar>(state, "value"),
+            time.timeIndex()
+        );
+        origin_ = required<scalar>(state, "origin");
+        growFrom_ = required<scalar>(state, "growFrom");
+        points.setState(requiredDict(state, "points"));
+    }
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::timeStepControl::setAsideIncomplete(const argList& args)
+{
+    const fileName controlFile
+    (
+        args.rootPath()/args.globalCaseName()/"system"/"controlDict"
+    );
+    if (!isFile(controlFile))
+    {
+        return;
+    }
+    IFstream is(controlFile);
+    const dictionary control(is);
+    if (control.getOrDefault<word>("startFrom", "latestTime") != "latestTime")
+    {
+        return;
+    }
+
+    const fileName path(args.path());
+    instantList times(Time::findTimes(path));
+    const auto complete = [&](const label i)
+    {
+        return isFile(stateFile(path, times[i].name()));
+    };
+
+    // The first time with points is that of setMaterialPoints
+    label first = -1;
+    bool known = false;
+    forAll(times, i)
+    {
+        if (first < 0 && isDir(path/times[i].name()/cloud::prefix))
+        {
+            first = i;
+        }
+        known = known || complete(i);
+    }
+
+    for (label i = times.size() - 1; known && i > first && !complete(i); --i)
+    {
+        const word& name = times[i].name();
+        const fileName aside(path/(name + ".incomplete"));
+        Info<< "Time " << name << " was not written to its end (no"
+            << " uniform/materialPointState); it is now called " << aside.name()
+            << " and the run starts from " << times[i - 1].name() << nl
+            << endl;
+        if (isDir(aside))
+        {
+            rmDir(aside);
+        }
+        mv(path/name, aside);
+    }
+}
+
+
+void Foam::mpm::timeStepControl::writeState() const
+{
+    const fileName file(stateFile(time_.path(), time_.timeName()));
+    const fullPrecision allDigits;
+
+    mkDir(file.path());
+    {
+        dictionary state;
+        state.add("value", time_.value());
+        state.add("origin", origin_);
+        state.add("growFrom", growFrom_);
+        state.add("points", points_.state());
+
+        OFstream os(file + ".part");
+        os.precision(17);
+        state.write(os, false);
+    }
+    mv(file + ".part", file);
+}
+
 
 bool Foam::mpm::timeStepControl::dryRun(const argList& args) const
 {
@@ -35,23 +149,36 @@ bool Foam::mpm::timeStepControl::dryRun(const argList& args) const
 
 void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
 {
-    // Time fits the step to the next write time by the nearest whole number
-    // of steps, which may make it half as large again: ask with smaller ones
-    // until the answer is small enough (two thirds always is)
-    for (scalar f = 1; f > 0.6; f -= 0.05)
+    // Not by Time: it takes the nearest whole number of steps, which may make
+    // the step half as large again, and counts from the last start, so that a
+    // restarted run would round differently
+    scalar dt = largest;
+
+    const dictionary& dict = time_.controlDict();
+    const word control(dict.getOrDefault<word>("writeControl", "timeStep"));
+    if (control == "adjustableRunTime" || control == "adjustable")
     {
-        time_.setDeltaT(f*largest);
-        if (time_.deltaTValue() <= 1.000001*largest)
-        {
-            return;
-        }
+        const scalar interval = positive(dict, "writeInterval");
+        const scalar passed = (time_.value() - origin_)/interval;
+        const scalar next =
+            origin_ + (std::floor(passed + 1e-9) + 1)*interval;
+        const scalar left = next - time_.value();
+        dt = left/std::ceil(left/largest - 1e-9);
     }
-    time_.setDeltaT(largest, false);
+    time_.setDeltaT(dt, false);
+
+    // Those that must meet times of their own
+    const_cast<functionObjectList&>(time_.functionObjects()).adjustTimeStep();
+    if (time_.deltaTValue() > 1.000001*largest)
+    {
+        time_.setDeltaT(dt, false);
+    }
 }
 
 
-void Foam::mpm::timeStepControl::setDeltaT(const scalar courantRate)
+void Foam::mpm::timeStepControl::setDeltaT()
 {
+    const scalar courantRate = points_.courantRate();
     const dictionary& dict = time_.controlDict();
     const bool adjust = dict.getOrDefault<bool>("adjustTimeStep", false);
 
