@@ -42,7 +42,8 @@ Foam::mpm::timeStepControl::timeStepControl
     startTime_(time.value()),
     nSteps_(0),
     nRedo_(0),
-    growFrom_(GREAT)
+    growFrom_(GREAT),
+    fixedDeltaT_(0)
 {
     const fileName file(stateFile(time.path(), time.timeName()));
     if (isFile(file))
@@ -211,6 +212,18 @@ void Foam::mpm::timeStepControl::setDeltaT()
         }
     }
 
+    else
+    {
+        // A redone step may have made it smaller
+        fixedDeltaT_ = max(fixedDeltaT_, time_.deltaTValue());
+        growFrom_ *= 1.2;
+        if (growFrom_ >= fixedDeltaT_)
+        {
+            growFrom_ = GREAT;
+        }
+        time_.setDeltaT(min(fixedDeltaT_, growFrom_), false);
+    }
+
     checkAdvances();
 
     const scalar Co = courantRate*time_.deltaTValue();
@@ -254,7 +267,10 @@ void Foam::mpm::timeStepControl::checkAdvances() const
     const scalar dt = time_.deltaTValue();
     const scalar nLeft = (time_.endTime().value() - time_.value())/dt;
 
-    if (!(time_.value() + dt > time_.value()) || nLeft > labelMax)
+    // stopAt other than endTime sets the end to infinity
+    const bool open = time_.endTime().value() > 0.1*GREAT;
+
+    if (!(time_.value() + dt > time_.value()) || (!open && nLeft > labelMax))
     {
         FatalErrorInFunction
             << "The time step " << dt << " s at time " << time_.timeName()
@@ -275,7 +291,10 @@ bool Foam::mpm::timeStepControl::reports() const
         boundedOrDefault(time_.controlDict(), "reportInterval", 10, 1, 1e9)
     );
     return
-        time_.timeIndex() % interval == 0 || time_.writeTime() || !time_.run();
+        time_.timeIndex() % interval == 0
+     || time_.writeTime()
+     || time_.value()
+      > time_.endTime().value() - 0.5*time_.deltaTValue();
 }
 
 
@@ -284,7 +303,7 @@ void Foam::mpm::timeStepControl::report()
     ++nSteps_;
     const scalar done =
         (time_.value() - startTime_)
-       /max(time_.endTime().value() - startTime_, VSMALL);
+       /max(min(time_.endTime().value(), GREAT) - startTime_, VSMALL);
     const scalar left =
         done > 0 ? time_.elapsedClockTime()*(1/done - 1) : 0;
 

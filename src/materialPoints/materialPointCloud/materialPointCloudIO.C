@@ -286,7 +286,28 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
             volume_
         );
 
-        if (onDisk(*this, "U"))
+        // A time that a run has written has every column: a missing one would
+        // silently start from zero
+        const bool written = isFile
+        (
+            time().path()/time().timeName()/"uniform"/"materialPointState"
+        );
+        const auto present = [&](const word& column)
+        {
+            const bool there = onDisk(*this, column);
+            if (written && !there)
+            {
+                FatalErrorInFunction
+                    << "Column " << column << " of phase " << this->name()
+                    << " is missing in time " << time().timeName()
+                    << ", which a run has written with it." << nl
+                    << "Restart from another time, or run setMaterialPoints."
+                    << exit(FatalError);
+            }
+            return there;
+        };
+
+        if (present("U"))
         {
             const vectorField U(readField<vector>(*this, "U", n));
             for (label p = 0; p < n; ++p)
@@ -305,7 +326,7 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
                 }
             }
         }
-        if (onDisk(*this, "sigma"))
+        if (present("sigma"))
         {
             const symmTensorField sigma
             (
@@ -347,7 +368,7 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
                 }
             }
         }
-        if (damage_ && onDisk(*this, "damage"))
+        if (damage_ && present("damage"))
         {
             const scalarField f(readField<scalar>(*this, "damage", n));
             for (label p = 0; p < n; ++p)
@@ -367,7 +388,7 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         for (column& h : history_)
         {
             // Absent at the start of a run: the law's initial state
-            if (!onDisk(*this, h.name()))
+            if (!present(h.name()))
             {
                 continue;
             }

@@ -139,8 +139,13 @@ void Foam::mpm::gridState::readBoundary()
 }
 
 
-void Foam::mpm::gridState::updateFixed()
+void Foam::mpm::gridState::updateFixed(const scalar dt)
 {
+    // The velocity that the step ends with: time is set on for the evaluation
+    Time& time = const_cast<Time&>(grid_.mesh().time());
+    const scalar now = time.value();
+    time.setTime(now + dt, time.timeIndex());
+
     forAll(Ufield_.boundaryField(), patchi)
     {
         pointPatchField<vector>& pf = Ufield_.boundaryFieldRef()[patchi];
@@ -150,6 +155,9 @@ void Foam::mpm::gridState::updateFixed()
             pf.evaluate();
         }
     }
+
+    time.setTime(now, time.timeIndex());
+
     forAll(fixedNode_, i)
     {
         const valuePointPatchField<vector>& pf =
@@ -195,7 +203,7 @@ Foam::mpm::gridState::gridState(const hexGrid& grid, const word& name)
     UNew_(stride_*grid.nNodes())
 {
     readBoundary();
-    updateFixed();
+    updateFixed(0);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -354,25 +354,21 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
                 }
             }
         }
-        for (label p = 0; p < phase.cloud().size(); ++p)
+        const materialPointCloud& cloud = phase.cloud();
+        forAll(cloud.cells(), k)
         {
             for (int d = 0; d < grid_.nDim(); ++d)
             {
-                // Refined by the first move
-                rate_ = max(rate_, mag(phase.cloud().U()[d][p]));
+                const scalar ih = 1/grid_.width(cloud.cells()[k], d);
+                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+                {
+                    rate_ = max(rate_, mag(cloud.U()[d][p])*ih);
+                }
             }
         }
     }
     reduce(rate_, maxOp<scalar>());
-
-    // Bound of |u_d|/h_d for the first step: fastest point, shortest cell
     updateWaveRate();
-    scalar shortest = GREAT;
-    for (const materialPointPhase& phase : phases_)
-    {
-        shortest = min(shortest, shortestSide(phase));
-    }
-    rate_ /= shortest;
 
     // State of the nodes
     activate(true);
@@ -463,7 +459,7 @@ void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
         const timer t(clock_.nodes);
         for (gridState& field : fields_)
         {
-            field.newTime();
+            field.newTime(dt);
             field.momentumStep(dt, g_);
         }
     }
@@ -527,6 +523,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::project(const scalar dt)
         const timer t(clock_.sort);
         forAll(phases_, phasei)
         {
+            checkExtent(phases_[phasei], movers_[phasei]);
             if (phases_[phasei].cloud().sort(movers_[phasei]))
             {
                 changed = true;

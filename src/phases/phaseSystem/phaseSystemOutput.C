@@ -78,6 +78,42 @@ void Foam::mpm::pointPhaseSystem::stop
 }
 
 
+void Foam::mpm::pointPhaseSystem::checkExtent
+(
+    materialPointPhase& phase,
+    const UList<materialPointCloud::mover>& movers
+)
+{
+    // GIMP's stencil reaches one cell beyond: from two cell widths on weights
+    // would become negative
+    if (!passes_->hasExtent() || grid_.sameWidth() > 0)
+    {
+        return;
+    }
+    materialPointCloud& cloud = phase.cloud();
+    for (const materialPointCloud::mover& mv : movers)
+    {
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            const scalar l = (*cloud.halfSize())[d][mv.point];
+            const scalar h = grid_.width(mv.cell, d);
+            if (l > 2*h)
+            {
+                FatalErrorInFunction
+                    << "Material point " << label(cloud.id()[0][mv.point])
+                    << " of " << phase.name() << " at "
+                    << cloud.position(mv.point, cloud.cellOf(mv.point))
+                    << ", time " << mesh_.time().timeName()
+                    << ", has half-size " << l << " and moves into a cell"
+                    << " only " << h << " wide." << nl
+                    << "Use more points per cell in setMaterialPointsDict, or"
+                    << " a mesh that is graded less." << exit(FatalError);
+            }
+        }
+    }
+}
+
+
 void Foam::mpm::pointPhaseSystem::checkOverlap()
 {
     if (warned_ || fields_.size() < 2)

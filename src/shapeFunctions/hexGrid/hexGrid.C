@@ -8,6 +8,7 @@ License
 
 #include "hexGrid.H"
 #include "wedgePolyPatch.H"
+#include <Eigen/LU>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -80,25 +81,26 @@ Foam::scalar Foam::mpm::hexGrid::width(const label celli, const int d) const
         return planes_[d][i + 1] - planes_[d][i];
     }
 
-    // Shortest of the edges along the cell's direction
+    // Smallest distance between the two sides: 1/|grad xi_d| at the corners.
+    // On sheared cells it is much less than the edges, and it is what limits
+    // the time step
     const label nc = label(1) << nDim_;
     scalar corner[24];
     cornerPositions(celli, corner);
     scalar shortest = GREAT;
     for (label n = 0; n < nc; ++n)
     {
-        if (!((n >> d) & 1))
+        Eigen::Matrix3d J(Eigen::Matrix3d::Identity());
+        for (int k = 0; k < nDim_; ++k)
         {
-            scalar s = 0;
             for (int e = 0; e < nDim_; ++e)
             {
-                s += sqr
-                (
-                    corner[nDim_*(n | (1 << d)) + e] - corner[nDim_*n + e]
-                );
+                J(e, k) =
+                    corner[nDim_*(n | (label(1) << k)) + e]
+                  - corner[nDim_*(n & ~(label(1) << k)) + e];
             }
-            shortest = min(shortest, std::sqrt(s));
         }
+        shortest = min(shortest, 1/J.inverse().row(d).norm());
     }
     return shortest;
 }

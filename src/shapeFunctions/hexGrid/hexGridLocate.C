@@ -192,10 +192,11 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
         {
             return celli;
         }
-        if (next >= 0 && worst < 1e-12)
+        // On the common side to rounding: the higher cell owns it
+        const bool onSide = next >= 0 && worst < 1e-12;
+        if (onSide && celli > next)
         {
-            // On the common side to rounding: the higher cell owns it
-            return max(celli, next);
+            return celli;
         }
         if (next >= 0 && shift_.size())
         {
@@ -205,6 +206,10 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
             }
         }
         celli = next;
+        if (onSide)
+        {
+            return celli;
+        }
     }
     return -1;
 }
