@@ -73,19 +73,31 @@ void Foam::mpm::gridState::readBoundary()
          && !isA<fixedNormalSlipPointPatchField<vector>>(pf)
         )
         {
-            const vectorField& normals = pf.patch().pointNormals();
+            const polyPatch& pp =
+                grid_.mesh().boundaryMesh()[pf.patch().index()];
+            const labelListList& pointFaces = pp.pointFaces();
             forAll(points, i)
             {
-                // Normals of all slip patches of the node: the projection is
-                // made of their span below
-                Eigen::Vector3d v(Eigen::Vector3d::Zero());
-                for (int d = 0; d < nDim_; ++d)
+                // pointNormals() would average over the edges of a patch
+                // that has some. Faces at less than 45 degrees are one smooth
+                // surface; others are surfaces of their own (edges, corners)
+                DynamicList<vector> groups;
+                for (const label facei : pointFaces[i])
                 {
-                    v(d) = normals[i][grid_.direction(d)];
-                }
-                if (v.norm() > 0)
-                {
-                    v.normalize();
+                    const vector nf(pp.faceNormals()[facei]);
+                    bool known = false;
+                    for (vector& g : groups)
+                    {
+                        if (!known && (g & nf) > 0.7*mag(g))
+                        {
+                            g += nf;
+                            known = true;
+                        }
+                    }
+                    if (!known)
+                    {
+                        groups.append(nf);
+                    }
                 }
                 Eigen::Matrix3d& N =
                     slip.emplace
@@ -93,12 +105,22 @@ void Foam::mpm::gridState::readBoundary()
                         toNode[points[i]],
                         Eigen::Matrix3d(Eigen::Matrix3d::Zero())
                     ).first->second;
-
-                // Four points of a 1D node bring the same normal four times
-                const Eigen::Vector3d rest(v - N*v);
-                if (rest.norm() > 1e-3)
+                for (const vector& g : groups)
                 {
-                    N += rest*rest.transpose()/rest.squaredNorm();
+                    Eigen::Vector3d v(Eigen::Vector3d::Zero());
+                    for (int d = 0; d < nDim_; ++d)
+                    {
+                        v(d) = g[grid_.direction(d)];
+                    }
+                    if (v.norm() > 0)
+                    {
+                        v.normalize();
+                    }
+                    const Eigen::Vector3d rest(v - N*v);
+                    if (rest.norm() > 1e-3)
+                    {
+                        N += rest*rest.transpose()/rest.squaredNorm();
+                    }
                 }
             }
         }
