@@ -193,7 +193,21 @@ TEST_CASE("identities of the shape functions")
         {"2D graded", "GIMP", {6, 5, 0, graded}, 0.25},
         {"2D yz", "GIMP", {0, 5, 6, graded}, 0.5},
         {"3D uniform", "GIMP", {4, 4, 4, uniform(vector(1, 2, 3))}, 0.25},
-        {"3D graded", "GIMP", {4, 5, 3, graded}, 0.125}
+        {"3D graded", "GIMP", {4, 5, 3, graded}, 0.125},
+        {"1D uniform", "quadraticBSpline", {9, 0, 0, uniform(vector(1, 1, 1))}, 0},
+        {"1D one cell", "quadraticBSpline", {1, 0, 0, uniform(vector(2, 1, 1))}, 0},
+        {"1D two cells", "quadraticBSpline", {2, 0, 0, uniform(vector(2, 1, 1))}, 0},
+        {"2D widths differ", "quadraticBSpline", {6, 5, 0, uniform(vector(1, 3, 1))}, 0},
+        {"2D yz", "quadraticBSpline", {0, 5, 6, uniform(vector(1, 1, 0.5))}, 0},
+        {"3D uniform", "quadraticBSpline", {4, 4, 4, uniform(vector(1, 1, 1))}, 0},
+        {"3D widths differ", "quadraticBSpline", {4, 5, 3, uniform(vector(1, 2, 3))}, 0},
+        {"1D uniform", "cubicBSpline", {9, 0, 0, uniform(vector(1, 1, 1))}, 0},
+        {"1D one cell", "cubicBSpline", {1, 0, 0, uniform(vector(2, 1, 1))}, 0},
+        {"1D two cells", "cubicBSpline", {2, 0, 0, uniform(vector(2, 1, 1))}, 0},
+        {"2D widths differ", "cubicBSpline", {6, 5, 0, uniform(vector(1, 3, 1))}, 0},
+        {"2D yz", "cubicBSpline", {0, 5, 6, uniform(vector(1, 1, 0.5))}, 0},
+        {"3D uniform", "cubicBSpline", {4, 4, 4, uniform(vector(1, 1, 1))}, 0},
+        {"3D widths differ", "cubicBSpline", {4, 5, 3, uniform(vector(1, 2, 3))}, 0}
     };
     for (const item& i : items)
     {
@@ -248,6 +262,186 @@ TEST_CASE("GIMP refuses meshes by reason, linear takes all hexahedra")
 }
 
 
+TEST_CASE("B-splines at a wall: S_0(wall) = 1, all other weights 0")
+{
+    const testMesh m(8, 0, 0, uniform(vector(1, 1, 1)));
+    const hexGrid& g = m.grid();
+    for (const char* shape : {"quadraticBSpline", "cubicBSpline"})
+    {
+        CAPTURE(shape);
+        const auto p(passes(shape, g));
+        CHECK(!p->hasExtent());
+        CHECK(p->reach() == 1);
+        DynamicList<label> nodes;
+        DynamicList<scalar> S, dS;
+        for (const label celli : {0, 7})
+        {
+            scalar corner[24];
+            g.cornerPositions(celli, corner);
+            const int side = celli ? 1 : 0;
+            p->weights(celli, corner + side, nullptr, nodes, S, dS);
+            scalar atWall = 0, elsewhere = 0;
+            forAll(nodes, i)
+            {
+                CHECK(S[i] >= 0);
+                (nodes[i] == g.corners(celli)[side] ? atWall : elsewhere) += S[i];
+            }
+            CHECK(atWall == doctest::Approx(1).epsilon(1e-13));
+            CHECK(elsewhere <= 1e-13);
+        }
+    }
+    CHECK(passes("GIMP", g)->reach() == 1);
+    CHECK(passes("linear", g)->reach() == 0);
+}
+
+
+TEST_CASE("B-splines: exact values inside")
+{
+    const testMesh m(8, 0, 0, uniform(vector(4, 1, 1)));
+    const hexGrid& g = m.grid();
+    const label celli = 4;
+    scalar corner[24];
+    g.cornerPositions(celli, corner);
+
+    struct item
+    {
+        const char* shape;
+        scalar xi, S[4], dS[4];
+    };
+    const item items[] =
+    {
+        {"quadraticBSpline", 0.25, {1/32.0, 11/16.0, 9/32.0, 0}, {-0.25, -0.5, 0.75, 0}},
+        {"quadraticBSpline", 0.75, {0, 9/32.0, 11/16.0, 1/32.0}, {0, -0.75, 0.5, 0.25}},
+        {"quadraticBSpline", 0.5, {0, 0.5, 0.5, 0}, {0, -1, 1, 0}},
+        {"cubicBSpline", 0, {1/6.0, 2/3.0, 1/6.0, 0}, {-0.5, 0, 0.5, 0}},
+        {"cubicBSpline", 0.5, {1/48.0, 23/48.0, 23/48.0, 1/48.0},
+            {-0.125, -0.625, 0.625, 0.125}}
+    };
+    for (const item& it : items)
+    {
+        CAPTURE(it.shape);
+        CAPTURE(it.xi);
+        DynamicList<label> nodes;
+        DynamicList<scalar> S, dS;
+        const scalar x = corner[0] + 0.5*it.xi;
+        passes(it.shape, g)->weights(celli, &x, nullptr, nodes, S, dS);
+        REQUIRE(nodes.size() == 4);
+        for (int i = 0; i < 4; ++i)
+        {
+            CHECK(mag(S[i] - it.S[i]) <= 1e-14);
+            CHECK(mag(dS[i] - it.dS[i]/0.5) <= 1e-13);
+        }
+    }
+
+    // The unused slot holds nothing at all
+    DynamicList<label> nodes;
+    DynamicList<scalar> S, dS;
+    for (const scalar xi : {0.1, 0.3, 0.6, 0.9})
+    {
+        const scalar x = corner[0] + 0.5*xi;
+        passes("quadraticBSpline", g)->weights(celli, &x, nullptr, nodes, S, dS);
+        CHECK(S[xi < 0.5 ? 3 : 0] == 0.0);
+        CHECK(dS[xi < 0.5 ? 3 : 0] == 0.0);
+    }
+}
+
+
+TEST_CASE("B-splines: S, its slope and (cubic) its curvature pass cell sides")
+{
+    // By node, for x on a side from the cell below and from the cell above
+    const testMesh m(6, 0, 0, uniform(vector(3, 1, 1)));
+    const hexGrid& g = m.grid();
+    const scalar h = 0.5, e = 1e-5*h;
+    for (const char* shape : {"quadraticBSpline", "cubicBSpline"})
+    {
+        CAPTURE(shape);
+        const auto p(passes(shape, g));
+        const auto at = [&](const label celli, const scalar x, scalarList& S, scalarList& dS)
+        {
+            DynamicList<label> nodes;
+            DynamicList<scalar> s, ds;
+            p->weights(celli, &x, nullptr, nodes, s, ds);
+            S.setSize(g.nNodes());
+            dS.setSize(g.nNodes());
+            S = 0.0;
+            dS = 0.0;
+            forAll(nodes, i)
+            {
+                S[nodes[i]] += s[i];
+                dS[nodes[i]] += ds[i];
+            }
+        };
+        for (label celli = 0; celli < 5; ++celli)
+        {
+            CAPTURE(celli);
+            scalar corner[24];
+            g.cornerPositions(celli + 1, corner);
+            const scalar x = corner[0];
+            scalarList S0, dS0, S1, dS1, Sm, dSm, Sp, dSp;
+            at(celli, x, S0, dS0);
+            at(celli + 1, x, S1, dS1);
+            at(celli, x - e, Sm, dSm);
+            at(celli + 1, x + e, Sp, dSp);
+            forAll(S0, n)
+            {
+                CHECK(mag(S0[n] - S1[n]) <= 1e-14);
+                CHECK(mag(dS0[n] - dS1[n])*h <= 1e-13);
+                // The slope is that of S
+                CHECK(mag((S0[n] - Sm[n])/e - dS0[n])*h <= 2e-5);
+                CHECK(mag((Sp[n] - S1[n])/e - dS1[n])*h <= 2e-5);
+                if (word(shape) == "cubicBSpline")
+                {
+                    const scalar below = (dS0[n] - dSm[n])/e;
+                    const scalar above = (dSp[n] - dS1[n])/e;
+                    CHECK(mag(below - above)*h*h <= 1e-4);
+                }
+            }
+
+            // The quadratic spline changes its formula at the middle
+            at(celli, x - 0.5*h*(1 - 1e-12), S0, dS0);
+            at(celli, x - 0.5*h*(1 + 1e-12), S1, dS1);
+            forAll(S0, n)
+            {
+                CHECK(mag(S0[n] - S1[n]) <= 1e-11);
+                CHECK(mag(dS0[n] - dS1[n])*h <= 1e-11);
+            }
+        }
+    }
+}
+
+
+TEST_CASE("B-splines refuse graded and skewed meshes by reason")
+{
+    const auto yGraded = [](const point& p)
+    {
+        return point(p.x(), p.y() + 0.01*p.y()*p.y(), p.z());
+    };
+    // As a mesh comes from a file of 6 digits
+    const auto rounded = [](const point& p)
+    {
+        return point(1e-6*std::round(1e6*p.x()), p.y(), p.z());
+    };
+    for (const char* shape : {"quadraticBSpline", "cubicBSpline"})
+    {
+        CAPTURE(shape);
+        const testMesh graded2(3, 3, 0, yGraded), skew(3, 3, 0, skewed2);
+        const testMesh fromFile(30, 0, 0, rounded);
+        CHECK_THROWS_AS(passes(shape, skew.grid()), Foam::IOerror);
+        CHECK_NOTHROW(passes(shape, fromFile.grid()));
+        std::string message;
+        try
+        {
+            passes(shape, graded2.grid());
+        }
+        catch (const Foam::IOerror& error)
+        {
+            message = error.message();
+        }
+        CHECK(message.find("direction y is graded") != std::string::npos);
+    }
+}
+
+
 TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
 {
     struct item
@@ -262,7 +456,13 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
         {"2D", "linear", {6, 5, 0, graded}}, {"2D", "GIMP", {6, 5, 0, graded}},
         {"2Dskew", "linear", {6, 5, 0, skewed2}},
         {"3D", "linear", {4, 5, 3, graded}}, {"3D", "GIMP", {4, 5, 3, graded}},
-        {"3Dskew", "linear", {4, 5, 3, skewed}}
+        {"3Dskew", "linear", {4, 5, 3, skewed}},
+        {"1D", "quadraticBSpline", {9, 0, 0, uniform(vector(1, 1, 1))}},
+        {"2D", "quadraticBSpline", {6, 5, 0, uniform(vector(1, 2, 1))}},
+        {"3D", "quadraticBSpline", {4, 5, 3, uniform(vector(1, 2, 1.5))}},
+        {"1D", "cubicBSpline", {9, 0, 0, uniform(vector(1, 1, 1))}},
+        {"2D", "cubicBSpline", {6, 5, 0, uniform(vector(1, 2, 1))}},
+        {"3D", "cubicBSpline", {4, 5, 3, uniform(vector(1, 2, 1.5))}}
     };
     for (const item& it : items)
     {

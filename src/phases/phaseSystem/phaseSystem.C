@@ -193,7 +193,7 @@ void Foam::mpm::pointPhaseSystem::activate(const bool changed)
                 cells.append(&phases_[phasei].cloud().cells());
             }
         }
-        fields_[fieldi].activate(cells, passes_->hasExtent() ? 1 : 0);
+        fields_[fieldi].activate(cells, passes_->reach());
     }
 }
 

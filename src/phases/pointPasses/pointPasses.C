@@ -41,7 +41,9 @@ Foam::mpm::pointPasses::New(const dictionary& dict, const hexGrid& grid)
                     << "The shape function " << name
                     << " does not allow this mesh: " << reason << "." << nl
                     << "linear allows every mesh of hexahedra, GIMP needs"
-                    << " boxes along the axes without re-entrant corners."
+                    << " boxes along the axes without re-entrant corners,"
+                    << " quadraticBSpline and cubicBSpline also one width of"
+                    << " all cells in each direction."
                     << exit(FatalIOError);
             }
         }

@@ -221,7 +221,7 @@ void Foam::mpm::hexGrid::makeCells()
                 << "Cell " << celli << " at " << mesh.cellCentres()[celli]
                 << " is no hexahedron. Material points need a mesh of"
                 << " hexahedra (shape functions: linear; on meshes of boxes"
-                << " also GIMP)." << exit(FatalError);
+                << " also GIMP and B-splines)." << exit(FatalError);
         }
 
         // The six faces as three pairs without a common point

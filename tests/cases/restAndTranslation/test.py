@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A free body at rest stays at rest; one in uniform motion goes on.
 
-An elastic block (E 1e6, rho 1000, nu 0.3) in 1D, 2D and 3D, linear functions and
-GIMP, 200 steps at Courant number 0.4, no gravity. A uniform velocity must give
+An elastic block (E 1e6, rho 1000, nu 0.3) in 1D, 2D and 3D, linear functions,
+GIMP and B-splines, 200 steps at Courant number 0.4, no gravity. A uniform velocity must give
 uniform node velocities, no strain and no force: all figures are round-off, which
 the limits allow for (c is the wave speed, v0 the velocity of the motion, oblique
 in 2D and 3D, with several cells crossed):
@@ -104,7 +104,7 @@ def judge(table, label, case, velocity):
 def main():
     table = Report("restAndTranslation")
     for nDim in (1, 2, 3):
-        for shape in ("linear", "GIMP"):
+        for shape in ("linear", "GIMP", "quadraticBSpline", "cubicBSpline"):
             for transfer in TRANSFERS if VERIFY or shape == "GIMP" else ("FLIP",):
                 for moving in (False, True):
                     label = (f"{nDim}D {shape} {transfer}, "
