@@ -8,7 +8,7 @@ License
 
 #include "linearElastic.H"
 #include "selector.H"
-#include "tensorSeries.H"
+#include "leftStretch.H"
 #include "spectral.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -33,20 +33,6 @@ using namespace Foam::mpm;
 
 //- Strains up to this size go through the series of the logarithm
 constexpr double seriesLimit = 0.5;
-
-
-//- c = b - I of one point from the columns, full storage
-template<int DIM, class T, class Get>
-MPM_INLINE void unpack(const Get& get, T (&c)[DIM*DIM])
-{
-    for (int i = 0; i < DIM; ++i)
-    {
-        for (int j = i; j < DIM; ++j)
-        {
-            c[i*DIM + j] = c[j*DIM + i] = get(strainSlot(DIM, i, j));
-        }
-    }
-}
 
 }
 
@@ -79,93 +65,21 @@ void Foam::mpm::linearElastic::update(pointBlock& b) const
 
     // Largest velocity gradient and strain of the block choose the number of
     // terms for all its points
-    T dLMax = {}, cMax = {};
-    label p = 0;
-    for (; p + W <= b.n; p += W)
-    {
-        T a = {}, c = {};
-        for (int i = 0; i < N; ++i)
-        {
-            const T l = load<W>(b.dL[i] + p);
-            a += l*l;
-        }
-        for (int i = 0; i < nStrain(DIM); ++i)
-        {
-            const T l = load<W>(b.history[i] + p);
-            c += (i < DIM ? 1.0 : 2.0)*l*l;
-        }
-        dLMax = laneMax(dLMax, a);
-        cMax = laneMax(cMax, c);
-    }
-    double dL2 = horizontalMax(dLMax), c2 = horizontalMax(cMax);
-    for (; p < b.n; ++p)
-    {
-        double a = 0, c = 0;
-        for (int i = 0; i < N; ++i)
-        {
-            a += sqr(b.dL[i][p]);
-        }
-        for (int i = 0; i < nStrain(DIM); ++i)
-        {
-            c += (i < DIM ? 1.0 : 2.0)*sqr(b.history[i][p]);
-        }
-        dL2 = max(dL2, a);
-        c2 = max(c2, c);
-    }
-
-    // A NaN compares false everywhere: it is found by the caller's checks,
-    // here it only must not choose the number of terms
-    const double dLMag = dL2 < 100 ? std::sqrt(dL2) : 10.0;
+    const double dLMag = largestIncrement<DIM>(b);
     const int nExp = expTerms(dLMag);
 
     // |c'| <= (1 + |D|)^2 (1 + |c|) - 1 with |D| <= exp(|dL|) - 1
     const double cBound =
-        std::exp(2*dLMag)*(1 + std::sqrt(c2 < 1e10 ? c2 : 1e10)) - 1;
+        std::exp(2*dLMag)*(1 + largestLeftStretch<DIM>(b)) - 1;
     const double q = cBound < 1 ? cBound/(2 - cBound) : 1.0;
     const bool series = q < seriesLimit;
     const int nLog = series ? logTerms(q) : 0;
 
-    for (p = 0; p < b.n; p += W)
+    for (label p = 0; p < b.n; p += W)
     {
-        const int n = (b.n - p < W ? b.n - p : W);
-        const auto get = [n, p](const double* a) -> T
-        {
-            return n == W ? load<W>(a + p) : loadPart<W>(a + p, n);
-        };
-        const auto put = [n, p](double* a, const T v)
-        {
-            if (n == W) store<W>(a + p, v); else storePart<W>(a + p, v, n);
-        };
-
-        // b' - I = G + D + D^T + (G + D) D^T,  G = (I + D)(b - I),
-        // D = exp(dt L) - I
-        T A[N], D[N], c[N], G[N], B[N];
-        for (int i = 0; i < N; ++i)
-        {
-            A[i] = get(b.dL[i]);
-        }
-        expm1Series<DIM>(A, nExp, D);
-        unpack<DIM>([&](int s) { return get(b.history[s]); }, c);
-        multiply<DIM>(D, c, G);
-        for (int i = 0; i < N; ++i)
-        {
-            G[i] += c[i];
-            B[i] = G[i] + D[i];
-        }
-        for (int i = 0; i < DIM; ++i)
-        {
-            for (int j = i; j < DIM; ++j)
-            {
-                T s = G[i*DIM + j] + D[i*DIM + j] + D[j*DIM + i];
-                for (int k = 0; k < DIM; ++k)
-                {
-                    s += B[i*DIM + k]*D[j*DIM + k];
-                }
-                c[i*DIM + j] = s;
-                c[j*DIM + i] = s;
-                put(b.history[strainSlot(DIM, i, j)], s);
-            }
-        }
+        const laneGroup<W> g(p, b.n);
+        T c[N];
+        updateLeftStretch<DIM>(b, g, nExp, c);
 
         T h[N];
         if (series)
@@ -174,7 +88,7 @@ void Foam::mpm::linearElastic::update(pointBlock& b) const
         }
         else
         {
-            for (int l = 0; l < n; ++l)
+            for (int l = 0; l < g.n; ++l)
             {
                 double c1[N], h1[N];
                 for (int i = 0; i < N; ++i)
@@ -192,7 +106,7 @@ void Foam::mpm::linearElastic::update(pointBlock& b) const
                     h[i][l] = h1[i];
                 }
             }
-            for (int l = n; l < W; ++l)
+            for (int l = g.n; l < W; ++l)
             {
                 for (int i = 0; i < N; ++i)
                 {
@@ -210,13 +124,13 @@ void Foam::mpm::linearElastic::update(pointBlock& b) const
         // sigma = s or s/J
         const T rJ =
             kirchhoff_
-          ? get(b.mass)/(rho()*get(b.volume))
+          ? g.get(b.mass)/(rho()*g.get(b.volume))
           : broadcast<W>(1);
         const T pressurePart = lambda_*trh*rJ;
         const T mu2 = 2*mu_*rJ;
         for (int i = 0; i < 3; ++i)
         {
-            put
+            g.put
             (
                 b.stress[i],
                 i < DIM ? pressurePart + mu2*h[i*DIM + i] : pressurePart
@@ -226,7 +140,7 @@ void Foam::mpm::linearElastic::update(pointBlock& b) const
         {
             for (int j = i + 1; j < DIM; ++j)
             {
-                put(b.stress[symmSlot(i, j)], mu2*h[i*DIM + j]);
+                g.put(b.stress[symmSlot(i, j)], mu2*h[i*DIM + j]);
             }
         }
     }
