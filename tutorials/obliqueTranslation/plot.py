@@ -64,6 +64,7 @@ for ax, (case, (velocity, n)) in zip(axes, CASES.items()):
     ax.legend(fontsize=8, loc="lower right")
 
     rows = np.loadtxt(sorted(glob.glob(f"{case}/postProcessing/balance/*/{case}.dat"))[0])
+    rows = rows[np.unique(rows[:, 0], return_index=True)[1]]
     mass, momentum = rows[:, 2], rows[:, 3:6]
     kinetic, strain, total = rows[:, 9:12].T
     speed = np.linalg.norm(velocity)

@@ -8,7 +8,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from energies import Energies
+from energies import Energies, endAndLargest
 
 e = Energies()
 EXACT = 2*0.5*1000*np.pi*0.2**2*0.02
@@ -21,7 +21,9 @@ axes[0].plot(e.t, e.total, label="total")
 axes[0].axhline(EXACT, color="k", ls=":", lw=0.8, label="two disks, exact")
 axes[0].set_ylabel("energy [J]")
 axes[0].legend(fontsize=8)
-axes[1].plot(e.t, e.error, "C2")
+axes[1].plot(e.t, e.error, "C2", label="K(n) + W(n)")
+axes[1].plot(e.t[:-1], e.errorCentred, "C3", label="K and W at the same time")
+axes[1].legend(fontsize=8)
 axes[1].axhline(0, color="k", lw=0.5)
 axes[1].set_ylabel("error of the total energy [%]")
 axes[1].set_xlabel("time [s]")
@@ -73,5 +75,6 @@ print(f"smallest kinetic energy     {e.kinetic[i]:.4f} J at {e.t[i]:.3f} s")
 print(f"kinetic energy at {e.t[-1]:.0f} s       {e.kinetic[-1]:.4f} J, "
       f"{100*e.kinetic[-1]/e.start:.1f} % of the start")
 print(f"momentum                    changes by {apart.max()/scale:.1e} of one disk's")
-print(f"error of total energy       {e.errors()[0]:+.4f} % at 3 s, largest "
-      f"{e.errors()[1]:+.4f} %")
+for name, error in (("K(n) + W(n)", e.error), ("at the same time", e.errorCentred)):
+    end, largest = endAndLargest(error)
+    print(f"error of total energy, {name:17s} {end:+.4f} % at 3 s, largest {largest:.4f} %")

@@ -30,6 +30,7 @@ def record(name, file):
 
 # time, points, mass, momentum 3, angular momentum 3, kinetic, strain, total
 balance = record("balance", "bar.dat")
+balance = balance[np.unique(balance[:, 0], return_index=True)[1]]
 t, mass = balance[:, 0], balance[:, 2]
 velocity = balance[:, 3]/mass
 kinetic, strain, total = balance[:, 9:12].T
