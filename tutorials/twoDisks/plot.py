@@ -57,7 +57,7 @@ for ax, want in zip(axes.flat, (0, 1.0, 1.4, 1.8, 2.2, 3.0)):
         x, s = column(cloud + "x"), column(cloud + "sigma")
         # xx xy xz yy yz zz
         image = ax.scatter(x[:, 0], x[:, 1], s=6, c=-(s[:, 0] + s[:, 3] + s[:, 5])/3,
-                           cmap="RdBu", vmin=-120, vmax=120, linewidths=0)
+                           cmap="viridis", vmin=-120, vmax=120, linewidths=0)
     ax.set_xticks(np.arange(-0.2, 1.21, 0.05), minor=True)
     ax.set_yticks(np.arange(-0.2, 1.21, 0.05), minor=True)
     ax.grid(True, which="both", lw=0.2)
