@@ -1,0 +1,83 @@
+"""Points at the start and at the end; how far the free flight is from exact."""
+
+import glob
+import os
+import re
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+H = 0.01
+
+#: case: velocity, cells in a direction
+CASES = {"disk": ((18.0, 11.5, 0.0), 32), "ball": ((12.0, 9.5, -7.3), 24)}
+
+
+def column(path):
+    """A column of the points, ascii; one row per point."""
+    text = open(path).read()
+    text = text[text.index("FoamFile"):]
+    text = text[text.index("}") + 1:]
+    uniform = re.match(r"[^0-9]*(\d+)\s*\{\(?([^(){}]*)\)?\}", text)
+    if uniform:
+        row = [float(w) for w in uniform[2].split()]
+        return np.tile(row, (int(uniform[1]), 1))
+    body = text[text.index("(") + 1:text.rindex(")")]
+    if "(" not in body:
+        return np.array([[float(w)] for w in body.split()])
+    return np.array([[float(w) for w in m.split()]
+                     for m in re.findall(r"\(([^()]+)\)", body)])
+
+
+def cloud(case, time):
+    """Places and velocities in the order of the points' ids."""
+    path = f"{case}/{time}/lagrangian/{case}/"
+    order = np.argsort(column(path + "id")[:, 0])
+    return column(path + "x")[order], column(path + "U")[order]
+
+
+figure, axes = plt.subplots(1, 2, figsize=(12, 5.6), constrained_layout=True)
+for ax, (case, (velocity, n)) in zip(axes, CASES.items()):
+    velocity = np.array(velocity)
+    times = sorted((d for d in os.listdir(case) if re.fullmatch(r"[0-9.]+", d)
+                    and os.path.isdir(f"{case}/{d}/lagrangian")), key=float)
+    for name in times:
+        x, u = cloud(case, name)
+        ax.scatter(x[:, 0]*100, x[:, 1]*100, s=2, linewidths=0,
+                   label=f"t = {float(name)*1e3:g} ms")
+    first = cloud(case, times[0])[0]
+    travel = float(times[-1])*velocity
+    for i in range(0, len(first), max(1, len(first)//12)):
+        ax.plot(100*(first[i, 0] + np.array([0, travel[0]])),
+                100*(first[i, 1] + np.array([0, travel[1]])), "k-", lw=0.5)
+    ax.set_xticks(range(n + 1), minor=True)
+    ax.set_yticks(range(n + 1), minor=True)
+    ax.grid(True, which="both", lw=0.25)
+    ax.set_xlim(0, n)
+    ax.set_ylim(0, n)
+    ax.set_aspect("equal")
+    ax.set_title(f"{case}; black: x + t v", fontsize=9)
+    ax.set_xlabel("x [cm]")
+    ax.set_ylabel("y [cm]")
+    ax.legend(fontsize=8, loc="lower right")
+
+    rows = np.loadtxt(sorted(glob.glob(f"{case}/postProcessing/balance/*/{case}.dat"))[0])
+    rows = rows[np.unique(rows[:, 0], return_index=True)[1]]
+    mass, momentum = rows[:, 2], rows[:, 3:6]
+    kinetic, strain, total = rows[:, 9:12].T
+    speed = np.linalg.norm(velocity)
+    energy = mass[0]*speed**2/2
+    print(f"{case}: {len(x)} points of {len(first)}, {len(rows)} steps, "
+          f"{'  '.join(f'{abs(c)/H:.1f}' for c in travel if c)} cells crossed along the axes")
+    for label, value in (
+            ("strain energy/kinetic energy", np.max(strain)/energy),
+            ("velocity of any point, |u - v|/|v|", np.max(abs(u - velocity))/speed),
+            ("place of any point, |x - x0 - t v|/cell",
+             np.max(abs(x - first - travel))/H),
+            ("momentum", np.max(abs(momentum - mass[0]*velocity))/(mass[0]*speed)),
+            ("total energy", np.max(abs(total/energy - 1))),
+            ("mass", np.max(abs(mass/mass[0] - 1)))):
+        print(f"    {label:42s} largest deviation {value:.1e}")
+figure.savefig("translation.png", dpi=130)

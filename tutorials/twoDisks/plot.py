@@ -1,0 +1,80 @@
+"""Energies over time and pictures of the disks."""
+
+import os
+import re
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+from energies import Energies, endAndLargest
+
+e = Energies()
+EXACT = 2*0.5*1000*np.pi*0.2**2*0.02
+
+figure, axes = plt.subplots(2, 1, figsize=(7.5, 7.5), sharex=True,
+                            constrained_layout=True)
+axes[0].plot(e.t, e.kinetic, label="kinetic")
+axes[0].plot(e.t, e.strain, label="strain")
+axes[0].plot(e.t, e.total, label="total")
+axes[0].axhline(EXACT, color="k", ls=":", lw=0.8, label="two disks, exact")
+axes[0].set_ylabel("energy [J]")
+axes[0].legend(fontsize=8)
+axes[1].plot(e.t, e.error, "C2", label="K(n) + W(n)")
+axes[1].plot(e.t[:-1], e.errorCentred, "C3", label="K and W at the same time")
+axes[1].legend(fontsize=8)
+axes[1].axhline(0, color="k", lw=0.5)
+axes[1].set_ylabel("error of the total energy [%]")
+axes[1].set_xlabel("time [s]")
+figure.savefig("energy.png", dpi=130)
+
+
+def column(path):
+    """A column of the points, ascii; one row per point."""
+    text = open(path).read()
+    text = text[text.index("FoamFile"):]
+    text = text[text.index("}") + 1:]
+    uniform = re.match(r"[^0-9]*(\d+)\s*\{\(?([^(){}]*)\)?\}", text)
+    if uniform:
+        row = [float(w) for w in uniform[2].split()]
+        return np.tile(row, (int(uniform[1]), 1))
+    body = text[text.index("(") + 1:text.rindex(")")]
+    if "(" not in body:
+        return np.array([[float(w)] for w in body.split()])
+    return np.array([[float(w) for w in m.split()]
+                     for m in re.findall(r"\(([^()]+)\)", body)])
+
+
+times = sorted((d for d in os.listdir(".") if re.fullmatch(r"[0-9.]+", d)
+                and os.path.isdir(f"{d}/lagrangian")), key=float)
+figure, axes = plt.subplots(2, 3, figsize=(11, 7.4), sharex=True, sharey=True,
+                            constrained_layout=True)
+for ax, want in zip(axes.flat, (0, 1.0, 1.4, 1.8, 2.2, 3.0)):
+    name = min(times, key=lambda d: abs(float(d) - want))
+    for phase in ("lower", "upper"):
+        cloud = f"{name}/lagrangian/{phase}/"
+        x, s = column(cloud + "x"), column(cloud + "sigma")
+        # xx xy xz yy yz zz
+        image = ax.scatter(x[:, 0], x[:, 1], s=6, c=-(s[:, 0] + s[:, 3] + s[:, 5])/3,
+                           cmap="viridis", vmin=-120, vmax=120, linewidths=0)
+    ax.set_xticks(np.arange(-0.2, 1.21, 0.05), minor=True)
+    ax.set_yticks(np.arange(-0.2, 1.21, 0.05), minor=True)
+    ax.grid(True, which="both", lw=0.2)
+    ax.set_aspect("equal")
+    ax.set_title(f"t = {name} s", fontsize=9)
+figure.colorbar(image, ax=axes, label="pressure [Pa]")
+figure.savefig("disks.png", dpi=130)
+
+i = np.argmin(e.kinetic)
+apart = np.linalg.norm(e.momentum - e.momentum[0], axis=1)
+scale = e.mass[0]/2*np.sqrt(0.02)
+print(f"kinetic energy at the start {e.kinetic[0]:.4f} J, exact disks {EXACT:.4f} J "
+      f"(points at the border: {100*(e.start/EXACT - 1):+.2f} %)")
+print(f"smallest kinetic energy     {e.kinetic[i]:.4f} J at {e.t[i]:.3f} s")
+print(f"kinetic energy at {e.t[-1]:.0f} s       {e.kinetic[-1]:.4f} J, "
+      f"{100*e.kinetic[-1]/e.start:.1f} % of the start")
+print(f"momentum                    changes by {apart.max()/scale:.1e} of one disk's")
+for name, error in (("K(n) + W(n)", e.error), ("at the same time", e.errorCentred)):
+    end, largest = endAndLargest(error)
+    print(f"error of total energy, {name:17s} {end:+.4f} % at 3 s, largest {largest:.4f} %")
