@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""Sides of the mesh: cyclic, slip, moving; points exactly on sides of cells.
+
+cyclic      a free block crosses cyclic sides, on a lattice (GIMP) and on a
+            sheared mesh (linear), also landing on them to rounding: velocity,
+            energy and momentum as in free space
+side        points that land exactly on a side of a cell (linear): the same
+slip        a column under gravity between slip walls is in uniaxial strain, no
+            shear, whether the walls are one patch with edges or several
+moving      a wall with a velocity over time: the nodes have that of the end of
+            the step
+functions   function objects run once per step
+"""
+
+import os
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes,
+                      velocityFile)
+from report import Report
+
+H = 0.01
+LAW = {"type": "linearElastic", "rho": 1000, "E": 1e6, "nu": 0.3}
+C = np.sqrt(1e6*0.7/(1.3*0.4)/1000)
+BALANCE = {"balance": {"type": "materialPointBalance", "libs": "(mpmFunctionObjects)",
+                       "writeControl": "timeStep", "writeInterval": 1}}
+
+
+def build(name, cells, patches, conditions, region, numerics, control, shear=0.0,
+          neighbours=None, gravity=None):
+    case = FoamCase("boundaries", name.replace(",", "").replace(" ", "-"))
+    size = [H*n for n in cells]
+    mesh = boxMesh((0, 0, 0), size, cells, patches)
+    mesh["vertices"] = [(x + shear*y, y, z) for x, y, z in mesh["vertices"]]
+    for patch, other in (neighbours or {}).items():
+        mesh["boundary"] = mesh["boundary"].replace(
+            f"{patch} {{ type cyclic;",
+            f"{patch} {{ type cyclic; neighbourPatch {other};")
+    case.write("system/blockMeshDict", mesh)
+    case.write("constant/phaseProperties",
+               {"phases": ["block"], "block": {"constitutiveModel": LAW}})
+    velocityFile(case, "block", conditions)
+    case.write("system/setMaterialPointsDict", {"regions": {"block": {
+        "phase": "block", "pointsPerCell": 2, **region}}})
+    case.write("system/fvSolution", {"materialPoints": numerics})
+    noSchemes(case)
+    case.write("system/controlDict", control)
+    if gravity:
+        case.write("constant/g", {"dimensions": "[0 1 -2 0 0 0 0]",
+                                  "value": gravity}, "uniformDimensionedVectorField")
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    return case
+
+
+def translation(table, name, shape, transfer, shear, velocity, courant):
+    """Errors of a block that moves through cyclic sides without any force;
+    courant: cells travelled per step along x (or y if it does not move in x)."""
+    v = np.array(velocity + (0,))*C
+    fastest = next(abs(u) for u in v if u)
+    dt = courant*H/fastest
+    region = ({"type": "cells"} if shear else
+              {"type": "box", "min": (3*H, 3*H, 0), "max": (6*H, 6*H, H)})
+    case = build(
+        name, (6, 6, 1),
+        {"xlo": ("cyclic", ("x-",)), "xhi": ("cyclic", ("x+",)),
+         "ylo": ("cyclic", ("y-",)), "yhi": ("cyclic", ("y+",)),
+         "frontAndBack": ("empty", ("z-", "z+"))},
+        {p: "cyclic" for p in ("xlo", "xhi", "ylo", "yhi")} | {"frontAndBack": "empty"},
+        {**region, "velocity": tuple(v)}, {"shapeFunction": shape, **transfer},
+        controlDict(300*dt, 300*dt, deltaT=dt, functions=BALANCE), shear,
+        {"xlo": "xhi", "xhi": "xlo", "ylo": "yhi", "yhi": "ylo"})
+    case.run("materialPointFoam")
+    record = case.series("balance", "block.dat")
+    points = case.points(case.times()[-1], "block")
+    error = max(np.abs(points["U"] - v).max()/np.linalg.norm(v),
+                np.abs(record[:, 11]/record[0, 11] - 1).max(),
+                np.abs(record[:, 3:6] - record[0, 3:6]).max()
+                / np.linalg.norm(record[0, 3:6]))
+    table.row(f"{name}: largest relative error of u, E, P", 0, error, 1e-12)
+    return record
+
+
+def column(table, onePatch):
+    """Vertical stress at half a period of the suddenly loaded column: twice the
+    static one, -2 rho g (top - y); and shear."""
+    n, g = 10, 20.0
+    if onePatch:
+        patches = {"walls": ("wall", ("y-", "x-", "x+")), "top": ("patch", ("y+",))}
+    else:
+        patches = {"walls": ("wall", ("y-",)), "left": ("wall", ("x-",)),
+                   "right": ("wall", ("x+",)), "top": ("patch", ("y+",))}
+    patches["frontAndBack"] = ("empty", ("z-", "z+"))
+    conditions = {p: "slip" for p in patches}
+    conditions.update({"top": "calculated", "frontAndBack": "empty"})
+    period = 4*n*H/C
+    case = build(
+        f"column-{'one' if onePatch else 'three'}", (2, n + 2, 1), patches, conditions,
+        {"type": "box", "min": (0, 0, 0), "max": (2*H, n*H, H)},
+        {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0},
+        controlDict(period/2, period/2, maxCo=0.4), gravity=(0, -g, 0))
+    case.run("materialPointFoam")
+    y = case.points("0", "block").byId("x")[:, 1]
+    sigma = case.points(case.times()[-1], "block").byId("sigma")
+    exact = -2*1000*g*(n*H - y)
+    size = np.abs(exact).max()
+    label = "one slip patch" if onePatch else "three slip patches"
+    table.row(f"{label}: stress at half a period / twice static", 0,
+              np.abs(sigma[:, 3] - exact).max()/size, 0.06)
+    table.row(f"{label}: shear stress", 0, np.abs(sigma[:, 1]).max()/size, 1e-12)
+
+
+def movingWall(table):
+    """Wall velocity 100 t: after the last step its nodes have 100 t_end."""
+    case = build(
+        "moving", (6, 6, 1),
+        {"ground": ("wall", ("y-",)), "outside": ("patch", ("x-", "x+", "y+")),
+         "frontAndBack": ("empty", ("z-", "z+"))},
+        {"ground": {"type": "timeVaryingUniformFixedValue", "file": '"table"',
+                    "outOfBounds": "clamp", "value": "uniform (0 0 0)"},
+         "outside": "calculated", "frontAndBack": "empty"},
+        {"type": "box", "min": (H, 0, 0), "max": (4*H, 3*H, H)},
+        {"shapeFunction": "GIMP", "transfer": "FLIP"},
+        controlDict(20*5e-5, 20*5e-5, deltaT=5e-5))
+    with open(case.file("table"), "w") as f:
+        f.write("((0 (0 0 0)) (1 (0 100 0)))\n")
+    case.run("materialPointFoam")
+    with open(case.file(case.times()[-1], "U.block"), "rb") as f:
+        raw = f.read()
+    start = raw.index(b"(", raw.index(b"internalField"))
+    count = int(raw[:start].split()[-1])
+    values = np.frombuffer(raw, "f8", 3*count, start + 1).reshape(-1, 3)
+    end = float(case.times()[-1])
+    table.row("moving wall: node velocity at the end", 100*end, values[:, 1].max(),
+              1e-9, "relative")
+
+
+def main():
+    table = Report("boundaries")
+    flip = {"transfer": "FLIP", "PICfraction": 0}
+    fmpm = {"transfer": "FMPM", "order": 2}
+    try:
+        record = translation(table, "cyclic lattice, GIMP, FLIP", "GIMP", flip, 0,
+                             (0.1, -0.065), 0.05)
+        table.row("function objects run once per step: rows", 300, len(record), 0)
+        translation(table, "cyclic lattice, quadratic, FMPM", "quadraticBSpline", fmpm,
+                    0, (-0.1, 0.065), 0.043)
+        translation(table, "sheared cyclic, linear, FLIP", "linear", flip, 0.3,
+                    (0.1, -0.065), 0.05)
+        translation(table, "sheared cyclic, on the side, -x", "linear", flip, 0.3,
+                    (-0.1, 0), 0.05)
+        translation(table, "sheared cyclic, on the side, -y", "linear", fmpm, 0.3,
+                    (0, -0.1), 0.05)
+        translation(table, "linear, points on sides of cells", "linear", flip, 0,
+                    (0.1, 0), 0.05)
+        column(table, False)
+        column(table, True)
+        movingWall(table)
+    except RunFailed as e:
+        table.check("runs", False, e)
+    return table.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
