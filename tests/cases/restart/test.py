@@ -84,12 +84,16 @@ def killed(table, tries):
     rng = random.Random(5)
     fellBack = 0
     with open(c.file("log.killed"), "w") as log:
-        for _ in range(tries):
+        # On a slow machine until some times are there
+        kills, wait = 0, 0.1
+        while kills < tries or (len(c.times()) < 4 and kills < tries + 20):
             p = subprocess.Popen(["materialPointFoam"], cwd=c.path, stdout=log,
                                  stderr=log, env={**os.environ, "PWD": c.path})
-            time.sleep(0.1 + 0.1*rng.random())
+            time.sleep(wait + 0.1*rng.random())
             p.send_signal(signal.SIGKILL)
             p.wait()
+            kills += 1
+            wait *= 1.0 if kills < tries else 1.3
     # One more: the last written time loses its mark and half of a column
     last = c.times()[-1]
     if last != "0":
@@ -104,7 +108,7 @@ def killed(table, tries):
     fellBack = open(c.file("log.killed")).read().count("was not written to its end")
     table.check("a broken last time: the run goes back and says so",
                 "was not written to its end" in c.log(), f"{fellBack} times before")
-    table.row(f"kill -9 {tries} times: largest difference to the straight run at the end",
+    table.row(f"kill -9 {tries} times or more: largest difference to the straight run at the end",
               0, difference(straight, c, end), 0, "atMost")
 
 
