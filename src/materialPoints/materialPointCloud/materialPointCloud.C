@@ -23,22 +23,6 @@ namespace mpm
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class Function>
-void Foam::mpm::materialPointCloud::forColumns(const Function& f)
-{
-    f(x_);
-    f(U_);
-    f(mass_);
-    f(volume_);
-    f(stress_);
-    f(id_);
-    if (halfSize_) f(*halfSize_);
-    if (damage_) f(*damage_);
-    if (strength_) f(*strength_);
-    for (column& h : history_) f(h);
-}
-
-
 void Foam::mpm::materialPointCloud::permute
 (
     const labelList& from,
@@ -53,15 +37,15 @@ void Foam::mpm::materialPointCloud::permute
         {
             if (&c == &x_)
             {
-                xNew_.permute(from.cdata(), first, n_, scratch_);
+                xNew_.permute(from.cdata(), first, from.size(), scratch_);
             }
             else if (&c == &U_)
             {
-                UNew_.permute(from.cdata(), first, n_, scratch_);
+                UNew_.permute(from.cdata(), first, from.size(), scratch_);
             }
             else
             {
-                c.permute(from.cdata(), first, n_, scratch_);
+                c.permute(from.cdata(), first, from.size(), scratch_);
             }
         }
     );
@@ -98,11 +82,14 @@ void Foam::mpm::materialPointCloud::order(const labelList& cell)
 }
 
 
-void Foam::mpm::materialPointCloud::reserve(const label n)
+void Foam::mpm::materialPointCloud::reserve(label n)
 {
     if (n > x_.capacity() || x_.capacity() == 0)
     {
-        const auto grow = [&](column& c) { c.reserve(n, n_); };
+        // Once full, it will happen again
+        n = max(n, label(1.1*x_.capacity()));
+        const label nOld = n_ + nArrived_;
+        const auto grow = [&](column& c) { c.reserve(n, nOld); };
         forColumns(grow);
         grow(xNew_);
         grow(UNew_);
@@ -165,6 +152,8 @@ Foam::mpm::materialPointCloud::materialPointCloud
     nextId_(0),
     start_(1, label(0)),
     firstMoved_(0),
+    oldN_(0),
+    nArrived_(0),
     sorted_(false),
     count_(grid.nCells(), label(0)),
     first_(grid.nCells(), label(0)),
@@ -365,12 +354,17 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
         // One more marks a listed cell, so that an emptied one is known
         count_[cells_[k]] = 1 + start_[k + 1] - start_[k];
     }
-    label m = 0;
+    label m = 0, nLeft = 0;
     forAll(cells_, k)
     {
         for (; m < movers.size() && movers[m].point < start_[k + 1]; ++m)
         {
             --count_[cells_[k]];
+            if (movers[m].cell >= grid_.nCells())
+            {
+                ++nLeft;
+                continue;
+            }
             label& c = count_[movers[m].cell];
             if (c == 0)
             {
@@ -379,6 +373,22 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
             }
             ++c;
         }
+    }
+    for (; m < movers.size(); ++m)
+    {
+        // Arrived
+        if (movers[m].cell >= grid_.nCells())
+        {
+            ++nLeft;
+            continue;
+        }
+        label& c = count_[movers[m].cell];
+        if (c == 0)
+        {
+            c = 1;
+            fresh.append(movers[m].cell);
+        }
+        ++c;
     }
     Foam::sort(fresh);
 
@@ -414,8 +424,13 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
     }
     start_[cells.size()] = n;
 
-    // Stayers in their order, then movers
-    from_.setSize(n_);
+    // Stayers in their order, then movers; points that have left stand behind
+    // all others until the state is accepted
+    oldN_ = n_;
+    n_ += nArrived_ - nLeft;
+    nArrived_ = 0;
+    from_.setSize(n_ + nLeft);
+    label left = n_;
     m = 0;
     forAll(oldCells_, k)
     {
@@ -437,6 +452,11 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
     const scalar* id = id_[0];
     for (const mover& mv : movers)
     {
+        if (mv.cell >= grid_.nCells())
+        {
+            from_[left++] = mv.point;
+            continue;
+        }
         // Into its place by id among those already there
         const label celli = mv.cell;
         const label first = first_[celli];
@@ -455,7 +475,7 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
     cells_.transfer(cells);
 
     firstMoved_ = 0;
-    while (firstMoved_ < n_ && from_[firstMoved_] == firstMoved_)
+    while (firstMoved_ < from_.size() && from_[firstMoved_] == firstMoved_)
     {
         ++firstMoved_;
     }
@@ -482,12 +502,13 @@ void Foam::mpm::materialPointCloud::reject()
         return;
     }
 
-    labelList back(n_);
+    labelList back(from_.size());
     forAll(from_, i)
     {
         back[from_[i]] = i;
     }
     permute(back, firstMoved_);
+    n_ = oldN_;
     cells_ = oldCells_;
     start_ = oldStart_;
     sorted_ = false;

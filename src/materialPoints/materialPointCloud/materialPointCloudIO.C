@@ -118,6 +118,33 @@ void writeField(const cloud& c, const word& name, const label n, const Get& get)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::label Foam::mpm::materialPointCloud::ownCellBeside(const point& x) const
+{
+    // decomposePar goes by the cell that the point was written with: on a side
+    // it may be the other one
+    for (const scalar sign : {-1, 1})
+    {
+        for (int n = 1; Pstream::parRun() && n < (1 << grid_.nDim()); ++n)
+        {
+            scalar xp[3] = {0, 0, 0};
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                const scalar xd = x[grid_.direction(d)];
+                const scalar size =
+                    grid_.mesh().bounds().span()[grid_.direction(d)];
+                xp[d] = xd + sign*((n >> d) & 1)*1e-10*size;
+            }
+            const label celli = grid_.find(xp);
+            if (celli >= 0 && celli < grid_.nCells())
+            {
+                return celli;
+            }
+        }
+    }
+    return -1;
+}
+
+
 void Foam::mpm::materialPointCloud::readPositions
 (
     const labelList& id,
@@ -172,6 +199,10 @@ void Foam::mpm::materialPointCloud::readPositions
                 cell[p] = grid_.find(xp);
             }
         }
+        if (cell[p] < 0 || cell[p] >= grid_.nCells())
+        {
+            cell[p] = ownCellBeside(x[p]);
+        }
         if (cell[p] < 0)
         {
             FatalErrorInFunction
@@ -192,6 +223,7 @@ void Foam::mpm::materialPointCloud::readPositions
 Foam::label Foam::mpm::materialPointCloud::readPoints()
 {
     const int D = grid_.nDim();
+    grid_.mesh().tetBasePtIs();
 
     // Overflow and NaN in the files are found below, by name
     const noTraps guard;

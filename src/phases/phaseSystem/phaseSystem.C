@@ -55,6 +55,14 @@ public:
 };
 
 
+//- Largest value of all processors, by the reduction that MPI does itself
+scalar largestOfAll(const scalar x)
+{
+    scalar least = -x;
+    reduce(least, minOp<scalar>());
+    return -least;
+}
+
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -137,6 +145,7 @@ void Foam::mpm::pointPhaseSystem::filter(const bool tentative)
                     );
                 }
             }
+            field.sumColumn(Mv);
             field.addFilter(tentative, strainFilter_, Mv);
         }
     }
@@ -166,13 +175,13 @@ Foam::scalar Foam::mpm::pointPhaseSystem::shortestSide
 
 void Foam::mpm::pointPhaseSystem::updateWaveRate()
 {
-    waveRate_ = 0;
+    scalar rate = 0;
     for (const materialPointPhase& phase : phases_)
     {
         const scalar c = phase.law().waveSpeed();
-        waveRate_ = max(waveRate_, c/shortestSide(phase));
+        rate = max(rate, c/shortestSide(phase));
     }
-    reduce(waveRate_, maxOp<scalar>());
+    waveRate_ = largestOfAll(rate);
 }
 
 
@@ -217,6 +226,7 @@ void Foam::mpm::pointPhaseSystem::projectAll(const bool tentative)
     }
     for (gridState& field : fields_)
     {
+        field.sumMomentum();
         field.velocity();
     }
 }
@@ -256,13 +266,6 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     tentative_(false),
     warned_(false)
 {
-    if (Pstream::parRun())
-    {
-        FatalErrorInFunction
-            << "Material points run on one processor in this version;"
-            << " start the solver without -parallel." << exit(FatalError);
-    }
-
     IOobject gHeader
     (
         "g",
@@ -315,13 +318,14 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     fields_.setSize(fieldNames.size());
     forAll(fieldNames, fieldi)
     {
-        fields_.set(fieldi, new gridState(grid_, fieldNames[fieldi]));
+        fields_.set(fieldi, new gridState(grid_, fieldNames[fieldi], passes_->reach()));
     }
 
     for (materialPointPhase& phase : phases_)
     {
         phase.read();
-        Info<< "Phase " << phase.name() << ": " << phase.cloud().size()
+        Info<< "Phase " << phase.name() << ": "
+            << returnReduce(phase.cloud().size(), sumOp<label>())
             << " points of " << phase.law().type() << ", wave speed "
             << phase.law().waveSpeed() << " m/s, velocity field "
             << phase.velocityField() << nl;
@@ -367,7 +371,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
             }
         }
     }
-    reduce(rate_, maxOp<scalar>());
+    rate_ = largestOfAll(rate_);
     updateWaveRate();
 
     // State of the nodes
@@ -389,6 +393,10 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
                 fields_[fieldOf_[phasei]].force()
             );
         }
+        for (gridState& field : fields_)
+        {
+            field.sumForce();
+        }
     }
     checkOverlap();
 
@@ -407,6 +415,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     {
         Info<< " with PIC fraction " << PICfraction_ << nl;
     }
+    reportBalance();
     Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
         << " buffers, " << gridBytes()/max(nPoints(), label(1))
         << " on the nodes" << nl << endl;
@@ -437,6 +446,8 @@ Foam::scalar Foam::mpm::pointPhaseSystem::bytesPerPoint() const
             movers_[phasei].capacity()*sizeof(materialPointCloud::mover);
         n += cloud.size();
     }
+    reduce(bytes, sumOp<scalar>());
+    reduce(n, sumOp<label>());
     return bytes/max(n, label(1));
 }
 
@@ -448,7 +459,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::gridBytes() const
     {
         bytes += field.bytes();
     }
-    return bytes;
+    return returnReduce(bytes, sumOp<scalar>());
 }
 
 
@@ -481,8 +492,8 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
       ? -std::expm1(std::log1p(-PICfraction_)*dt*courantRate()/0.4)
       : 1;
 
-    scalar travel = 0;
-    rate_ = 0;
+    scalar travel = 0, rate = 0;
+    badPoint bad{-1, -1, false};
     forAll(phases_, phasei)
     {
         const pointPasses::moveResult result
@@ -497,20 +508,25 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
         );
 
         travel = max(travel, result.travel);
-        rate_ = max(rate_, result.rate);
+        rate = max(rate, result.rate);
 
         // Too far is no reason to stop yet: a smaller step may end inside
         if
         (
-            result.badPoint >= 0
+            bad.phase < 0
+         && result.badPoint >= 0
          && (!result.left || result.travel <= maxTravel_)
         )
         {
-            stop(phases_[phasei], result.badPoint, result.left);
+            bad = badPoint{phasei, result.badPoint, result.left};
         }
     }
-    reduce(travel, maxOp<scalar>());
-    reduce(rate_, maxOp<scalar>());
+    travel = largestOfAll(travel);
+    rate_ = largestOfAll(bad.phase < 0 ? rate : VGREAT);
+    if (rate_ >= VGREAT)
+    {
+        stop(bad);
+    }
 
     return travel <= maxTravel_ ? 1 : max(0.8*maxTravel_/travel, scalar(0.1));
 }
@@ -523,6 +539,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::project(const scalar dt)
         const timer t(clock_.sort);
         forAll(phases_, phasei)
         {
+            phases_[phasei].cloud().exchange(movers_[phasei]);
             checkExtent(phases_[phasei], movers_[phasei]);
             if (phases_[phasei].cloud().sort(movers_[phasei]))
             {
@@ -557,9 +574,10 @@ Foam::scalar Foam::mpm::pointPhaseSystem::project(const scalar dt)
             );
         }
     }
-    reduce(strain, maxOp<scalar>());
+    strain = largestOfAll(strain);
 
-    if (changed)
+    // Cells of different sizes
+    if (grid_.sameWidth() <= 0)
     {
         updateWaveRate();
     }
@@ -643,7 +661,11 @@ void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
                 << " fvSolution.materialPoints makes the step smaller."
                 << exit(FatalError);
         }
-        phase.nFailed() += returnReduce(result.nFailed, sumOp<label>());
+        phase.nFailed() += result.nFailed;
+    }
+    for (gridState& field : fields_)
+    {
+        field.sumForce();
     }
 }
 

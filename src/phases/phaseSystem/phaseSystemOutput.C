@@ -14,18 +14,45 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::pointPhaseSystem::stop
-(
-    materialPointPhase& phase,
-    const label pointi,
-    const bool left
-)
+Foam::string Foam::mpm::pointPhaseSystem::writeBeforeStop()
 {
-    // The state before the step is untouched: it is what gets written
+    // The state before the step is untouched: it is what gets written, but
+    // never over a state that is on disk already
     Time& time = const_cast<Time&>(mesh_.time());
-    const scalar dt = time.deltaTValue();
-    const noTraps guard;
+    if (returnReduce(isDir(time.path()/time.timeName()), orOp<bool>()))
+    {
+        return
+            "The state before the step is that of time " + time.timeName()
+          + " on disk.";
+    }
+    writePoints();
+    time.writeNow();
+    return
+        "The state before the step is written to " + time.timeName() + ".";
+}
 
+
+void Foam::mpm::pointPhaseSystem::stop(const badPoint& bad)
+{
+    const noTraps guard;
+    const string written(writeBeforeStop());
+
+    // One processor tells; it ends the others, which wait
+    const label teller = returnReduce
+    (
+        bad.phase < 0 ? labelMax : Pstream::myProcNo(),
+        minOp<label>()
+    );
+    if (teller != Pstream::myProcNo())
+    {
+        returnReduce(label(0), sumOp<label>());
+        return;
+    }
+
+    const Time& time = mesh_.time();
+    const scalar dt = time.deltaTValue();
+    const label pointi = bad.point;
+    materialPointPhase& phase = phases_[bad.phase];
     materialPointCloud& cloud = phase.cloud();
     const point x(cloud.position(pointi, cloud.cellOf(pointi)));
 
@@ -33,22 +60,7 @@ void Foam::mpm::pointPhaseSystem::stop
         !std::isfinite(magSqr(cloud.sigma(pointi)))
      || !std::isfinite(cloud.volume()[0][pointi]);
 
-    // Never over a state that is on disk already
-    const bool onDisk = isDir(time.path()/time.timeName());
-    if (!onDisk)
-    {
-        writePoints();
-        time.writeNow();
-    }
-    const string written
-    (
-        onDisk
-      ? "The state before the step is that of time " + time.timeName()
-      + " on disk."
-      : "The state before the step is written to " + time.timeName() + "."
-    );
-
-    if (left)
+    if (bad.left)
     {
         vector xNew(Zero);
         for (int d = 0; d < grid_.nDim(); ++d)
@@ -93,6 +105,10 @@ void Foam::mpm::pointPhaseSystem::checkExtent
     materialPointCloud& cloud = phase.cloud();
     for (const materialPointCloud::mover& mv : movers)
     {
+        if (mv.cell >= grid_.nCells())
+        {
+            continue;
+        }
         for (int d = 0; d < grid_.nDim(); ++d)
         {
             const scalar l = (*cloud.halfSize())[d][mv.point];
@@ -102,7 +118,7 @@ void Foam::mpm::pointPhaseSystem::checkExtent
                 FatalErrorInFunction
                     << "Material point " << label(cloud.id()[0][mv.point])
                     << " of " << phase.name() << " at "
-                    << cloud.position(mv.point, cloud.cellOf(mv.point))
+                    << mesh_.cellCentres()[mv.cell]
                     << ", time " << mesh_.time().timeName()
                     << ", has half-size " << l << " and moves into a cell"
                     << " only " << h << " wide." << nl
@@ -126,7 +142,11 @@ void Foam::mpm::pointPhaseSystem::checkOverlap()
         const gridState& field = fields_[fieldi];
         for (const label n : field.active())
         {
-            if (!(field.momentum()[field.stride()*n + grid_.nDim()] > 0))
+            if
+            (
+                grid_.nodePoint()[n] < 0
+             || !(field.momentum()[field.stride()*n + grid_.nDim()] > 0)
+            )
             {
                 continue;
             }
@@ -161,7 +181,11 @@ void Foam::mpm::pointPhaseSystem::report() const
         momentum += phase.momentum();
         kinetic += phase.kineticEnergy();
         strain += phase.strainEnergy();
-        nFailed += const_cast<materialPointPhase&>(phase).nFailed();
+        nFailed += returnReduce
+        (
+            const_cast<materialPointPhase&>(phase).nFailed(),
+            sumOp<label>()
+        );
     }
     Info<< "Material points: " << nPoints() << ", mass " << mass
         << ", momentum " << momentum << nl
@@ -169,6 +193,46 @@ void Foam::mpm::pointPhaseSystem::report() const
         << ", total " << kinetic + strain << nl
         << "Failed points: " << nFailed << ", steps redone: " << nRedone_
         << endl;
+}
+
+
+void Foam::mpm::pointPhaseSystem::reportBalance() const
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    label n = 0;
+    for (const materialPointPhase& phase : phases_)
+    {
+        n += phase.cloud().size();
+    }
+    labelList points(Pstream::nProcs());
+    points[Pstream::myProcNo()] = n;
+    Pstream::gatherList(points);
+    if (!Pstream::master())
+    {
+        return;
+    }
+    label least = 0, most = 0;
+    scalar sum = 0;
+    forAll(points, proci)
+    {
+        least = points[proci] < points[least] ? proci : least;
+        most = points[proci] > points[most] ? proci : most;
+        sum += points[proci];
+    }
+    const scalar mean = sum/points.size();
+    Info<< "    points per processor: mean " << mean << ", least "
+        << points[least] << " (" << least << "), most " << points[most]
+        << " (" << most << "), imbalance "
+        << 100*(points[most]/mean - 1) << " %" << nl;
+    if (points[most] > 1.3*mean)
+    {
+        Info<< "    the fullest processor sets the pace: cellWeights of"
+            << " setMaterialPoints -cellWeights, named weightField in"
+            << " system/decomposeParDict, share the points evenly" << nl;
+    }
 }
 
 
@@ -184,7 +248,11 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         failed.add
         (
             phase.name(),
-            const_cast<materialPointPhase&>(phase).nFailed()
+            returnReduce
+            (
+                const_cast<materialPointPhase&>(phase).nFailed(),
+                sumOp<label>()
+            )
         );
     }
     state.add("failed", failed);
@@ -200,7 +268,8 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
     const dictionary& failed = requiredDict(state, "failed");
     for (materialPointPhase& phase : phases_)
     {
-        phase.nFailed() = failed.getOrDefault<label>(phase.name(), 0);
+        const label n = failed.getOrDefault<label>(phase.name(), 0);
+        phase.nFailed() = Pstream::master() ? n : 0;
     }
 }
 

@@ -28,7 +28,11 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
     nDim_(0),
     dir_{0, 0, 0},
     nCells_{0, 0, 0},
+    window_{0, 0, 0},
+    nAllCells_{0, 0, 0},
     period_{0, 0, 0},
+    lowest_{0, 0, 0},
+    highest_{0, 0, 0},
     sameWidth_(0)
 {
     for (const polyPatch& pp : mesh.boundaryMesh())
@@ -55,19 +59,26 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
     makeCells();
     makeLattice();
 
-    if (hasLattice() && mesh.nCells())
+    if (hasLattice())
     {
-        scalar shortest = GREAT, spread = 0;
+        // Over planes of all processors: the same number on each
+        bool same = true;
+        scalar shortest = GREAT;
         for (int d = 0; d < nDim_; ++d)
         {
-            const scalar h = width(0, d);
-            shortest = min(shortest, h);
-            forAll(mesh.cells(), celli)
+            scalar least = GREAT, most = 0;
+            for (label i = 1; i <= nCells_[d]; ++i)
             {
-                spread = max(spread, mag(width(celli, d) - h)/h);
+                const scalar h = planes_[d][i + 1] - planes_[d][i];
+                least = min(least, h);
+                most = max(most, h);
             }
+            reduce(least, minOp<scalar>());
+            reduce(most, maxOp<scalar>());
+            same = same && most < (1 + 1e-9)*least;
+            shortest = min(shortest, least);
         }
-        sameWidth_ = spread < 1e-9 ? shortest : 0;
+        sameWidth_ = same ? shortest : 0;
     }
 }
 

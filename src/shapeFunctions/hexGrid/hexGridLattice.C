@@ -40,6 +40,11 @@ void Foam::mpm::hexGrid::makeLattice()
         }
     }
 
+    for (int d = 0; d < nDim_; ++d)
+    {
+        reduce(shortest[d], minOp<scalar>());
+    }
+
     // Each point must lie on the lower or upper plane of each cell
     forAll(mesh.cells(), celli)
     {
@@ -51,7 +56,8 @@ void Foam::mpm::hexGrid::makeLattice()
                 const scalar tol = 1e-4*shortest[d];
                 if
                 (
-                    mag(x - lower[nDim_*celli + d]) > tol
+                    noLattice_.empty()
+                 && mag(x - lower[nDim_*celli + d]) > tol
                  && mag(x - upper[nDim_*celli + d]) > tol
                 )
                 {
@@ -60,14 +66,16 @@ void Foam::mpm::hexGrid::makeLattice()
                         << mesh.cellCentres()[celli]
                         << " is no box along the axes";
                     noLattice_ = s.str();
-                    return;
                 }
             }
         }
     }
+    if (anyRefusal())
+    {
+        return;
+    }
 
-    // Planes: clusters of coordinates. The smallest value stands for the
-    // plane, so that both cells at a plane compare with the same number
+    // Planes of all processors and the window of this one
     for (int d = 0; d < nDim_; ++d)
     {
         scalarList x(2*mesh.nCells());
@@ -77,62 +85,114 @@ void Foam::mpm::hexGrid::makeLattice()
             x[2*celli + 1] = upper[nDim_*celli + d];
         }
         std::sort(x.begin(), x.end());
-
-        DynamicList<scalar> planes;
-        for (const scalar xi : x)
-        {
-            if (planes.empty() || xi > planes.last() + 1e-3*shortest[d])
-            {
-                planes.append(xi);
-            }
-        }
-
-        nCells_[d] = planes.size() - 1;
-        planes_[d].setSize(planes.size() + 2);
-        forAll(planes, i)
-        {
-            planes_[d][i + 1] = planes[i];
-        }
+        const scalarList all(allPlanes(x, shortest[d]));
 
         const auto indexOf = [&](const scalar xi)
         {
             const auto iter = std::upper_bound
             (
-                planes.begin(),
-                planes.end(),
+                all.begin(),
+                all.end(),
                 xi + 1e-2*shortest[d]
             );
-            return label(iter - planes.begin());
+            return label(iter - all.begin());
         };
+
+        const label first = x.size() ? indexOf(x.first()) : 1;
+        const label last = x.size() ? indexOf(x.last()) : 1;
+        window_[d] = first - 1;
+        nCells_[d] = last - first;
+        nAllCells_[d] = all.size() - 1;
+        lowest_[d] = all.first();
+        highest_[d] = all.last();
 
         forAll(mesh.cells(), celli)
         {
             const label i = indexOf(lower[nDim_*celli + d]);
             const label j = indexOf(upper[nDim_*celli + d]);
-            if (j != i + 1)
+            if (j != i + 1 && noLattice_.empty())
             {
                 OStringStream s;
                 s   << "cell " << celli << " at "
                     << mesh.cellCentres()[celli]
                     << " spans planes of other cells";
                 noLattice_ = s.str();
-                return;
             }
-            cellIjk_[nDim_*celli + d] = i;
+            cellIjk_[nDim_*celli + d] = i - window_[d];
+        }
+
+        // Cyclic: the lowest and highest plane are one
+        label nCyclic = 0, nSide = 0;
+        forAll(mesh.cells(), celli)
+        {
+            if (window_[d] == 0 && ijk(celli, d) == 1)
+            {
+                ++nSide;
+                if (neighbour(celli, d, 0) >= 0)
+                {
+                    ++nCyclic;
+                }
+            }
+        }
+        reduce(nCyclic, sumOp<label>());
+        reduce(nSide, sumOp<label>());
+        if (nCyclic && nCyclic != nSide)
+        {
+            noLattice_ = "a cyclic patch covers only a part of its side";
+        }
+        period_[d] = nCyclic ? highest_[d] - lowest_[d] : 0;
+
+        // One ghost plane at each end: the next plane, repeated on a cyclic
+        // side, or mirrored
+        planes_[d].setSize(nCells_[d] + 3);
+        const label nAll = nAllCells_[d];
+        for (label i = 0; i < nCells_[d] + 3; ++i)
+        {
+            const label j = window_[d] + i - 1;
+            planes_[d][i] =
+                j < 0
+              ? (
+                    period_[d] > 0
+                  ? all[nAll - 1] - period_[d]
+                  : 2*all[0] - all[1]
+                )
+              : j > nAll
+              ? (
+                    period_[d] > 0
+                  ? all[1] + period_[d]
+                  : 2*all[nAll] - all[nAll - 1]
+                )
+              : all[j];
+        }
+        invWidth_[d].setSize(nCells_[d] + 2);
+        for (label i = 0; i < nCells_[d] + 2; ++i)
+        {
+            invWidth_[d][i] = 1/(planes_[d][i + 1] - planes_[d][i]);
         }
     }
+    if (anyRefusal())
+    {
+        return;
+    }
 
-    // Cells on the lattice with one ghost ring
+    // Cells on the window with one ghost ring
     label nLattice = 1, nLatticeNodes = 1;
     for (int d = 0; d < nDim_; ++d)
     {
-        if (scalar(nLatticeNodes)*(nCells_[d] + 3) > 50.0*mesh.nCells() + 1e6)
+        if
+        (
+            noLattice_.empty()
+         && scalar(nLatticeNodes)*(nCells_[d] + 3) > 50.0*mesh.nCells() + 1e6
+        )
         {
             noLattice_ = "the cells fill too little of their common lattice";
-            return;
         }
-        nLattice *= nCells_[d] + 2;
-        nLatticeNodes *= nCells_[d] + 3;
+        nLattice *= noLattice_.empty() ? nCells_[d] + 2 : 1;
+        nLatticeNodes *= noLattice_.empty() ? nCells_[d] + 3 : 1;
+    }
+    if (anyRefusal())
+    {
+        return;
     }
     latticeCell_.setSize(nLattice, -1);
     latticeNode_.setSize(nLatticeNodes, -1);
@@ -147,18 +207,14 @@ void Foam::mpm::hexGrid::makeLattice()
         }
         return n;
     };
-
-    forAll(mesh.cells(), celli)
+    const auto place = [&]
+    (
+        const label* ijk,
+        const label celli,
+        const label* nodes
+    )
     {
-        const label* ijk = cellIjk_.cdata() + nDim_*celli;
-        label& at = latticeCell_[index(ijk, 2)];
-        if (at >= 0)
-        {
-            noLattice_ = "cells overlap";
-            return;
-        }
-        at = celli;
-
+        latticeCell_[index(ijk, 2)] = celli;
         for (label n = 0; n < nc; ++n)
         {
             label corner[3] = {0, 0, 0};
@@ -166,90 +222,62 @@ void Foam::mpm::hexGrid::makeLattice()
             {
                 corner[d] = ijk[d] + ((n >> d) & 1);
             }
-            latticeNode_[index(corner, 3)] = cellNodes_[nc*celli + n];
+            latticeNode_[index(corner, 3)] = nodes[n];
         }
+    };
+
+    forAll(mesh.cells(), celli)
+    {
+        const label* ijk = cellIjk_.cdata() + nDim_*celli;
+        if (latticeCell_[index(ijk, 2)] >= 0)
+        {
+            noLattice_ = "cells overlap";
+        }
+        place(ijk, celli, corners(celli));
+    }
+    if (anyRefusal())
+    {
+        return;
     }
 
-    // Cyclic directions: the lowest and highest plane are one
-    for (int d = 0; d < nDim_; ++d)
+    // What lies beside them: ghosts, and own cells across cyclic sides
+    const std::unordered_map<int64_t, label> ghosts(latticeGhosts());
+    const int nAround = nDim_ == 1 ? 3 : nDim_ == 2 ? 9 : 27;
+
+    forAll(mesh.cells(), celli)
     {
-        period_[d] = 0;
-        label nCyclic = 0, nSide = 0;
-        forAll(mesh.cells(), celli)
+        for (int n = 0; n < nAround; ++n)
         {
-            if (ijk(celli, d) == 1)
+            label at[3] = {0, 0, 0}, own[3] = {0, 0, 0};
+            int rest = n;
+            bool inWindow = true;
+            for (int d = 0; d < nDim_; ++d)
             {
-                ++nSide;
-                if (neighbour(celli, d, 0) >= 0)
+                own[d] = at[d] = ijk(celli, d) + rest % 3 - 1;
+                rest /= 3;
+                if (period_[d] > 0 && nCells_[d] == nAllCells_[d])
                 {
-                    ++nCyclic;
+                    own[d] = (at[d] - 1 + nCells_[d]) % nCells_[d] + 1;
                 }
+                inWindow = inWindow && own[d] >= 1 && own[d] <= nCells_[d];
             }
-        }
-        if (nCyclic)
-        {
-            if (nCyclic != nSide)
+            if (latticeCell_[index(at, 2)] >= 0)
             {
-                noLattice_ = "a cyclic patch covers only a part of its side";
-                return;
+                continue;
             }
-            period_[d] = planes_[d][nCells_[d] + 1] - planes_[d][1];
-        }
-    }
-
-    // Ghost planes and ghost ring
-    for (int d = 0; d < nDim_; ++d)
-    {
-        scalarList& x = planes_[d];
-        const label n = nCells_[d];
-        if (period_[d] > 0)
-        {
-            x[0] = x[n] - period_[d];
-            x[n + 2] = x[2] + period_[d];
-        }
-        else
-        {
-            x[0] = 2*x[1] - x[2];
-            x[n + 2] = 2*x[n + 1] - x[n];
-        }
-        invWidth_[d].setSize(n + 2);
-        for (label i = 0; i < n + 2; ++i)
-        {
-            invWidth_[d][i] = 1/(x[i + 1] - x[i]);
-        }
-    }
-
-    for (int d = 0; d < nDim_; ++d)
-    {
-        if (period_[d] <= 0)
-        {
-            continue;
-        }
-        // All entries of the ring of direction d from the other end
-        const label n = nCells_[d];
-        forAll(latticeCell_, i)
-        {
-            label rest = i, stride = 1, at = 0;
-            for (int e = 0; e <= d; ++e)
+            const label c = inWindow ? latticeCell_[index(own, 2)] : -1;
+            if (c >= 0 && c < nCells())
             {
-                at = rest % (nCells_[e] + 2);
-                rest /= nCells_[e] + 2;
-                if (e < d) stride *= nCells_[e] + 2;
+                place(at, c, corners(c));
+                continue;
             }
-            if (at == 0) latticeCell_[i] = latticeCell_[i + n*stride];
-            if (at == n + 1) latticeCell_[i] = latticeCell_[i - n*stride];
-        }
-        forAll(latticeNode_, i)
-        {
-            label rest = i, stride = 1, at = 0;
-            for (int e = 0; e <= d; ++e)
+            const int64_t all = ghosts.empty() ? -1 : allIndex(at);
+            const auto iter = all < 0 ? ghosts.end() : ghosts.find(all);
+            if (iter != ghosts.end())
             {
-                at = rest % (nCells_[e] + 3);
-                rest /= nCells_[e] + 3;
-                if (e < d) stride *= nCells_[e] + 3;
+                const label g = iter->second;
+                place(at, g, ghostNodes_.cdata() + nc*(g - nCells()));
             }
-            if (at == 0) latticeNode_[i] = latticeNode_[i + n*stride];
-            if (at == n + 2) latticeNode_[i] = latticeNode_[i - n*stride];
         }
     }
 }

@@ -96,26 +96,35 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
     if (hasLattice())
     {
         label at[3] = {0, 0, 0};
+        scalar beyond[3] = {0, 0, 0};
         for (int d = 0; d < nDim_; ++d)
         {
             const scalarList& X = planes_[d];
             const label n = nCells_[d];
 
+            // Where to look: beyond the window of a processor that has not
+            // the whole period, ghosts repeat the planes
+            const bool whole = n == nAllCells_[d];
+            scalar y = x[d];
             if (period_[d] > 0)
             {
                 // Once is enough for a point that moves less than the domain
-                if (x[d] < X[1])
+                if (x[d] < lowest_[d])
                 {
                     x[d] += period_[d];
                     // Rounding may land on the closed end: that is the start
-                    if (x[d] >= X[n + 1]) x[d] = X[1];
+                    if (x[d] >= highest_[d])
+                    {
+                        y = x[d] = lowest_[d];
+                    }
                 }
-                else if (x[d] >= X[n + 1])
+                else if (x[d] >= highest_[d])
                 {
-                    x[d] = max(x[d] - period_[d], X[1]);
+                    x[d] = max(x[d] - period_[d], lowest_[d]);
                 }
+                y = whole ? x[d] : y;
             }
-            if (!(x[d] >= X[1] && x[d] <= X[n + 1]))
+            if (!(y >= X[0] && y <= X[n + 2]))
             {
                 return -1;
             }
@@ -124,13 +133,14 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
               ? ijk(from, d)
               : label
                 (
-                    std::upper_bound(X.begin() + 1, X.begin() + n + 2, x[d])
+                    std::upper_bound(X.begin(), X.begin() + n + 3, y)
                   - X.begin()
                 ) - 1;
-            i = min(max(i, label(1)), n);
-            while (i > 1 && x[d] < X[i]) --i;
-            while (i < n && x[d] >= X[i + 1]) ++i;
+            i = min(max(i, label(0)), n + 1);
+            while (i > 0 && y < X[i]) --i;
+            while (i < n + 1 && y >= X[i + 1]) ++i;
             at[d] = i;
+            beyond[d] = y;
         }
 
         const label celli = cellAt(at);
@@ -139,8 +149,7 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
             return celli;
         }
 
-        // On the upper plane of the mesh inside the lattice (a hole above):
-        // that plane is outermost and closed
+        // On the upper plane of the mesh: no cell above, outermost and closed
         for (int n = 1; n < (1 << nDim_); ++n)
         {
             label lower[3] = {at[0], at[1], at[2]};
@@ -149,7 +158,10 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
             {
                 if ((n >> d) & 1)
                 {
-                    possible = possible && x[d] == planes_[d][at[d]];
+                    possible =
+                        possible
+                     && at[d] > 0
+                     && beyond[d] == planes_[d][at[d]];
                     --lower[d];
                 }
             }
@@ -165,6 +177,11 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
     label celli = from;
     for (int step = 0; step < 50 && celli >= 0; ++step)
     {
+        if (celli >= nCells())
+        {
+            // Its processor goes on
+            return celli;
+        }
         scalar xi[3];
         localCoordinates(celli, x, xi);
 
@@ -194,7 +211,7 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
         }
         // On the common side to rounding: the higher cell owns it
         const bool onSide = next >= 0 && worst < 1e-12;
-        if (onSide && celli > next)
+        if (onSide && (celli > next || next >= nCells()))
         {
             return celli;
         }

@@ -13,6 +13,9 @@ License
 #include "EdgeMap.H"
 #include "SubField.H"
 #include "PackedBoolList.H"
+#include "processorPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -151,6 +154,17 @@ void Foam::mpm::hexGrid::makeNodes()
         }
     }
 
+    if (Pstream::parRun())
+    {
+        labelList root(mesh.nPoints());
+        forAll(root, pointi)
+        {
+            root[pointi] = joined.root(pointi);
+        }
+        makeSharedNodes(root);
+        return;
+    }
+
     // Compact numbering in the order of the first point
     pointToNode_.setSize(mesh.nPoints());
     DynamicList<label> first(mesh.nPoints());
@@ -202,6 +216,41 @@ void Foam::mpm::hexGrid::makeCells()
                    .faceCentres()[i]
                   - pp.faceCentres()[i];
                 cyclic = true;
+            }
+        }
+    }
+
+    // Cells of other processors
+    if (Pstream::parRun())
+    {
+        labelList nbrCell(coupled.size(), -1);
+        vectorField nbrCentre(coupled.size(), Zero);
+        forAll(nbrCell, i)
+        {
+            nbrCell[i] = mesh.faceOwner()[mesh.nInternalFaces() + i];
+            nbrCentre[i] = mesh.faceCentres()[mesh.nInternalFaces() + i];
+        }
+        syncTools::swapBoundaryFaceList(mesh, nbrCell);
+        syncTools::swapBoundaryFaceList(mesh, nbrCentre);
+
+        for (const polyPatch& pp : mesh.boundaryMesh())
+        {
+            if (isA<processorPolyPatch>(pp))
+            {
+                const label proci =
+                    refCast<const processorPolyPatch>(pp).neighbProcNo();
+                const bool shifted = isA<processorCyclicPolyPatch>(pp);
+                forAll(pp, i)
+                {
+                    const label facei = pp.start() + i - mesh.nInternalFaces();
+                    coupled[facei] = ghost(proci, nbrCell[facei]);
+                    if (shifted)
+                    {
+                        separation[facei] =
+                            nbrCentre[facei] - pp.faceCentres()[i];
+                        cyclic = true;
+                    }
+                }
             }
         }
     }
@@ -331,7 +380,7 @@ void Foam::mpm::hexGrid::makeCells()
                 else
                 {
                     nbr = coupled[facei - mesh.nInternalFaces()];
-                    if (nbr >= 0)
+                    if (nbr >= 0 && shift_.size())
                     {
                         shift_[2*(nDim_*celli + d) + s] =
                             separation[facei - mesh.nInternalFaces()];

@@ -1,0 +1,217 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointCloud.H"
+#include "UIPstream.H"
+#include "UOPstream.H"
+#include "PstreamReduceOps.H"
+#include "SubList.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::mpm::materialPointCloud::rowSize()
+{
+    // The cell, then all columns
+    label n = 1;
+    forColumns([&](const column& c) { n += c.nComponents(); });
+    return n;
+}
+
+
+void Foam::mpm::materialPointCloud::pack(const UList<mover>& movers)
+{
+    for (DynamicList<scalar>& rows : leaving_)
+    {
+        rows.clear();
+    }
+    for (const mover& mv : movers)
+    {
+        if (mv.cell < grid_.nCells())
+        {
+            continue;
+        }
+        DynamicList<scalar>& rows =
+            leaving_[findSortedIndex(procs_, grid_.ghostProc(mv.cell))];
+
+        rows.append(grid_.ghostCell(mv.cell));
+        forColumns
+        (
+            [&](const column& c)
+            {
+                // Of position and velocity the tentative ones
+                const column& from =
+                    &c == &x_ ? xNew_ : &c == &U_ ? UNew_ : c;
+                for (int i = 0; i < from.nComponents(); ++i)
+                {
+                    rows.append(from[i][mv.point]);
+                }
+            }
+        );
+    }
+}
+
+
+void Foam::mpm::materialPointCloud::sendRows()
+{
+    const int tag = UPstream::msgType();
+    const auto receive = [&](const label i, void* to, const std::size_t bytes)
+    {
+        UIPstream::read
+        (
+            UPstream::commsTypes::nonBlocking,
+            procs_[i],
+            static_cast<char*>(to),
+            bytes,
+            tag
+        );
+    };
+    const auto send = [&]
+    (
+        const label i,
+        const void* from,
+        const std::size_t bytes
+    )
+    {
+        UOPstream::write
+        (
+            UPstream::commsTypes::nonBlocking,
+            procs_[i],
+            static_cast<const char*>(from),
+            bytes,
+            tag
+        );
+    };
+
+    // How many, then what
+    labelList nSend(procs_.size()), nReceive(procs_.size(), label(0));
+    label request = UPstream::nRequests();
+    forAll(procs_, i)
+    {
+        nSend[i] = leaving_[i].size();
+        receive(i, &nReceive[i], sizeof(label));
+    }
+    forAll(procs_, i)
+    {
+        send(i, &nSend[i], sizeof(label));
+    }
+    UPstream::waitRequests(request);
+
+    request = UPstream::nRequests();
+    forAll(procs_, i)
+    {
+        arriving_[i].setSize(nReceive[i]);
+        if (nReceive[i])
+        {
+            receive(i, arriving_[i].data(), nReceive[i]*sizeof(scalar));
+        }
+    }
+    forAll(procs_, i)
+    {
+        if (nSend[i])
+        {
+            send(i, leaving_[i].cdata(), nSend[i]*sizeof(scalar));
+        }
+    }
+    UPstream::waitRequests(request);
+}
+
+
+void Foam::mpm::materialPointCloud::unpack(DynamicList<mover>& movers)
+{
+    const label row = rowSize();
+    label n = 0;
+    for (const DynamicList<scalar>& rows : arriving_)
+    {
+        n += rows.size()/row;
+    }
+    if (!n)
+    {
+        return;
+    }
+    reserve(n_ + nArrived_ + n);
+
+    for (const DynamicList<scalar>& rows : arriving_)
+    {
+        for (label at = 0; at < rows.size(); at += row)
+        {
+            const scalar* from = rows.cdata() + at;
+            const label p = n_ + nArrived_++;
+            const label announced = label(*from++);
+            forColumns
+            (
+                [&](column& c)
+                {
+                    column& to = &c == &x_ ? xNew_ : &c == &U_ ? UNew_ : c;
+                    for (int i = 0; i < to.nComponents(); ++i)
+                    {
+                        to[i][p] = *from++;
+                    }
+                }
+            );
+
+            scalar x[3] = {0, 0, 0};
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                x[d] = xNew_[d][p];
+            }
+            label celli = grid_.locate(announced, x);
+            if (celli < 0 || (grid_.hasLattice() && celli >= grid_.nCells()))
+            {
+                // Outside its cell by rounding
+                celli = announced;
+            }
+            else
+            {
+                for (int d = 0; d < grid_.nDim(); ++d)
+                {
+                    xNew_[d][p] = x[d];
+                }
+            }
+            movers.append(mover{p, celli});
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::materialPointCloud::exchange(DynamicList<mover>& movers)
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    if (leaving_.empty())
+    {
+        procs_ = grid_.ghostProcs();
+        leaving_.setSize(procs_.size());
+        arriving_.setSize(procs_.size());
+    }
+
+    // On general hexahedra a point may have to go through a third processor
+    label first = 0;
+    bool more = true;
+    while (more)
+    {
+        pack(SubList<mover>(movers, movers.size() - first, first));
+        first = movers.size();
+        sendRows();
+        unpack(movers);
+
+        more = false;
+        if (!grid_.hasLattice())
+        {
+            for (label m = first; m < movers.size(); ++m)
+            {
+                more = more || movers[m].cell >= grid_.nCells();
+            }
+            reduce(more, orOp<bool>());
+        }
+    }
+}
+
+// ************************************************************************* //
