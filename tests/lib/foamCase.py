@@ -122,6 +122,21 @@ class FoamCase:
         with open(self.file("log." + application), errors="replace") as f:
             return f.read()
 
+    def largestDifference(self, other, time, phases, columns):
+        """Largest difference of any column by id over the column's maximum;
+        infinite if other has other points."""
+        worst = 0.0
+        for phase in phases:
+            a, b = self.points(time, phase), other.points(time, phase)
+            if not np.array_equal(np.sort(a["id"]), np.sort(b["id"])):
+                return np.inf
+            for column in columns:
+                if column in a:
+                    u, v = a.byId(column), b.byId(column)
+                    size = np.max(np.abs(u)) or 1.0
+                    worst = max(worst, float(np.max(np.abs(u - v)))/size)
+        return worst
+
     def nSteps(self):
         return len(re.findall(r"^Time = ", self.log(), flags=re.M))
 
@@ -153,20 +168,53 @@ class FoamCase:
                           ndmin=2)
 
     def points(self, time, phase):
-        return Points(self.file(time, "lagrangian", phase))
+        """The cloud of a time: of the case or, where it has none, of its
+        processors one after the other."""
+        path = self.file(time, "lagrangian", phase)
+        if os.path.exists(path):
+            return Points([path])
+        return Points([p for p in (
+            os.path.join(d, time, "lagrangian", phase) for d in self.processors())
+            if os.path.exists(os.path.join(p, "id"))])
+
+    def processors(self):
+        """The processor folders in the order of their numbers."""
+        names = [d for d in os.listdir(self.path) if re.fullmatch(r"processor\d+", d)]
+        return [self.file(d) for d in sorted(names, key=lambda d: int(d[9:]))]
+
+    def decompose(self, n, weightField=None):
+        """decomposePar into (nx, ny, nz) pieces of the method hierarchical."""
+        self.write("system/decomposeParDict", {
+            "numberOfSubdomains": int(np.prod(n)), "method": "hierarchical",
+            **({"weightField": weightField} if weightField else {}),
+            "hierarchicalCoeffs": {"n": n, "delta": 0.001, "order": "xyz"}})
+        self.run("decomposePar", "-force")
+
+    def runParallel(self, application="materialPointFoam", *options, limit=120):
+        """An application on all processors of the case."""
+        try:
+            return self.run(*mpirun(len(self.processors())), application, "-parallel",
+                            *options, limit=limit)
+        finally:
+            shutil.move(self.file("log.mpirun"), self.file("log." + application))
+
+
+def mpirun(nProcs):
+    """Start of a command on so many processors, also as root and on fewer cores."""
+    return ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(nProcs))
 
 
 class Points:
     """Columns of a cloud, read when asked for: points["sigma"]."""
 
-    def __init__(self, path):
-        self.path = path
+    def __init__(self, paths):
+        self.paths = paths
 
     def __getitem__(self, name):
-        return readField(os.path.join(self.path, name))
+        return np.concatenate([readField(os.path.join(p, name)) for p in self.paths])
 
     def __contains__(self, name):
-        return os.path.exists(os.path.join(self.path, name))
+        return bool(self.paths) and os.path.exists(os.path.join(self.paths[0], name))
 
     def byId(self, name):
         """The column in the order of the points' ids."""

@@ -13,6 +13,8 @@ License
 #include "IFstream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include "PstreamReduceOps.H"
+#include <map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -80,38 +82,84 @@ void Foam::mpm::timeStepControl::setAsideIncomplete(const argList& args)
         return;
     }
 
+    // Times of all processors
     const fileName path(args.path());
-    instantList times(Time::findTimes(path));
-    const auto complete = [&](const label i)
+    std::map<scalar, word> times;
     {
-        return isFile(stateFile(path, times[i].name()));
-    };
-
-    // The first time with points is that of setMaterialPoints
-    label first = -1;
-    bool known = false;
-    forAll(times, i)
-    {
-        if (first < 0 && isDir(path/times[i].name()/cloud::prefix))
+        List<wordList> names(Pstream::nProcs());
+        for (const instant& t : Time::findTimes(path))
         {
-            first = i;
+            if (t.name() != "constant")
+            {
+                names[Pstream::myProcNo()].append(t.name());
+            }
         }
-        known = known || complete(i);
+        Pstream::gatherList(names);
+        Pstream::scatterList(names);
+        for (const wordList& list : names)
+        {
+            for (const word& name : list)
+            {
+                times.emplace(readScalar(name), name);
+            }
+        }
     }
 
-    for (label i = times.size() - 1; known && i > first && !complete(i); --i)
+    // Those with points on some processor, complete on all. The first one with
+    // points is that of setMaterialPoints; later ones are of a run
+    wordList names;
+    boolList points, complete;
+    bool known = false;
+    for (const auto& t : times)
     {
-        const word& name = times[i].name();
+        const bool here = isDir(path/t.second/cloud::prefix);
+        const bool has = returnReduce(here, orOp<bool>());
+        if (names.size() || has)
+        {
+            names.append(t.second);
+            points.append(has);
+            complete.append
+            (
+                returnReduce
+                (
+                    isFile(stateFile(path, t.second)),
+                    andOp<bool>()
+                )
+            );
+            known = known || complete.last();
+        }
+    }
+
+    DynamicList<word> incomplete;
+    word start;
+    for (label i = names.size() - 1; i >= 0 && start.empty(); --i)
+    {
+        if (i == 0 || complete[i] || !(known || points[i]))
+        {
+            start = names[i];
+        }
+        else
+        {
+            incomplete.append(names[i]);
+        }
+    }
+
+    for (const word& name : incomplete)
+    {
         const fileName aside(path/(name + ".incomplete"));
         Info<< "Time " << name << " was not written to its end (no"
-            << " uniform/materialPointState); it is now called " << aside.name()
-            << " and the run starts from " << times[i - 1].name() << nl
-            << endl;
+            << " uniform/materialPointState"
+            << (Pstream::parRun() ? " on some processor" : "")
+            << "); it is now called " << aside.name()
+            << " and the run starts from " << start << nl << endl;
         if (isDir(aside))
         {
             rmDir(aside);
         }
-        mv(path/name, aside);
+        if (isDir(path/name))
+        {
+            mv(path/name, aside);
+        }
     }
 }
 

@@ -23,6 +23,9 @@ Usage
       - \par -dict \<file\>
         Read this file instead of system/setMaterialPointsDict
 
+      - \par -cellWeights
+        Also write the field cellWeights, for decomposeParDict
+
       - \par -count
         Only print the table; write nothing
 
@@ -78,6 +81,8 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "fvMesh.H"
+#include "volFields.H"
 #include "Time.H"
 #include "polyMesh.H"
 #include "IOdictionary.H"
@@ -202,6 +207,40 @@ DynamicList<materialPointCloud::newPoint> pointsOf
 }
 
 
+//- Write the number of points of each cell for decomposePar: processors get
+//  equal sums. An empty cell counts a little, so that meshes without points
+//  are shared as well
+void writeCellWeights(const fvMesh& mesh, const PtrList<materialPointPhase>& phases)
+{
+    constexpr scalar emptyCell = 0.02;
+
+    volScalarField weights
+    (
+        IOobject
+        (
+            "cellWeights",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh,
+        dimensionedScalar("emptyCell", dimless, emptyCell)
+    );
+    for (const materialPointPhase& phase : phases)
+    {
+        const materialPointCloud& cloud = phase.cloud();
+        forAll(cloud.cells(), k)
+        {
+            weights[cloud.cells()[k]] += cloud.start()[k + 1] - cloud.start()[k];
+        }
+    }
+    Info<< "Writing " << weights.objectPath() << endl;
+    weights.write();
+}
+
+
 //- Write the points in place of those that were there
 void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
 {
@@ -250,13 +289,34 @@ int main(int argc, char *argv[])
     );
     argList::addBoolOption
     (
+        "cellWeights",
+        "Also write the field cellWeights (points per cell) for weightField in"
+        " decomposeParDict"
+    );
+    argList::addBoolOption
+    (
         "count",
         "Only print the table of points, mass and volume; write nothing"
     );
 
     #include "setRootCase.H"
     #include "createTime.H"
-    #include "createPolyMesh.H"
+
+    // fvSchemes and fvSolution are wanted only for a field
+    const bool withWeights = args.found("cellWeights");
+    const IOobject meshObject
+    (
+        polyMesh::defaultRegion,
+        runTime.timeName(),
+        runTime,
+        IOobject::MUST_READ
+    );
+    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    const autoPtr<polyMesh> meshPtr
+    (
+        withWeights ? new fvMesh(meshObject) : new polyMesh(meshObject)
+    );
+    const polyMesh& mesh = *meshPtr;
 
     const word dictName("setMaterialPointsDict");
     #include "setSystemMeshDictionaryIO.H"
@@ -288,6 +348,10 @@ int main(int argc, char *argv[])
         forAll(phases, i)
         {
             write(phases[i], regions);
+        }
+        if (withWeights)
+        {
+            writeCellWeights(refCast<const fvMesh>(mesh), phases);
         }
     }
 
