@@ -12,6 +12,8 @@ quadratic B-splines 0.72. The last column divides by the peer's rate and by the
 larger of the ratios of triad and FMA, so that a faster machine is no merit.
 
 Best of three of each; run on an idle machine.
+
+    rates.py -processors 2      the block and the spall tutorial on 1 and 2
 """
 
 import csv
@@ -74,7 +76,52 @@ def measure(case, shape, transfer, steps):
     return run(["stepRate", "-steps", str(steps), "-warmup", "3", "-repeat", "3"], case)
 
 
+def processors(most):
+    """Rates on 1 to so many processors, each with equal shares of the points."""
+    rows = []
+    for name, shapes in (("block", tuple(PEERS)), ("spall", ("GIMP",))):
+        if name == "block":
+            case = prepare("ranks-block", "block")
+        else:
+            case = os.path.join(RUN, "ranks-spall")
+            shutil.rmtree(case, ignore_errors=True)
+            shutil.copytree(os.path.join(HERE, "../tutorials/spall"), case,
+                            ignore=lambda folder, names: [
+                                n for n in names if n not in (
+                                    "0", "constant", "system") and folder.endswith("spall")])
+            run(["blockMesh"], case)
+            set_text(os.path.join(case, "system/controlDict"), r"^functions[\s\S]*", "")
+        run(["setMaterialPoints", "-cellWeights"], case)
+        for shape in shapes:
+            set_text(os.path.join(case, "system/fvSolution"),
+                     r"materialPoints\s*\{[^}]*\}",
+                     f"materialPoints {{ shapeFunction {shape}; transfer FLIP; }}")
+            one = None
+            for n in range(1, most + 1):
+                with open(os.path.join(case, "system/decomposeParDict"), "w") as f:
+                    f.write("FoamFile { version 2.0; format ascii; class dictionary;"
+                            " object decomposeParDict; }\n"
+                            f"numberOfSubdomains {n}; method hierarchical;"
+                            " weightField cellWeights;\n"
+                            f"hierarchicalCoeffs {{ n ({n} 1 1); delta 0.001; order xyz; }}\n")
+                command = ["stepRate", "-steps", "20", "-warmup", "3", "-repeat", "3"]
+                if n > 1:
+                    run(["decomposePar", "-force"], case)
+                    command = ["mpirun", "--allow-run-as-root", "-np", str(n)] \
+                        + command + ["-parallel"]
+                rate = number(run(command, case), "rate [M point-steps/s]")
+                one = one or rate
+                rows.append([name, shape, n, f"{rate:.2f}", f"{rate/one:.3f}"])
+                print("  ".join(str(v) for v in rows[-1]), flush=True)
+    with open(os.path.join(RUN, "processors.csv"), "w", newline="") as f:
+        csv.writer(f).writerows(
+            [["case", "shape", "processors", "M point-steps/s", "over one"]] + rows)
+
+
 def main():
+    if len(sys.argv) > 2 and sys.argv[1] == "-processors":
+        os.makedirs(RUN, exist_ok=True)
+        return processors(int(sys.argv[2]))
     shutil.rmtree(RUN, ignore_errors=True)
     os.makedirs(RUN)
 
