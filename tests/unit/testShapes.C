@@ -609,7 +609,7 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
                 }
             }
         }
-        cloud.needHistory("leftStretch", column::strains);
+        cloud.needHistory("leftStretch", column::stresses);
         cloud.history()[0].reserve(cloud.capacity(), 0);
         for (label p = 0; p < cloud.size(); ++p)
         {

@@ -175,7 +175,24 @@ void readRegions
         pointRegion& region = regions[i];
         const materialPointPhase& phase = phaseOf(region);
 
-        region.create(phase.law().rho());
+        if (phase.motion())
+        {
+            // The motion says what the velocity is, and there is no stress
+            const dictionary& regionDict = regionsDict.subDict(keys[i]);
+            for (const word key : {"velocity", "stress", "pressure"})
+            {
+                if (regionDict.found(key))
+                {
+                    FatalIOErrorInFunction(regionDict)
+                        << "Entry " << key << " in region " << keys[i]
+                        << ": phase " << phase.name() << " is rigid; its"
+                        << " motion in constant/phaseProperties gives the"
+                        << " velocity, and it has no stress."
+                        << exit(FatalIOError);
+                }
+            }
+        }
+        region.create(phase.rho());
 
         for (label j = 0; j < i; ++j)
         {

@@ -64,8 +64,8 @@ int rankOf(const column& history)
 {
     return
         history.kind() == column::scalars ? 1
-      : history.kind() == column::strains ? 6
-      : 9;
+      : history.kind() == column::tensors ? 9
+      : 6;
 }
 
 
@@ -84,19 +84,8 @@ void historyValues
         return;
     }
 
-    const hexGrid& grid = cloud.grid();
-    const int D = grid.nDim();
-    const bool symmetric = h.kind() == column::strains;
-
-    tensor t(Zero);
-    for (int i = 0; i < D; ++i)
-    {
-        for (int j = 0; j < D; ++j)
-        {
-            t[3*grid.direction(i) + grid.direction(j)] =
-                h[symmetric ? strainSlot(D, i, j) : i*D + j][p];
-        }
-    }
+    const bool symmetric = h.kind() != column::tensors;
+    const tensor t(cloud.tensorOf(h, p));
     const symmTensor s(symm(t));
     for (int i = 0; i < (symmetric ? 6 : 9); ++i)
     {

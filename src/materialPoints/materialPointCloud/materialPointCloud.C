@@ -98,21 +98,70 @@ void Foam::mpm::materialPointCloud::reserve(label n)
 }
 
 
-void Foam::mpm::materialPointCloud::stressDirections(int (&dir)[3]) const
+template<class Column, class Function>
+void Foam::mpm::materialPointCloud::forComponents
+(
+    Column& c,
+    const label pointi,
+    const Function& f
+) const
 {
     // Computed directions first, the others after them
+    const int D = grid_.nDim();
+    int dir[3];
     bool used[3] = {false, false, false};
-    for (int d = 0; d < grid_.nDim(); ++d)
+    for (int d = 0; d < D; ++d)
     {
         dir[d] = grid_.direction(d);
         used[dir[d]] = true;
     }
-    for (int d = grid_.nDim(), e = 0; d < 3; ++d)
+    for (int d = D, e = 0; d < 3; ++d)
     {
         while (used[e]) ++e;
         dir[d] = e;
         used[e] = true;
     }
+
+    const column::kinds kind = c.kind();
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = 0; j < 3; ++j)
+        {
+            const bool inside = i < D && j < D;
+            if (inside || (kind == column::stresses && i == j))
+            {
+                const int slot =
+                    kind == column::stresses ? symmSlot(i, j)
+                  : kind == column::strains ? strainSlot(D, i, j)
+                  : i*D + j;
+                f(c[slot][pointi], 3*dir[i] + dir[j]);
+            }
+        }
+    }
+}
+
+
+Foam::tensor Foam::mpm::materialPointCloud::tensorOf
+(
+    const column& c,
+    const label pointi
+) const
+{
+    tensor t(Zero);
+    forComponents
+    (c, pointi, [&](const scalar& a, const int i) { t[i] = a; });
+    return t;
+}
+
+
+void Foam::mpm::materialPointCloud::setTensor
+(
+    column& c,
+    const label pointi,
+    const tensor& t
+) const
+{
+    forComponents(c, pointi, [&](scalar& a, const int i) { a = t[i]; });
 }
 
 
@@ -122,20 +171,7 @@ void Foam::mpm::materialPointCloud::setSigma
     const symmTensor& sigma
 )
 {
-    const tensor t(sigma);
-    int dir[3];
-    stressDirections(dir);
-    for (int i = 0; i < 3; ++i)
-    {
-        stress_[i][pointi] = t[4*dir[i]];
-    }
-    for (int i = 0; i < grid_.nDim(); ++i)
-    {
-        for (int j = i + 1; j < grid_.nDim(); ++j)
-        {
-            stress_[symmSlot(i, j)][pointi] = t[3*dir[i] + dir[j]];
-        }
-    }
+    setTensor(stress_, pointi, tensor(sigma));
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -184,6 +220,12 @@ void Foam::mpm::materialPointCloud::needDamage()
 void Foam::mpm::materialPointCloud::needStrength()
 {
     strength_.reset(new column("strength", column::scalars, grid_.nDim()));
+}
+
+
+void Foam::mpm::materialPointCloud::needReference()
+{
+    reference_.reset(new column("X", column::vectors, grid_.nDim()));
 }
 
 
@@ -255,22 +297,7 @@ Foam::vector Foam::mpm::materialPointCloud::velocity(const label pointi) const
 
 Foam::symmTensor Foam::mpm::materialPointCloud::sigma(const label pointi) const
 {
-    const int D = grid_.nDim();
-    int dir[3];
-    stressDirections(dir);
-
-    tensor t(Zero);
-    for (int i = 0; i < 3; ++i)
-    {
-        for (int j = 0; j < 3; ++j)
-        {
-            if (i == j || (i < D && j < D))
-            {
-                t[3*dir[i] + dir[j]] = stress_[symmSlot(i, j)][pointi];
-            }
-        }
-    }
-    return symm(t);
+    return symm(tensorOf(stress_, pointi));
 }
 
 
@@ -322,6 +349,10 @@ void Foam::mpm::materialPointCloud::add(const UList<newPoint>& points)
             if (halfSize_)
             {
                 (*halfSize_)[d][p] = from.halfSize[grid_.direction(d)];
+            }
+            if (reference_)
+            {
+                (*reference_)[d][p] = x[d];
             }
         }
         mass_[0][p] = from.mass;

@@ -400,6 +400,29 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
                 }
             }
         }
+        if (reference_)
+        {
+            // Absent where another tool has made the points: they start here
+            const vectorField X
+            (
+                readField<vector>(*this, present("X") ? "X" : "x", n)
+            );
+            for (label p = 0; p < n; ++p)
+            {
+                check
+                (
+                    p,
+                    std::isfinite(magSqr(X[p])),
+                    "X (reference position)",
+                    Foam::name(mag(X[p])),
+                    "finite"
+                );
+                for (int d = 0; d < D; ++d)
+                {
+                    (*reference_)[d][p] = X[p][grid_.direction(d)];
+                }
+            }
+        }
         if (damage_ && present("damage"))
         {
             const scalarField f(readField<scalar>(*this, "damage", n));
@@ -429,44 +452,23 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
                 const scalarField f(readField<scalar>(*this, h.name(), n));
                 std::copy(f.begin(), f.end(), h[0]);
             }
+            else if (h.kind() == column::tensors)
+            {
+                const tensorField f(readField<tensor>(*this, h.name(), n));
+                for (label p = 0; p < n; ++p)
+                {
+                    setTensor(h, p, f[p]);
+                }
+            }
             else
             {
-                // Tensor files hold the components in OpenFOAM's axes
-                const auto component = [&](const int i, const int j)
+                const symmTensorField f
+                (
+                    readField<symmTensor>(*this, h.name(), n)
+                );
+                for (label p = 0; p < n; ++p)
                 {
-                    return 3*grid_.direction(i) + grid_.direction(j);
-                };
-                if (h.kind() == column::strains)
-                {
-                    const symmTensorField f
-                    (
-                        readField<symmTensor>(*this, h.name(), n)
-                    );
-                    for (label p = 0; p < n; ++p)
-                    {
-                        const tensor t(f[p]);
-                        for (int i = 0; i < D; ++i)
-                        {
-                            for (int j = i; j < D; ++j)
-                            {
-                                h[strainSlot(D, i, j)][p] = t[component(i, j)];
-                            }
-                        }
-                    }
-                }
-                else
-                {
-                    const tensorField f
-                    (
-                        readField<tensor>(*this, h.name(), n)
-                    );
-                    for (label p = 0; p < n; ++p)
-                    {
-                        for (int i = 0; i < D*D; ++i)
-                        {
-                            h[i][p] = f[p][component(i/D, i % D)];
-                        }
-                    }
+                    setTensor(h, p, tensor(f[p]));
                 }
             }
         }
@@ -574,6 +576,22 @@ void Foam::mpm::materialPointCloud::writePoints() const
             }
         );
     }
+    if (reference_)
+    {
+        writeField<vector>
+        (
+            *this, "X", n_,
+            [&](label p)
+            {
+                point X(position(p, cell[p]));
+                for (int d = 0; d < D; ++d)
+                {
+                    X[grid_.direction(d)] = (*reference_)[d][p];
+                }
+                return X;
+            }
+        );
+    }
     if (damage_)
     {
         writeField<scalar>
@@ -585,31 +603,16 @@ void Foam::mpm::materialPointCloud::writePoints() const
         {
             writeField<scalar>
             (*this, h.name(), n_, [&](label p) { return h[0][p]; });
-            continue;
         }
-        const bool symmetric = h.kind() == column::strains;
-        const auto get = [&](const label p)
+        else if (h.kind() == column::tensors)
         {
-            tensor t(Zero);
-            for (int i = 0; i < D; ++i)
-            {
-                for (int j = 0; j < D; ++j)
-                {
-                    t[3*grid_.direction(i) + grid_.direction(j)] =
-                        h[symmetric ? strainSlot(D, i, j) : i*D + j][p];
-                }
-            }
-            return t;
-        };
-        if (symmetric)
-        {
-            writeField<symmTensor>
-            (*this, h.name(), n_, [&](label p) { return symm(get(p)); });
+            writeField<tensor>
+            (*this, h.name(), n_, [&](label p) { return tensorOf(h, p); });
         }
         else
         {
-            writeField<tensor>
-            (*this, h.name(), n_, [&](label p) { return get(p); });
+            writeField<symmTensor>
+            (*this, h.name(), n_, [&](label p) { return symm(tensorOf(h, p)); });
         }
     }
 

@@ -443,6 +443,7 @@ Foam::mpm::gridState::gridState
     stampNow_(0),
     shared_(grid.shared(reach)),
     fixedElsewhere_(false),
+    rigid_(grid),
     UNew_(stride_*grid.nNodes())
 {
     readBoundary();
@@ -554,7 +555,8 @@ void Foam::mpm::gridState::constrain
 (
     scalar* u,
     const int stride,
-    const bool homogeneous
+    const bool homogeneous,
+    const bool tentative
 ) const
 {
     forAll(fixedNode_, i)
@@ -583,6 +585,7 @@ void Foam::mpm::gridState::constrain
             un[a] = v[a];
         }
     }
+    rigid_.impose(u, stride, homogeneous, tentative);
 }
 
 
@@ -600,7 +603,7 @@ void Foam::mpm::gridState::velocity()
             U[stride_*n + d] = rm*mU[stride_*n + d];
         }
     }
-    constrain(U, stride_, false);
+    constrain(U, stride_, false, true);
 }
 
 
@@ -627,7 +630,8 @@ void Foam::mpm::gridState::momentumStep(const scalar dt, const vector& g)
                 m > 0 ? U[stride_*n + d] + dtm*f[stride_*n + d] + dt*gd[d] : 0;
         }
     }
-    constrain(UL, 2*stride_, false);
+    rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
+    constrain(UL, 2*stride_, false, false);
 
     for (const label n : active_)
     {
@@ -692,7 +696,11 @@ void Foam::mpm::gridState::addFilter
     }
 
     // The sum keeps the fixed velocities: increments have none there
-    constrain(v, 2*stride_, true);
+    if (!tentative)
+    {
+        rigid_.addImpulse(v, 2*stride_, true, mU, stride_);
+    }
+    constrain(v, 2*stride_, true, tentative);
 
     for (const label n : nodes)
     {
@@ -715,6 +723,7 @@ void Foam::mpm::gridState::addFilter
 void Foam::mpm::gridState::accept()
 {
     active_.transfer(activeNew_);
+    rigid_.accept();
     mU_.swap(mUNew_);
     U_.swap(UNew_);
 }

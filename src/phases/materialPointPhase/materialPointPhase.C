@@ -22,22 +22,56 @@ Foam::mpm::materialPointPhase::materialPointPhase
 :
     name_(name),
     velocityField_(dict.getOrDefault<word>("velocityField", name)),
-    law_(constitutiveModel::New(requiredDict(dict, "constitutiveModel"))),
-    failure_
-    (
-        dict.found("failureModel")
-      ? failureModel::New(requiredDict(dict, "failureModel"))
-      : autoPtr<failureModel>()
-    ),
+    rho_(0),
+    largestMass_(0),
     cloud_(grid, name),
     nFailed_(0)
 {
-    oneOfOrDefault(dict, "type", "materialPoints", {"materialPoints"});
-    checkKeywords
+    const word type
     (
-        dict,
-        {"type", "constitutiveModel", "failureModel", "velocityField"}
+        oneOfOrDefault
+        (
+            dict,
+            "type",
+            "materialPoints",
+            {"materialPoints", "rigid"}
+        )
     );
+    if (type == "rigid")
+    {
+        checkKeywords(dict, {"type", "rho", "motion", "velocityField"});
+        rho_ = positive(dict, "rho");
+        motion_ = rigidMotion::New(dict, grid);
+        cloud_.needReference();
+    }
+    else
+    {
+        checkKeywords
+        (
+            dict,
+            {
+                "type", "constitutiveModel", "failureModel", "bodyForce",
+                "velocityField"
+            }
+        );
+        law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
+    }
+    if (dict.found("failureModel"))
+    {
+        failure_ = failureModel::New(requiredDict(dict, "failureModel"));
+    }
+    if (dict.found("bodyForce"))
+    {
+        bodyForce_ = bodyForce::New(requiredDict(dict, "bodyForce"));
+        acceleration_.reset
+        (
+            new column("bodyForce", column::vectors, grid.nDim())
+        );
+        if (bodyForce_->needsReference())
+        {
+            cloud_.needReference();
+        }
+    }
 
     if (needHalfSize)
     {
@@ -51,13 +85,18 @@ Foam::mpm::materialPointPhase::materialPointPhase
             cloud_.needStrength();
         }
     }
-    for (const historyColumn& h : law_->history())
+    for
+    (
+        const historyColumn& h
+      : law_ ? law_->history() : List<historyColumn>()
+    )
     {
         cloud_.needHistory
         (
             h.name,
             h.kind == historyColumn::scalars ? column::scalars
           : h.kind == historyColumn::symmetric ? column::strains
+          : h.kind == historyColumn::stresses ? column::stresses
           : column::tensors
         );
     }
@@ -115,6 +154,16 @@ void Foam::mpm::materialPointPhase::read()
         }
     }
 
+    if (motion_)
+    {
+        for (label p = 0; p < cloud_.size(); ++p)
+        {
+            largestMass_ = max(largestMass_, cloud_.mass()[0][p]);
+        }
+        reduce(largestMass_, maxOp<scalar>());
+        return;
+    }
+
     // Points that start with a stress but without the law's history
     bool stressed = false, history = false;
     pointBlock b(block());
@@ -133,10 +182,34 @@ void Foam::mpm::materialPointPhase::read()
             }
         }
     }
+    reduce(stressed, orOp<bool>());
+    reduce(history, orOp<bool>());
     if (stressed && !history && cloud_.history().size())
     {
         law_->initialise(b);
     }
+}
+
+
+const Foam::mpm::column&
+Foam::mpm::materialPointPhase::acceleration(const scalar time)
+{
+    acceleration_->reserve(cloud_.capacity(), 0);
+
+    bodyForceBlock b;
+    b.nDim = cloud_.grid().nDim();
+    b.n = cloud_.size();
+    b.time = time;
+    for (int d = 0; d < b.nDim; ++d)
+    {
+        b.axis[d] = cloud_.grid().direction(d);
+        b.x[d] = cloud_.x()[d];
+        b.X[d] = cloud_.reference() ? (*cloud_.reference())[d] : nullptr;
+        b.b[d] = (*acceleration_)[d];
+    }
+    bodyForce_->correct(b);
+
+    return *acceleration_;
 }
 
 
@@ -189,6 +262,10 @@ Foam::scalar Foam::mpm::materialPointPhase::kineticEnergy() const
 
 Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
 {
+    if (!law_)
+    {
+        return 0;
+    }
     const pointBlock b(const_cast<materialPointPhase&>(*this).block());
     return returnReduce(law_->strainEnergy(b), sumOp<scalar>());
 }

@@ -134,7 +134,7 @@ void Foam::mpm::pointPhaseSystem::filter(const bool tentative)
             }
             forAll(phases_, phasei)
             {
-                if (fieldOf_[phasei] == fieldi)
+                if (fieldOf_[phasei] == fieldi && !phases_[phasei].motion())
                 {
                     passes_->massTimes
                     (
@@ -178,8 +178,11 @@ void Foam::mpm::pointPhaseSystem::updateWaveRate()
     scalar rate = 0;
     for (const materialPointPhase& phase : phases_)
     {
-        const scalar c = phase.law().waveSpeed();
-        rate = max(rate, c/shortestSide(phase));
+        if (!phase.motion())
+        {
+            const scalar c = phase.law().waveSpeed();
+            rate = max(rate, c/shortestSide(phase));
+        }
     }
     waveRate_ = largestOfAll(rate);
 }
@@ -217,13 +220,18 @@ void Foam::mpm::pointPhaseSystem::projectAll(const bool tentative)
     }
     forAll(phases_, phasei)
     {
-        passes_->project
-        (
-            phases_[phasei].cloud(),
-            tentative,
-            fields_[fieldOf_[phasei]].momentumNew()
-        );
+        // Nodes of rigid phases have a velocity without their mass
+        if (!phases_[phasei].motion())
+        {
+            passes_->project
+            (
+                phases_[phasei].cloud(),
+                tentative,
+                fields_[fieldOf_[phasei]].momentumNew()
+            );
+        }
     }
+    reachRigid(tentative);
     for (gridState& field : fields_)
     {
         field.sumMomentum();
@@ -263,6 +271,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     rate_(0),
     waveRate_(0),
     nRedone_(0),
+    dt_(0),
     tentative_(false),
     warned_(false)
 {
@@ -319,6 +328,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     forAll(fieldNames, fieldi)
     {
         fields_.set(fieldi, new gridState(grid_, fieldNames[fieldi], passes_->reach()));
+        fields_[fieldi].rigid().setPhases(phases_.size());
     }
 
     for (materialPointPhase& phase : phases_)
@@ -326,9 +336,19 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         phase.read();
         Info<< "Phase " << phase.name() << ": "
             << returnReduce(phase.cloud().size(), sumOp<label>())
-            << " points of " << phase.law().type() << ", wave speed "
-            << phase.law().waveSpeed() << " m/s, velocity field "
-            << phase.velocityField() << nl;
+            << " points of ";
+        if (phase.motion())
+        {
+            Info<< "a rigid body, motion " << phase.motion()->type();
+            phase.motion()->start(mesh_.time().value(), Zero);
+            phase.motion()->setVelocity(phase.cloud());
+        }
+        else
+        {
+            Info<< phase.law().type() << ", wave speed "
+                << phase.law().waveSpeed() << " m/s";
+        }
+        Info<< ", velocity field " << phase.velocityField() << nl;
 
         // The domain of a point must not reach past the next cell
         if (passes_->hasExtent())
@@ -374,29 +394,10 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     rate_ = largestOfAll(rate_);
     updateWaveRate();
 
-    // State of the nodes
-    activate(true);
-    projectAll(false);
+    startNodes();
     for (gridState& field : fields_)
     {
-        field.accept();
-        field.clearForce();
         field.writeField();
-    }
-    {
-        const noTraps guard;
-        forAll(phases_, phasei)
-        {
-            passes_->force
-            (
-                phases_[phasei].cloud(),
-                fields_[fieldOf_[phasei]].force()
-            );
-        }
-        for (gridState& field : fields_)
-        {
-            field.sumForce();
-        }
     }
     checkOverlap();
 
@@ -468,9 +469,14 @@ void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
     const noTraps guard;
     {
         const timer t(clock_.nodes);
+        dt_ = dt;
         for (gridState& field : fields_)
         {
             field.newTime(dt);
+        }
+        advanceRigid(dt);
+        for (gridState& field : fields_)
+        {
             field.momentumStep(dt, g_);
         }
     }
@@ -496,11 +502,14 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     badPoint bad{-1, -1, false};
     forAll(phases_, phasei)
     {
+        materialPointPhase& phase = phases_[phasei];
         const pointPasses::moveResult result
         (
-            passes_->move
+            phase.motion()
+          ? phase.motion()->move(phase.cloud(), movers_[phasei])
+          : passes_->move
             (
-                phases_[phasei].cloud(),
+                phase.cloud(),
                 rule,
                 fields_[fieldOf_[phasei]].UL(),
                 movers_[phasei]
@@ -526,6 +535,11 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     if (rate_ >= VGREAT)
     {
         stop(bad);
+    }
+
+    for (gridState& field : fields_)
+    {
+        field.addProjectionImpulse(gridVelocity_ ? 1 : rule.PICfraction);
     }
 
     return travel <= maxTravel_ ? 1 : max(0.8*maxTravel_/travel, scalar(0.1));
@@ -591,6 +605,10 @@ void Foam::mpm::pointPhaseSystem::accept()
     for (materialPointPhase& phase : phases_)
     {
         phase.cloud().accept();
+        if (phase.motion())
+        {
+            phase.motion()->accept();
+        }
     }
     for (gridState& field : fields_)
     {
@@ -631,6 +649,10 @@ void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
     forAll(phases_, phasei)
     {
         materialPointPhase& phase = phases_[phasei];
+        if (phase.motion())
+        {
+            continue;
+        }
         const pointPasses::stressResult result
         (
             passes_->correctStress
@@ -663,6 +685,7 @@ void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
         }
         phase.nFailed() += result.nFailed;
     }
+    addBodyForces(mesh_.time().value() + dt);
     for (gridState& field : fields_)
     {
         field.sumForce();

@@ -137,15 +137,23 @@ void Foam::mpm::pointPhaseSystem::checkOverlap()
         return;
     }
     labelList owner(grid_.nNodes(), label(-1));
+    labelList rigidOf(grid_.nNodes(), label(-1));
     forAll(fields_, fieldi)
     {
         const gridState& field = fields_[fieldi];
+        for (const label n : field.rigid().nodes())
+        {
+            rigidOf[n] = fieldi;
+        }
         for (const label n : field.active())
         {
             if
             (
                 grid_.nodePoint()[n] < 0
-             || !(field.momentum()[field.stride()*n + grid_.nDim()] > 0)
+             || (
+                    rigidOf[n] != fieldi
+                 && !(field.momentum()[field.stride()*n + grid_.nDim()] > 0)
+                )
             )
             {
                 continue;
@@ -193,6 +201,15 @@ void Foam::mpm::pointPhaseSystem::report() const
         << ", total " << kinetic + strain << nl
         << "Failed points: " << nFailed << ", steps redone: " << nRedone_
         << endl;
+    forAll(phases_, phasei)
+    {
+        if (phases_[phasei].motion())
+        {
+            Info<< "Load on " << phases_[phasei].name() << ": force "
+                << rigidStepImpulse(phasei)/max(dt_, VSMALL) << " N, impulse "
+                << rigidImpulse(phasei) << " N s" << endl;
+        }
+    }
 }
 
 
@@ -256,6 +273,18 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         );
     }
     state.add("failed", failed);
+    dictionary rigid;
+    forAll(phases_, phasei)
+    {
+        if (const rigidMotion* motion = phases_[phasei].motion())
+        {
+            dictionary body;
+            body.add("path", motion->path());
+            body.add("impulse", rigidImpulse(phasei));
+            rigid.add(phases_[phasei].name(), body);
+        }
+    }
+    state.add("rigid", rigid);
     return state;
 }
 
@@ -271,6 +300,28 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         const label n = failed.getOrDefault<label>(phase.name(), 0);
         phase.nFailed() = Pstream::master() ? n : 0;
     }
+    if (!timeDependent())
+    {
+        return;
+    }
+    forAll(phases_, phasei)
+    {
+        if (rigidMotion* motion = phases_[phasei].motion())
+        {
+            const dictionary& body = requiredDict
+            (
+                requiredDict(state, "rigid"),
+                phases_[phasei].name()
+            );
+            motion->start(mesh_.time().value(), required<vector>(body, "path"));
+            fields_[fieldOf_[phasei]].rigid().setImpulse
+            (
+                phasei,
+                required<vector>(body, "impulse")
+            );
+        }
+    }
+    startNodes();
 }
 
 

@@ -141,6 +141,40 @@ void shapePasses<Shape, DIM>::force
 
 
 template<template<int> class Shape, int DIM>
+void shapePasses<Shape, DIM>::addBodyForce
+(
+    materialPointCloud& cloud,
+    const column& b,
+    scalar* f
+) const
+{
+    const geometry geo(cloud, false);
+    const scalar* mass = cloud.mass()[0];
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, label, const label p, const int n)
+        {
+            T X[DIM], L[DIM], q[DIM];
+            geo.load(p, X, L);
+            weightsType S;
+            shape_.evaluate(s, X, L, S);
+            const T m = load<W>(mass + p);
+            for (int d = 0; d < DIM; ++d)
+            {
+                q[d] = m*load<W>(b[d] + p);
+            }
+            shapeType::template scatter<DIM>(S, q, n, acc);
+        },
+        [&](const stencil& s) { shapeType::flush(acc, s.nodes, f); }
+    );
+}
+
+
+template<template<int> class Shape, int DIM>
 pointPasses::moveResult shapePasses<Shape, DIM>::move
 (
     materialPointCloud& cloud,

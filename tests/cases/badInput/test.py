@@ -166,6 +166,7 @@ CONTROL = "system/controlDict"
 BLOCKS = "system/blockMeshDict"
 BLOCK = "0/lagrangian/block/"
 
+inPhases = [line("phaseProperties")]
 inLaw = [line("phaseProperties"), r"constitutiveModel"]
 inRegion = [line("setMaterialPointsDict")]
 inControl = [line("controlDict")]
@@ -321,6 +322,19 @@ def fixedStep(deltaT):
                    replace(CONTROL, "adjustTimeStep  yes", "adjustTimeStep no"))
 
 
+def rigid(entries):
+    """The block as a rigid phase."""
+    return replace(PHASES, r"\$base;", "type rigid; velocityField body; " + entries)
+
+
+def rigidMotion(entries):
+    return rigid("rho 7800; motion { " + entries + " }")
+
+
+def bodyForce(entries):
+    return replace(PHASES, r"\$base;", "$base; bodyForce { " + entries + " }")
+
+
 def nanLaw(n):
     return several(
         replace(CONTROL, "application", 'libs ("../nanLaw/libnanLaw.so");\n'
@@ -408,6 +422,71 @@ ROWS = [
      [line("phaseProperties"), "gas", VALID, "materialPoints"]),
     ("phase listed twice", SOLVE, replace(PHASES, "base block", "base block base"),
      [line("phaseProperties"), "base is listed twice"]),
+
+    #- rigid phases and body forces
+    ("allowed: rigid phase", SOLVE, rigid("rho 7800;"), None, {"has": "Load on block"}),
+    ("allowed: rigid phase that moves", SOLVE,
+     rigidMotion("type translation; velocity (0 -1 0);"), None, {"has": "Load on block"}),
+    ("rigid phase without rho", SOLVE, rigid(""), inPhases + ["rho"]),
+    ("rigid phase without rho", SET, rigid(""), inPhases + ["rho"]),
+    ("rigid phase of rho -1", SOLVE, rigid("rho -1;"), inPhases + ["rho is -1"]),
+    ("rigid phase with a law", SOLVE,
+     rigid("rho 1; constitutiveModel { type linearElastic; }"),
+     inPhases + ["constitutiveModel", VALID, "motion"]),
+    ("motion of a phase with a law", SOLVE,
+     replace(PHASES, r"\$base;", "$base; motion { type fixed; }"),
+     inPhases + ["motion", VALID]),
+    ("word for motion", SOLVE, rigid("rho 1; motion fixed;"), inPhases + ["motion"]),
+    ("unknown motion", SOLVE, rigidMotion("type wobble;"),
+     inPhases + ["wobble", VALID, "fixed", "rotation", "translation"]),
+    ("keyword of motion", SOLVE, rigidMotion("type fixed; velocity (0 0 0);"),
+     inPhases + ["velocity", VALID]),
+    ("translation without velocity", SOLVE, rigidMotion("type translation;"),
+     inPhases + ["velocity"]),
+    ("number for velocity of translation", SOLVE,
+     rigidMotion("type translation; velocity 1;"), inPhases),
+    ("translation out of the plane", SOLVE,
+     rigidMotion("type translation; velocity (0 0 1);"),
+     [r"velocity \(0 0 1\)", "not computed"]),
+    ("rotation without omega", SOLVE,
+     rigidMotion("type rotation; origin (5 5 0); axis (0 0 1);"), inPhases + ["omega"]),
+    ("rotation about an axis of the plane", SOLVE,
+     rigidMotion("type rotation; origin (5 5 0); axis (1 0 1); omega 1;"),
+     inPhases + [r"axis is \(1 0 1\)", "normal"]),
+    ("rotation about no axis", SOLVE,
+     rigidMotion("type rotation; origin (5 5 0); axis (0 0 0); omega 1;"),
+     inPhases + [r"axis is \(0 0 0\)"]),
+    ("rigid phase leaves the mesh", SOLVE,
+     rigidMotion("type translation; velocity (0 50 0);"),
+     [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME]),
+    ("velocity of a rigid phase's region", SET, rigid("rho 1;"),
+     inRegion + ["velocity", "block is rigid", "motion"]),
+    ("stress of a rigid phase's region", SET,
+     several(rigid("rho 1;"), replace(REGIONS, r"velocity +\(0 -1 0\)",
+                                      "stress ambient; pressure 1")),
+     inRegion + ["stress", "block is rigid"]),
+    ("allowed: body force", SOLVE, bodyForce("type uniform; acceleration (0 1 0);"), None),
+    ("unknown body force", SOLVE, bodyForce("type wind;"),
+     inPhases + ["wind", VALID, "uniform"]),
+    ("unknown body force", SET, bodyForce("type wind;"),
+     inPhases + ["wind", VALID, "uniform"]),
+    ("body force without acceleration", SOLVE, bodyForce("type uniform;"),
+     inPhases + ["acceleration"]),
+    ("keyword of body force", SOLVE,
+     bodyForce("type uniform; acceleration (0 0 0); from 3;"), inPhases + ["from", VALID]),
+    ("number for acceleration", SOLVE, bodyForce("type uniform; acceleration 9.81;"),
+     inPhases),
+    ("allowed: ambient pressure", SOLVE,
+     withPoints(replace(REGIONS, "velocity", "stress ambient; pressure 1e4; velocity")),
+     None),
+    ("stress that no strain of the law carries", SOLVE,
+     withPoints(replace(REGIONS, "velocity", "stress ambient; pressure 1e9; velocity")),
+     ["linearElastic cannot start with the stress", r"strains .* must be in \[-3, 3\]"]),
+    ("stress that no strain of neoHookean carries", SOLVE,
+     several(replace(PHASES, "linearElastic", "neoHookean"),
+             withPoints(replace(REGIONS, "velocity",
+                                "stress ambient; pressure 1e6; velocity"))),
+     ["neoHookean cannot start with the stress", r"above \S+ Pa"]),
 
     #- missing files
     ("no U of field", SOLVE, remove("0/U.body"), ["cannot find file", r"0/U\.body"]),

@@ -8,7 +8,6 @@ License
 
 #include "linearElastic.H"
 #include "selector.H"
-#include "leftStretch.H"
 #include "spectral.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -34,184 +33,168 @@ using namespace Foam::mpm;
 //- Strains up to this size go through the series of the logarithm
 constexpr double seriesLimit = 0.5;
 
+//- Largest principal strain that an initial stress may need: beyond, 1 + c
+//  has lost too many digits
+constexpr double strainLimit = 3;
+
 }
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::linearElastic::linearElastic(const dictionary& dict)
-:
-    constitutiveModel(dict)
-{
-    checkKeywords(dict, {"type", "rho", "E", "nu", "stress"});
-
-    const scalar E = positive(dict, "E");
-    const scalar nu = bounded(dict, "nu", -0.999, 0.499999);
-
-    lambda_ = E*nu/((1 + nu)*(1 - 2*nu));
-    mu_ = E/(2*(1 + nu));
-    kirchhoff_ =
-        oneOfOrDefault(dict, "stress", "Cauchy", {"Cauchy", "Kirchhoff"})
-     == "Kirchhoff";
-}
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Member Classes  * * * * * * * * * * * * * * * //
 
 template<int DIM>
-void Foam::mpm::linearElastic::update(pointBlock& b) const
+class Foam::mpm::linearElastic::terms
 {
-    constexpr int W = laneWidth<DIM>;
-    constexpr int N = DIM*DIM;
+    static constexpr int W = laneWidth<DIM>;
+    static constexpr int N = DIM*DIM;
     typedef lanes<W> T;
 
-    // Largest velocity gradient and strain of the block choose the number of
-    // terms for all its points
-    const double dLMag = largestIncrement<DIM>(b);
-    const int nExp = expTerms(dLMag);
+    const linearElastic& law_;
 
-    // |c'| <= (1 + |D|)^2 (1 + |c|) - 1 with |D| <= exp(|dL|) - 1
-    const double cBound =
-        std::exp(2*dLMag)*(1 + largestLeftStretch<DIM>(b)) - 1;
-    const double q = cBound < 1 ? cBound/(2 - cBound) : 1.0;
-    const bool series = q < seriesLimit;
-    const int nLog = series ? logTerms(q) : 0;
+    //- Terms of the logarithm; none: strains too large for the series
+    int nLog_;
 
-    for (label p = 0; p < b.n; p += W)
+    //- Some point is strained in a missing direction
+    bool across_;
+
+    //- h = log(I + c)/2 of a symmetric M x M matrix
+    template<int M>
+    MPM_INLINE void logHalf(const T (&c)[M*M], const int n, T (&h)[M*M]) const
     {
-        const laneGroup<W> g(p, b.n);
-        T c[N];
-        updateLeftStretch<DIM>(b, g, nExp, c);
+        if (nLog_)
+        {
+            logHalfSeries<M>(c, nLog_, h);
+            return;
+        }
+        for (int l = 0; l < W; ++l)
+        {
+            double c1[M*M] = {}, h1[M*M];
+            for (int i = 0; l < n && i < M*M; ++i)
+            {
+                c1[i] = c[i][l];
+            }
+            isotropicFunction<M>
+            (
+                c1,
+                [](double x) { return 0.5*std::log1p(x); },
+                h1
+            );
+            for (int i = 0; i < M*M; ++i)
+            {
+                h[i][l] = h1[i];
+            }
+        }
+    }
 
-        T h[N];
-        if (series)
+public:
+
+    terms(const linearElastic& law, const pointBlock& b, const double dLMag)
+    :
+        law_(law),
+        nLog_(0),
+        across_(false)
+    {
+        // |c'| <= (1 + |D|)^2 (1 + |c|) - 1 with |D| <= exp(|dL|) - 1
+        const double cBound =
+            std::exp(2*dLMag)*(1 + largestLeftStretch<DIM>(b)) - 1;
+        const double q = cBound < 1 ? cBound/(2 - cBound) : 1.0;
+        if (q < seriesLimit)
         {
-            logHalfSeries<DIM>(c, nLog, h);
+            nLog_ = logTerms(q);
         }
-        else
+        if (DIM < 3)
         {
-            for (int l = 0; l < g.n; ++l)
-            {
-                double c1[N], h1[N];
-                for (int i = 0; i < N; ++i)
-                {
-                    c1[i] = c[i][l];
-                }
-                isotropicFunction<DIM>
-                (
-                    c1,
-                    [](double x) { return 0.5*std::log1p(x); },
-                    h1
-                );
-                for (int i = 0; i < N; ++i)
-                {
-                    h[i][l] = h1[i];
-                }
-            }
-            for (int l = g.n; l < W; ++l)
-            {
-                for (int i = 0; i < N; ++i)
-                {
-                    h[i][l] = 0;
-                }
-            }
+            across_ =
+                largestSquare<W, 3 - DIM, 3 - DIM>(b.history + DIM, b.n) > 0;
         }
+    }
+
+    MPM_INLINE void stress
+    (
+        const pointBlock& b,
+        const laneGroup<W>& g,
+        const T (&c)[N],
+        T& volumePart,
+        T& factor,
+        T (&h)[N],
+        T (&side)[3]
+    ) const
+    {
+        logHalf<DIM>(c, g.n, h);
 
         T trh = h[0];
         for (int i = 1; i < DIM; ++i)
         {
             trh += h[i*(DIM + 1)];
         }
+        for (int i = DIM; i < 3; ++i)
+        {
+            side[i] = T{};
+            if (across_)
+            {
+                const T ci[1] = {g.get(b.history[i])};
+                T hi[1];
+                logHalf<1>(ci, g.n, hi);
+                side[i] = hi[0];
+                trh += hi[0];
+            }
+        }
 
         // sigma = s or s/J
         const T rJ =
-            kirchhoff_
-          ? g.get(b.mass)/(rho()*g.get(b.volume))
+            law_.kirchhoff_
+          ? g.get(b.mass)/(law_.rho()*g.get(b.volume))
           : broadcast<W>(1);
-        const T pressurePart = lambda_*trh*rJ;
-        const T mu2 = 2*mu_*rJ;
-        for (int i = 0; i < 3; ++i)
-        {
-            g.put
-            (
-                b.stress[i],
-                i < DIM ? pressurePart + mu2*h[i*DIM + i] : pressurePart
-            );
-        }
-        for (int i = 0; i < DIM; ++i)
-        {
-            for (int j = i + 1; j < DIM; ++j)
-            {
-                g.put(b.stress[symmSlot(i, j)], mu2*h[i*DIM + j]);
-            }
-        }
+        volumePart = law_.lambda()*trh*rJ;
+        factor = 2*law_.mu()*rJ;
     }
+};
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::linearElastic::linearElastic(const dictionary& dict)
+:
+    isotropicElastic<linearElastic>(dict)
+{
+    checkKeywords(dict, {"type", "rho", "E", "nu", "stress"});
+
+    kirchhoff_ =
+        oneOfOrDefault(dict, "stress", "Cauchy", {"Cauchy", "Kirchhoff"})
+     == "Kirchhoff";
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::List<Foam::mpm::historyColumn>
-Foam::mpm::linearElastic::history() const
-{
-    return List<historyColumn>
-    (
-        1,
-        historyColumn{"leftStretch", historyColumn::symmetric}
-    );
-}
-
-
-void Foam::mpm::linearElastic::correct(pointBlock& block) const
-{
-    switch (block.nDim)
-    {
-        case 1: update<1>(block); break;
-        case 2: update<2>(block); break;
-        default: update<3>(block);
-    }
-}
-
-
-void Foam::mpm::linearElastic::initialise(pointBlock& b) const
+std::string Foam::mpm::linearElastic::leftStretch
+(
+    const double (&sigma)[9],
+    const scalar J,
+    double (&c)[9]
+) const
 {
     // s = lambda tr(h) I + 2 mu h inverted
-    for (label p = 0; p < b.n; ++p)
+    const scalar f = kirchhoff_ ? J : 1;
+    const scalar trh =
+        f*(sigma[0] + sigma[4] + sigma[8])/(3*lambda() + 2*mu());
+
+    double h[9], minusH[9];
+    for (int i = 0; i < 9; ++i)
     {
-        double sigma[9];
-        fullStress(b, p, sigma);
-
-        // Strain of the computed directions only; J = rho0 v/m
-        const int D = b.nDim;
-        const scalar J = kirchhoff_ ? rho()*b.volume[p]/b.mass[p] : 1;
-        scalar tr = 0;
-        for (int i = 0; i < D; ++i)
-        {
-            tr += J*sigma[4*i];
-        }
-        tr /= D*lambda_ + 2*mu_;
-
-        double h[9], c[9];
-        for (int i = 0; i < 9; ++i)
-        {
-            h[i] =
-                i/3 < D && i % 3 < D
-              ? (J*sigma[i] - (i % 4 == 0 ? lambda_*tr : 0))/(2*mu_)
-              : 0;
-        }
-        isotropicFunction<3>(h, [](double x) { return std::expm1(2*x); }, c);
-
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = i; j < D; ++j)
-            {
-                b.history[strainSlot(D, i, j)][p] = c[3*i + j];
-            }
-        }
+        h[i] = (f*sigma[i] - (i % 4 == 0 ? lambda()*trh : 0))/(2*mu());
+        minusH[i] = -h[i];
     }
-}
 
+    // A stress that is not finite ends here too
+    const double high = largestPrincipal(h), low = -largestPrincipal(minusH);
+    if (!(high <= strainLimit && low >= -strainLimit))
+    {
+        return
+            "its principal logarithmic strains " + Foam::name(low) + " to "
+          + Foam::name(high) + " must be in [" + Foam::name(-strainLimit)
+          + ", " + Foam::name(strainLimit) + "]";
+    }
+    isotropicFunction<3>(h, [](double x) { return std::expm1(2*x); }, c);
 
-Foam::scalar Foam::mpm::linearElastic::waveSpeed() const
-{
-    return std::sqrt((lambda_ + 2*mu_)/rho());
+    return std::string();
 }
 
 
@@ -219,27 +202,28 @@ Foam::scalar Foam::mpm::linearElastic::strainEnergy(const pointBlock& b) const
 {
     // From the stress: h = (s - lambda tr(h) I)/(2 mu)
     const int D = b.nDim;
+    const scalar lambda = this->lambda(), mu = this->mu();
     scalar sum = 0;
     for (label p = 0; p < b.n; ++p)
     {
         const scalar J = kirchhoff_ ? rho()*b.volume[p]/b.mass[p] : 1;
-        scalar a = 0;
-        for (int i = 0; i < D; ++i)
-        {
-            a += J*b.stress[i][p];
-        }
-        a /= D*lambda_ + 2*mu_;
+        const scalar a =
+            J*(b.stress[0][p] + b.stress[1][p] + b.stress[2][p])
+           /(3*lambda + 2*mu);
 
         scalar hh = 0;
+        for (int i = 0; i < 3; ++i)
+        {
+            hh += sqr((J*b.stress[i][p] - lambda*a)/(2*mu));
+        }
         for (int i = 0; i < D; ++i)
         {
-            hh += sqr((J*b.stress[i][p] - lambda_*a)/(2*mu_));
             for (int j = i + 1; j < D; ++j)
             {
-                hh += 2*sqr(J*b.stress[symmSlot(i, j)][p]/(2*mu_));
+                hh += 2*sqr(J*b.stress[symmSlot(i, j)][p]/(2*mu));
             }
         }
-        scalar w = 0.5*lambda_*sqr(a) + mu_*hh;
+        scalar w = 0.5*lambda*sqr(a) + mu*hh;
 
         if (!kirchhoff_)
         {

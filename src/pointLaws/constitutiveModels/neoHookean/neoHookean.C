@@ -8,7 +8,6 @@ License
 
 #include "neoHookean.H"
 #include "selector.H"
-#include "leftStretch.H"
 #include "spectral.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -62,49 +61,51 @@ double minusLog1p(const double x)
 
 }
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::neoHookean::neoHookean(const dictionary& dict)
-:
-    constitutiveModel(dict)
-{
-    checkKeywords(dict, {"type", "rho", "E", "nu"});
-
-    const scalar E = positive(dict, "E");
-    const scalar nu = bounded(dict, "nu", -0.999, 0.499999);
-
-    lambda_ = E*nu/((1 + nu)*(1 - 2*nu));
-    mu_ = E/(2*(1 + nu));
-}
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Member Classes  * * * * * * * * * * * * * * * //
 
 template<int DIM>
-void Foam::mpm::neoHookean::update(pointBlock& b) const
+class Foam::mpm::neoHookean::terms
 {
-    constexpr int W = laneWidth<DIM>;
-    constexpr int N = DIM*DIM;
+    static constexpr int W = laneWidth<DIM>;
+    static constexpr int N = DIM*DIM;
     typedef lanes<W> T;
 
-    // Largest velocity gradient and volume change of the block choose the
-    // number of terms for all its points
-    const int nExp = expTerms(largestIncrement<DIM>(b));
-    const double q = std::sqrt(largestVolumeChange<W>(b, rho()));
-    const bool series = q < seriesLimit;
-    const int nLog = series ? logTerms(q) : 0;
+    const neoHookean& law_;
 
-    for (label p = 0; p < b.n; p += W)
+    //- Terms of the logarithm; none: volume changes too large for the series
+    int nLog_;
+
+public:
+
+    terms(const neoHookean& law, const pointBlock& b, const double)
+    :
+        law_(law),
+        nLog_(0)
     {
-        const laneGroup<W> g(p, b.n);
-        T c[N];
-        updateLeftStretch<DIM>(b, g, nExp, c);
+        const double q = std::sqrt(largestVolumeChange<W>(b, law.rho()));
+        if (q < seriesLimit)
+        {
+            nLog_ = logTerms(q);
+        }
+    }
 
-        const T m = g.get(b.mass), m0 = rho()*g.get(b.volume);
+    MPM_INLINE void stress
+    (
+        const pointBlock& b,
+        const laneGroup<W>& g,
+        const T (&c)[N],
+        T& volumePart,
+        T& factor,
+        T (&a)[N],
+        T (&side)[3]
+    ) const
+    {
+        const T m = g.get(b.mass), m0 = law_.rho()*g.get(b.volume);
         const T dJ[1] = {(m0 - m)/m};
         T lnJ[1];
-        if (series)
+        if (nLog_)
         {
-            logHalfSeries<1>(dJ, nLog, lnJ);
+            logHalfSeries<1>(dJ, nLog_, lnJ);
             lnJ[0] *= 2.0;
         }
         else
@@ -116,100 +117,56 @@ void Foam::mpm::neoHookean::update(pointBlock& b) const
         }
 
         const T rJ = m/m0;
-        const T volumePart = lambda_*rJ*lnJ[0];
-        const T muJ = mu_*rJ;
-        for (int i = 0; i < 3; ++i)
+        volumePart = law_.lambda()*rJ*lnJ[0];
+        factor = law_.mu()*rJ;
+        for (int i = 0; i < N; ++i)
         {
-            g.put
-            (
-                b.stress[i],
-                i < DIM ? volumePart + muJ*c[i*DIM + i] : volumePart
-            );
+            a[i] = c[i];
         }
-        for (int i = 0; i < DIM; ++i)
+        for (int i = DIM; i < 3; ++i)
         {
-            for (int j = i + 1; j < DIM; ++j)
-            {
-                g.put(b.stress[symmSlot(i, j)], muJ*c[i*DIM + j]);
-            }
+            side[i] = g.get(b.history[i]);
         }
     }
+};
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::neoHookean::neoHookean(const dictionary& dict)
+:
+    isotropicElastic<neoHookean>(dict)
+{
+    checkKeywords(dict, {"type", "rho", "E", "nu"});
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::List<Foam::mpm::historyColumn>
-Foam::mpm::neoHookean::history() const
+std::string Foam::mpm::neoHookean::leftStretch
+(
+    const double (&sigma)[9],
+    const scalar J,
+    double (&c)[9]
+) const
 {
-    return List<historyColumn>
-    (
-        1,
-        historyColumn{"leftStretch", historyColumn::symmetric}
-    );
-}
+    // J is known, so that the law is linear in b:
+    // b - I = (J sigma - lambda ln J I)/mu
+    const scalar volumePart = lambda()*std::log(J);
 
-
-void Foam::mpm::neoHookean::correct(pointBlock& block) const
-{
-    switch (block.nDim)
+    double minusC[9];
+    for (int i = 0; i < 9; ++i)
     {
-        case 1: update<1>(block); break;
-        case 2: update<2>(block); break;
-        default: update<3>(block);
+        c[i] = (J*sigma[i] - (i % 4 == 0 ? volumePart : 0))/mu();
+        minusC[i] = -c[i];
     }
-}
 
-
-void Foam::mpm::neoHookean::initialise(pointBlock& b) const
-{
-    const int D = b.nDim;
-    for (label p = 0; p < b.n; ++p)
+    // A stress that is not finite ends here too
+    if (!(largestPrincipal(minusC) < 1 && largestPrincipal(c) < GREAT))
     {
-        double sigma[9];
-        fullStress(b, p, sigma);
-
-        // J is known, so that the law is linear in b:
-        // b - I = (J sigma - lambda ln J I)/mu
-        const scalar J = rho()*b.volume[p]/b.mass[p];
-        const scalar volumePart =
-            lambda_*std::log1p((rho()*b.volume[p] - b.mass[p])/b.mass[p]);
-
-        // I - b, zero in the missing directions
-        double minusC[9];
-        for (int i = 0; i < 9; ++i)
-        {
-            minusC[i] =
-                i/3 < D && i % 3 < D
-              ? ((i % 4 == 0 ? volumePart : 0) - J*sigma[i])/mu_
-              : 0;
-        }
-
-        // A stress that is not finite ends here too
-        if (!(largestPrincipal(minusC) < 1))
-        {
-            FatalErrorInFunction
-                << "The law " << type() << " cannot start with the stress"
-                << " (xx yy zz xy xz yz) = (" << sigma[0] << ' ' << sigma[4]
-                << ' ' << sigma[8] << ' ' << sigma[1] << ' ' << sigma[2]
-                << ' ' << sigma[5] << ") Pa of point " << p << " at J = "
-                << J << ": every principal stress has to be above "
-                << (volumePart - mu_)/J << " Pa." << exit(FatalError);
-        }
-
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = i; j < D; ++j)
-            {
-                b.history[strainSlot(D, i, j)][p] = -minusC[3*i + j];
-            }
-        }
+        return
+            "every principal stress has to be finite and above "
+          + Foam::name((volumePart - mu())/J) + " Pa";
     }
-}
-
-
-Foam::scalar Foam::mpm::neoHookean::waveSpeed() const
-{
-    return std::sqrt((lambda_ + 2*mu_)/rho());
+    return std::string();
 }
 
 
@@ -220,11 +177,15 @@ Foam::scalar Foam::mpm::neoHookean::strainEnergy(const pointBlock& b) const
     for (label p = 0; p < b.n; ++p)
     {
         double c[9] = {};
+        for (int i = 0; i < 3; ++i)
+        {
+            c[4*i] = b.history[i][p];
+        }
         for (int i = 0; i < D; ++i)
         {
-            for (int j = i; j < D; ++j)
+            for (int j = i + 1; j < D; ++j)
             {
-                c[3*i + j] = c[3*j + i] = b.history[strainSlot(D, i, j)][p];
+                c[3*i + j] = c[3*j + i] = b.history[symmSlot(i, j)][p];
             }
         }
 
@@ -242,7 +203,7 @@ Foam::scalar Foam::mpm::neoHookean::strainEnergy(const pointBlock& b) const
         const scalar lnJ =
             std::log1p((rho()*b.volume[p] - b.mass[p])/b.mass[p]);
 
-        sum += b.mass[p]/rho()*0.5*(mu_*shape + lambda_*sqr(lnJ));
+        sum += b.mass[p]/rho()*0.5*(mu()*shape + lambda()*sqr(lnJ));
     }
     return sum;
 }

@@ -1,0 +1,142 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseSystem.H"
+#include "noTraps.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::mpm::pointPhaseSystem::timeDependent() const
+{
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (phase.motion() || phase.hasBodyForce())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::mpm::pointPhaseSystem::startNodes()
+{
+    const noTraps guard;
+
+    for (materialPointPhase& phase : phases_)
+    {
+        if (phase.motion())
+        {
+            phase.motion()->setVelocity(phase.cloud());
+        }
+    }
+    activate(true);
+    projectAll(false);
+    for (gridState& field : fields_)
+    {
+        field.rigid().newTime();
+        field.accept();
+        field.clearForce();
+    }
+    forAll(phases_, phasei)
+    {
+        if (!phases_[phasei].motion())
+        {
+            passes_->force
+            (
+                phases_[phasei].cloud(),
+                fields_[fieldOf_[phasei]].force()
+            );
+        }
+    }
+    addBodyForces(mesh_.time().value());
+    for (gridState& field : fields_)
+    {
+        field.sumForce();
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::advanceRigid(const scalar dt)
+{
+    const scalar time = mesh_.time().value();
+    forAll(phases_, phasei)
+    {
+        if (rigidMotion* motion = phases_[phasei].motion())
+        {
+            motion->advance(time, time + dt);
+            fields_[fieldOf_[phasei]].rigid().newVelocity(phasei, *motion);
+        }
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::reachRigid(const bool tentative)
+{
+    for (gridState& field : fields_)
+    {
+        field.rigid().clear();
+    }
+    forAll(phases_, phasei)
+    {
+        materialPointPhase& phase = phases_[phasei];
+        if (phase.motion())
+        {
+            gridState& field = fields_[fieldOf_[phasei]];
+            scalar* mass =
+                field.rigid().clearMass(field.activeNew(), field.stride());
+            passes_->project(phase.cloud(), tentative, mass);
+            field.sumWithMass(mass);
+            field.rigid().add
+            (
+                phasei,
+                *phase.motion(),
+                phase.largestMass(),
+                field.activeNew(),
+                field.stride()
+            );
+        }
+    }
+
+    // An impulse on a node of several processors counts once
+    boolList done(fields_.size(), false);
+    forAll(phases_, phasei)
+    {
+        const label fieldi = fieldOf_[phasei];
+        if (phases_[phasei].motion() && !done[fieldi])
+        {
+            gridState& field = fields_[fieldi];
+            scalar* marks =
+                field.rigid().marks(field.activeNew(), field.stride());
+            field.sumColumn(marks);
+            field.rigid().setParts(marks, field.stride());
+            done[fieldi] = true;
+        }
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::addBodyForces(const scalar time)
+{
+    forAll(phases_, phasei)
+    {
+        materialPointPhase& phase = phases_[phasei];
+        if (phase.hasBodyForce())
+        {
+            passes_->addBodyForce
+            (
+                phase.cloud(),
+                phase.acceleration(time),
+                fields_[fieldOf_[phasei]].force()
+            );
+        }
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,209 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "rigidMotion.H"
+#include "selector.H"
+#include "ListOps.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(rigidMotion, 0);
+    defineRunTimeSelectionTable(rigidMotion, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::rigidMotion::rigidMotion(const hexGrid& grid)
+:
+    path_(Zero),
+    pathNew_(Zero),
+    grid_(grid)
+{}
+
+
+Foam::autoPtr<Foam::mpm::rigidMotion> Foam::mpm::rigidMotion::New
+(
+    const dictionary& phaseDict,
+    const hexGrid& grid
+)
+{
+    dictionary fixed;
+    fixed.add("type", word("fixed"));
+    const dictionary& dict =
+        phaseDict.found("motion") ? requiredDict(phaseDict, "motion") : fixed;
+
+    return selectFromTable<rigidMotion>
+    (
+        dict,
+        dictionaryConstructorTablePtr_,
+        dict,
+        grid
+    );
+}
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::mpm::rigidMotion::checkDirection
+(
+    const vector& v,
+    const char* what
+) const
+{
+    vector across(v);
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        across[grid_.direction(d)] = 0;
+    }
+    if (mag(across) > 1e-12*mag(v))
+    {
+        FatalErrorInFunction
+            << "The " << what << ' ' << v << " of a rigid phase has a"
+            << " component in a direction that is not computed (empty"
+            << " patches)." << exit(FatalError);
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::rigidMotion::start(const scalar time, const vector& path)
+{
+    path_ = pathNew_ = path;
+    placement_ = place(path, rate(time));
+    checkDirection(placement_.velocity, "velocity");
+}
+
+
+void Foam::mpm::rigidMotion::advance(const scalar t0, const scalar t1)
+{
+    // Gauss' points and weights on [-1, 1]
+    static const scalar at[5] =
+    {
+        0, 0.538469310105683091, -0.538469310105683091,
+        0.906179845938663993, -0.906179845938663993
+    };
+    static const scalar weight[5] =
+    {
+        0.568888888888888889, 0.478628670499366468, 0.478628670499366468,
+        0.236926885056189088, 0.236926885056189088
+    };
+
+    DynamicList<scalar> ends;
+    addKinks(t0, t1, ends);
+    Foam::sort(ends);
+    ends.append(t1);
+
+    vector sum(Zero);
+    scalar from = t0;
+    for (const scalar to : ends)
+    {
+        const scalar half = 0.5*(to - from), middle = 0.5*(from + to);
+        for (int i = 0; i < 5; ++i)
+        {
+            sum += half*weight[i]*rate(middle + half*at[i]);
+        }
+        from = to;
+    }
+    pathNew_ = path_ + sum;
+    placement_ = place(pathNew_, rate(t1));
+    checkDirection(placement_.velocity, "velocity");
+}
+
+
+void Foam::mpm::rigidMotion::setVelocity(materialPointCloud& cloud) const
+{
+    forAll(cloud.cells(), k)
+    {
+        for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+        {
+            const vector U
+            (
+                placement_.velocityAt(cloud.position(p, cloud.cells()[k]))
+            );
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                cloud.U()[d][p] = U[grid_.direction(d)];
+            }
+        }
+    }
+}
+
+
+Foam::mpm::pointPasses::moveResult Foam::mpm::rigidMotion::move
+(
+    materialPointCloud& cloud,
+    DynamicList<materialPointCloud::mover>& movers
+) const
+{
+    const int D = grid_.nDim();
+    pointPasses::moveResult result{0, 0, -1, false};
+    movers.clear();
+
+    forAll(cloud.cells(), k)
+    {
+        const label celli = cloud.cells()[k];
+        for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+        {
+            // Directions that are not computed stay on the mid-plane, where
+            // the axis of a rotation has no arm
+            point X(cloud.position(p, celli));
+            for (int d = 0; d < D; ++d)
+            {
+                X[grid_.direction(d)] = (*cloud.reference())[d][p];
+            }
+            const point x(placement_.position(X));
+            const vector U(placement_.velocityAt(x));
+
+            scalar at[3], old[3] = {0, 0, 0};
+            for (int d = 0; d < D; ++d)
+            {
+                at[d] = x[grid_.direction(d)];
+            }
+
+            // Through cyclic sides as often as it takes
+            label to = -1;
+            bool wrapped = std::isfinite(magSqr(x));
+            const bool finite = wrapped;
+            while (to < 0 && wrapped)
+            {
+                std::copy(at, at + D, old);
+                to = grid_.locate(celli, at);
+                wrapped = !std::equal(at, at + D, old);
+            }
+            for (int d = 0; d < D; ++d)
+            {
+                const scalar h = grid_.width(celli, d);
+                const scalar u = U[grid_.direction(d)];
+                const scalar way = mag(at[d] - cloud.x()[d][p]);
+                result.rate = max(result.rate, mag(u)/h);
+                if (way < 0.5*grid_.mesh().bounds().span()[grid_.direction(d)])
+                {
+                    result.travel = max(result.travel, way/h);
+                }
+                cloud.xNew()[d][p] = at[d];
+                cloud.UNew()[d][p] = u;
+            }
+            if (to < 0)
+            {
+                result.badPoint = p;
+                result.left = finite;
+            }
+            else if (to != celli)
+            {
+                movers.append(materialPointCloud::mover{p, to});
+            }
+        }
+    }
+    return result;
+}
+
+// ************************************************************************* //

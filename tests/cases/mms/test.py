@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+"""Manufactured solution: a standing wave that a body force drives.
+
+Neo-Hookean, E 1e7, rho 1000, c = sqrt(E/rho) = 100, unit interval or square, 2
+points per cell and direction, dt = 0.2 h/c, to t = 0.02 (Wallstedt & Guilkey, J.
+Comput. Phys. 227 (2008) 9628):
+
+    u_i = G sin(pi X_i) sin(c pi t + phase_i)     1D nu 0, 2D nu 0.3, phase (0, pi)
+
+with walls that hold the normal velocity zero. The body force is a user's own, in
+one file (waveBodyForce), and needs the reference positions of the points.
+
+    error   largest over 40 times of sqrt(sum_p V_p |u_p - u|^2), V_p at the start
+    order   log2 of the ratio of the errors of two meshes
+
+Time levels. The step takes the stress from the strain of t^n and gives velocities
+that are a leapfrog: those of the middle of a step. Points move with the mean of
+two of them, so that the positions of step n are those of t^n - dt/2. "staggered"
+starts from velocity and displacement of -dt/2 and compares at t^n - dt/2; "plain"
+starts from those of t = 0 and compares at t^n: of first order in dt = 0.2 h/c,
+as half a step of displacement is missing, G pi h/10 times up to 2.
+
+Limits: order >= 1.9 of the best scheme (staggered) at G = 1e-4 and, in 1D, error
+not above the published one of MPM at each mesh. At G = 0.1 points cross cells and
+updated-Lagrange MPM stalls (published: no order in 1D): here the runs must end;
+error and order are printed beside the published ones.
+"""
+
+import os
+import shutil
+import sys
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from foamCase import (FoamCase, RunFailed, VERIFY, boxMesh, controlDict, noSchemes,
+                      velocityFile, writeField)
+from report import Report
+
+E, RHO, END = 1e7, 1000.0, 0.02
+C = np.sqrt(E/RHO)
+PHASE = np.array([0, np.pi, 0])
+
+FLIP = {"transfer": "FLIP", "PICfraction": 0}
+SCHEMES = {f"{shape} {name}": {"shapeFunction": shape, **transfer}
+           for shape in ("linear", "GIMP", "quadraticBSpline", "cubicBSpline")
+           for name, transfer in {"FLIP": FLIP, "FMPM 2": {"transfer": "FMPM", "order": 2}
+                                  }.items()}
+BEST = "quadraticBSpline FLIP"
+
+#: Published errors (mpmat): MPM in 1D, improved MPM (MLS) elsewhere
+PUBLISHED = {
+    (1, 1e-4): {8: 1.0786e-5, 16: 2.5630e-6, 32: 6.0900e-7, 64: 1.4784e-7},
+    (1, 0.1): {8: 1.31e-2, 16: 7.84e-3, 32: 8.80e-3},
+    (2, 1e-4): {8: 2.0361e-5, 16: 5.3013e-6, 32: 1.3546e-6},
+    (2, 0.1): {8: 1.7112e-2, 16: 4.7258e-3, 32: 1.2424e-3}}
+
+
+def library():
+    """Builds the body force; its folder."""
+    case = FoamCase("mms", "waveBodyForce", os.path.join(HERE, "waveBodyForce"))
+    case.run("wmake", limit=120)
+    return case.file("libwaveBodyForce.so")
+
+
+def exact(X, t, G, dim):
+    """Displacement and velocity."""
+    active = np.arange(3) < dim
+    shape = active*G*np.sin(np.pi*X)
+    return (shape*np.sin(C*np.pi*t + PHASE),
+            shape*C*np.pi*np.cos(C*np.pi*t + PHASE))
+
+
+def error(lib, dim, G, n, scheme, staggered=True):
+    nu = 0 if dim == 1 else 0.3
+    h = 1/n
+    dt = 0.2*h/C
+    steps = round(END/dt)
+    case = FoamCase("mms", f"{scheme}-{dim}D-{G}-{n}-{staggered}".replace(" ", ""))
+    case.write("constant/phaseProperties", {"phases": ["bar"], "bar": {
+        "constitutiveModel": {"type": "neoHookean", "rho": RHO, "E": E, "nu": nu},
+        "bodyForce": {"type": "wave", "G": G, "rho": RHO, "E": E, "nu": nu,
+                      "phase": PHASE, "active": [int(d < dim) for d in range(3)]}}})
+    sides = ("x-", "x+") if dim == 1 else ("x-", "x+", "y-", "y+")
+    empty = tuple(s for s in ("y-", "y+", "z-", "z+") if s not in sides)
+    case.write("system/blockMeshDict", boxMesh(
+        (0, 0, 0), (1, 1, 1), (n, n if dim == 2 else 1, 1),
+        {"walls": ("patch", sides), "empty": ("empty", empty)}))
+    velocityFile(case, "bar", {"walls": "slip", "empty": "empty"})
+    case.write("system/setMaterialPointsDict", {"regions": {"bar": {
+        "phase": "bar", "type": "cells", "pointsPerCell": 2}}})
+    case.write("system/fvSolution", {"materialPoints": SCHEMES[scheme]})
+    noSchemes(case)
+    control = controlDict(END, steps//40, deltaT=dt)
+    control.update({"writeControl": "timeStep", "libs": f'("{lib}")'})
+    case.write("system/controlDict", control)
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+
+    # In the order of the files: points of the start
+    late = 0.5*dt if staggered else 0
+    X = case.points("0", "bar")["X"]
+    u, v = exact(X, -late, G, dim)
+    writeField(case.file("0/lagrangian/bar/x"), X + u)
+    writeField(case.file("0/lagrangian/bar/U"), v)
+    seconds = case.run("materialPointFoam", limit=1200)
+
+    worst = 0
+    for name in case.times()[1:]:
+        points = case.points(name, "bar")
+        X = points["X"]
+        u, _ = exact(X, float(name) - late, G, dim)
+        worst = max(worst, np.sqrt(np.sum((points["x"] - X - u)**2)/len(X)))
+    if len(case.times()) < 41:
+        raise RunFailed(f"only {len(case.times())} times of {case.name}")
+    shutil.rmtree(case.path)
+    return worst, seconds
+
+
+def series(table, lib, dim, G, meshes, scheme, staggered=True, judge=True):
+    """Errors over meshes; rows of the table."""
+    label = f"{dim}D, G {G:g}, {scheme}, {'staggered' if staggered else 'plain'}"
+    previous = None
+    published = PUBLISHED.get((dim, G), {})
+    for n in meshes:
+        try:
+            e, seconds = error(lib, dim, G, n, scheme, staggered)
+        except RunFailed as reason:
+            table.check(f"{label}, h 1/{n} runs", False, reason)
+            return
+        order = np.log2(previous/e) if previous else np.nan
+        print(f"{label}, h 1/{n}: error {e:.4e}, order {order:.3f}, published "
+              f"{published.get(n, np.nan):.4e}, {seconds:.1f} s", flush=True)
+        if judge and G < 1e-3:
+            if previous:
+                table.row(f"{label}: order at h 1/{n}", 2, order, 1.9, "atLeast")
+            if dim == 1:
+                table.row(f"{label}: error at h 1/{n} (published MPM)", published[n],
+                          e, published[n], "atMost")
+        elif judge:
+            table.check(f"{label}, h 1/{n} runs; no limit", np.isfinite(e),
+                        f"error {e:.3e}, order {order:.2f}, published "
+                        f"{published.get(n, np.nan):.3e}")
+        previous = e
+
+
+def main():
+    table = Report("mms")
+    try:
+        lib = library()
+    except RunFailed as reason:
+        table.check("the body force of a user in one file compiles", False, reason)
+        return table.finish()
+    fine1, fine2 = ((8, 16, 32, 64), (8, 16, 32, 64)) if VERIFY else ((8, 16, 32), (8, 16))
+    series(table, lib, 1, 1e-4, (8, 16, 32, 64), BEST)
+    series(table, lib, 1, 1e-4, fine1, BEST, staggered=False, judge=False)
+    series(table, lib, 1, 0.1, fine1, BEST)
+    series(table, lib, 2, 1e-4, fine2, BEST)
+    series(table, lib, 2, 0.1, fine2, BEST)
+    if VERIFY:
+        series(table, lib, 1, 0.05, fine1, BEST)
+        series(table, lib, 2, 0.05, fine2, BEST)
+        for scheme in SCHEMES:
+            for dim, G in ((1, 1e-4), (1, 0.1), (2, 1e-4), (2, 0.1)):
+                for staggered in (True, False):
+                    series(table, lib, dim, G, (8, 16, 32), scheme, staggered, False)
+    return table.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
