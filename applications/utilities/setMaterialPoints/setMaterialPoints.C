@@ -64,7 +64,8 @@ Usage
     ignored. With samples > 1, for curved shapes, samples^nDim positions in each
     sub-cell are looked at, and a point gets the part of the sub-cell's volume
     whose positions lie in the shape. With stress ambient the stress is that of
-    the pressure. Regions whose phases share a velocity field must not overlap,
+    the pressure. Regions of rigid phases have neither velocity nor stress.
+    Regions whose phases share a velocity field must not overlap,
     unless one of them allows it.
 
     Shapes and their entries:

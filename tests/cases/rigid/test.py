@@ -11,6 +11,8 @@ bar        a bar of 25 m hits a fixed plate: force rho c v A until the release
 motion     positions and velocities of rigid points against the closed form:
            constant, table, sine, polynomial; rotation in 2D and 3D
 restart    stopped and continued: bit by bit
+parallel   a paddle turns into a block, GIMP and linear: points and impulse on 4
+           processors as on one, to 1e-10
 """
 
 import os
@@ -210,6 +212,38 @@ def restart(table):
                 f"impulse {results[0][-1]} and {results[1][-1]}")
 
 
+def parallel(table, shape):
+    """A turning paddle and a block in one velocity field, over the joints of the
+    processors."""
+    end = 0.04
+    cases = []
+    for n in ((1, 1, 1), (2, 2, 1)):
+        case = build(
+            f"paddle {shape} {n[0]*n[1]}", (20, 20),
+            {"paddle": {"type": "rigid", "rho": 7800, "motion": {
+                "type": "rotation", "origin": (10*H, 10*H, 0), "axis": (0, 0, 1),
+                "omega": "table ((0 0) (0.01 15) (1 15))"}},
+             "block": {"constitutiveModel": LAW}},
+            {"paddle": {"min": (4*H, 9*H, 0), "max": (16*H, 11*H, H)},
+             "block": {"min": (9*H, 11*H, 0), "max": (13*H, 15*H, H)}},
+            {**FLIP, "shapeFunction": shape, "PICfraction": 0.01},
+            controlDict(end, end, deltaT=1e-4))
+        if n[0] > 1:
+            case.decompose(n)
+            case.runParallel()
+        else:
+            case.run("materialPointFoam")
+        cases.append(case)
+    one, four = cases
+    end = one.times()[-1]
+    table.row(f"paddle, {shape}: 4 processors against 1, of the largest value", 0,
+              one.largestDifference(four, end, ("paddle", "block"),
+                                    ("x", "U", "sigma", "V")), 1e-10)
+    J = impulse(one, "paddle")
+    table.row(f"paddle, {shape}: impulse, 4 processors against 1", 0,
+              np.linalg.norm(impulse(four, "paddle") - J)/np.linalg.norm(J), 1e-10)
+
+
 def main():
     table = Report("rigid")
     hit = (0.1, -1, 0)
@@ -233,7 +267,9 @@ def main():
         lambda: push(table, "pushed by a table, FMPM 2", slow, fmpm),
         lambda: bar(table),
         lambda: motions(table),
-        lambda: restart(table))
+        lambda: restart(table),
+        lambda: parallel(table, "GIMP"),
+        lambda: parallel(table, "linear"))
     for test in tests:
         try:
             test()
