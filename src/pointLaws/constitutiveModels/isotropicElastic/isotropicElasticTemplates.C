@@ -19,10 +19,18 @@ namespace mpm
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class Law>
-isotropicElastic<Law>::isotropicElastic(const dictionary& dict)
+isotropicElastic<Law>::isotropicElastic
+(
+    const dictionary& dict,
+    const wordList& keywords
+)
 :
     constitutiveModel(dict)
 {
+    wordList valid({"type", "rho", "E", "nu"});
+    valid.append(keywords);
+    checkKeywords(dict, valid);
+
     const scalar E = positive(dict, "E");
     const scalar nu = bounded(dict, "nu", -0.999, 0.499999);
 

@@ -153,10 +153,8 @@ public:
 
 Foam::mpm::linearElastic::linearElastic(const dictionary& dict)
 :
-    isotropicElastic<linearElastic>(dict)
+    isotropicElastic<linearElastic>(dict, wordList({"stress"}))
 {
-    checkKeywords(dict, {"type", "rho", "E", "nu", "stress"});
-
     kirchhoff_ =
         oneOfOrDefault(dict, "stress", "Cauchy", {"Cauchy", "Kirchhoff"})
      == "Kirchhoff";

@@ -135,9 +135,7 @@ public:
 Foam::mpm::neoHookean::neoHookean(const dictionary& dict)
 :
     isotropicElastic<neoHookean>(dict)
-{
-    checkKeywords(dict, {"type", "rho", "E", "nu"});
-}
+{}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
