@@ -9,10 +9,10 @@ import numpy as np
 class Energies:
     """Energies [J] of both disks over time.
 
-    Velocity and stress step past each other (leapfrog): the velocity of a row
-    has had the force of the stress of the row before, so it belongs to the
-    middle between the two. centred is the energy with both at the same time,
-    (K(n) + K(n+1))/2 + W(n); total is K(n) + W(n) as the balance has it.
+    With stressUpdate USAVG velocity and stress of a row belong to the same time.
+    With the others they step past each other (leapfrog): total is K(n) + W(n)
+    as the balance has it, whatever the scheme. transfer and residual are those
+    of the budget (materialPointEnergy).
     """
 
     def __init__(self, case="."):
@@ -30,11 +30,19 @@ class Energies:
         #: Of the points' mass with the velocity of setMaterialPoints
         self.start = self.mass[0]*(0.1**2 + 0.1**2)/2
 
-        self.centred = self.total[:-1] + np.diff(self.kinetic)/2
-
         #: Errors in per cent of the energy at the start
         self.error = 100*(self.total/self.start - 1)
-        self.errorCentred = 100*(self.centred/self.start - 1)
+
+        budget = np.loadtxt(sorted(glob.glob(os.path.join(
+            case, "postProcessing/energy/*/energy.dat")))[0])
+        #: In per cent of the energy at the start
+        self.transfer = 100*budget[:, 4]/self.start
+        self.residual = 100*budget[:, 7]/self.start
+
+        #: Of one disk's momentum, and of that times the distance of the centres
+        size = self.mass[0]/2*np.hypot(0.1, 0.1)
+        self.momentumError = np.abs(self.momentum - self.momentum[0]).max()/size
+        self.angularError = np.abs(self.angular - self.angular[0]).max()/(size*0.6)
 
 
 def endAndLargest(error):

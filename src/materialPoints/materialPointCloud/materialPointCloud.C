@@ -23,30 +23,45 @@ namespace mpm
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+template<class Function>
+void Foam::mpm::materialPointCloud::forStress(const Function& f)
+{
+    f(stress_);
+    f(volume_);
+    if (damage_) f(*damage_);
+    for (column& h : history_) f(h);
+}
+
+
+std::vector<const Foam::mpm::column*>
+Foam::mpm::materialPointCloud::ownColumns() const
+{
+    std::vector<const column*> own;
+    for (const column& h : history_)
+    {
+        own.push_back(&h);
+    }
+    if (affine_)
+    {
+        own.push_back(&*affine_);
+    }
+    return own;
+}
+
+
 void Foam::mpm::materialPointCloud::permute
 (
     const labelList& from,
     const label first
 )
 {
-    // The current x and U stay in the old order: they are what reject() needs
-    // and accept() throws away
+    // The current x, U and C stay in the old order: they are what reject()
+    // needs and accept() throws away
     forColumns
     (
         [&](column& c)
         {
-            if (&c == &x_)
-            {
-                xNew_.permute(from.cdata(), first, from.size(), scratch_);
-            }
-            else if (&c == &U_)
-            {
-                UNew_.permute(from.cdata(), first, from.size(), scratch_);
-            }
-            else
-            {
-                c.permute(from.cdata(), first, from.size(), scratch_);
-            }
+            tentative(c).permute(from.cdata(), first, from.size(), scratch_);
         }
     );
 }
@@ -93,6 +108,7 @@ void Foam::mpm::materialPointCloud::reserve(label n)
         forColumns(grow);
         grow(xNew_);
         grow(UNew_);
+        if (affineNew_) grow(*affineNew_);
         scratch_ = alignedArray(n + column::padding);
     }
 }
@@ -200,7 +216,8 @@ Foam::mpm::materialPointCloud::materialPointCloud
     mass_("m", column::scalars, grid.nDim()),
     volume_("V", column::scalars, grid.nDim()),
     stress_("sigma", column::stresses, grid.nDim()),
-    id_("id", column::scalars, grid.nDim())
+    id_("id", column::scalars, grid.nDim()),
+    affineRead_(false)
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -229,6 +246,13 @@ void Foam::mpm::materialPointCloud::needReference()
 }
 
 
+void Foam::mpm::materialPointCloud::needAffine()
+{
+    affine_.reset(new column("C", column::tensors, grid_.nDim()));
+    affineNew_.reset(new column("CNew", column::tensors, grid_.nDim()));
+}
+
+
 void Foam::mpm::materialPointCloud::needHistory
 (
     const word& name,
@@ -243,8 +267,14 @@ Foam::scalar Foam::mpm::materialPointCloud::bytesPerPoint() const
 {
     materialPointCloud& me = const_cast<materialPointCloud&>(*this);
 
-    // Tentative position and velocity, scratch
-    scalar perPoint = sizeof(scalar)*(2*grid_.nDim() + 1);
+    // Tentative position, velocity and affine matrix, kept stress, scratch
+    label nMore =
+        2*grid_.nDim() + 1 + (affineNew_ ? affineNew_->nComponents() : 0);
+    for (const column& c : kept_)
+    {
+        nMore += c.nComponents();
+    }
+    scalar perPoint = sizeof(scalar)*nMore;
     me.forColumns
     (
         [&](column& c) { perPoint += sizeof(scalar)*c.nComponents(); }
@@ -522,7 +552,47 @@ void Foam::mpm::materialPointCloud::accept()
 {
     x_.swap(xNew_);
     U_.swap(UNew_);
+    if (affine_) affine_->swap(*affineNew_);
     sorted_ = false;
+}
+
+
+void Foam::mpm::materialPointCloud::keepStress()
+{
+    size_t k = 0;
+    forStress
+    (
+        [&](column& c)
+        {
+            if (k == kept_.size())
+            {
+                kept_.emplace_back(c.name(), c.kind(), grid_.nDim());
+            }
+            column& to = kept_[k++];
+            to.reserve(c.capacity(), 0);
+            for (int i = 0; i < c.nComponents(); ++i)
+            {
+                std::copy(c[i], c[i] + n_, to[i]);
+            }
+        }
+    );
+}
+
+
+void Foam::mpm::materialPointCloud::restoreStress()
+{
+    size_t k = 0;
+    forStress
+    (
+        [&](column& c)
+        {
+            const column& from = kept_[k++];
+            for (int i = 0; i < c.nComponents(); ++i)
+            {
+                std::copy(from[i], from[i] + n_, c[i]);
+            }
+        }
+    );
 }
 
 

@@ -41,11 +41,10 @@ void Foam::mpm::materialPointCloud::pack(const UList<mover>& movers)
         rows.append(grid_.ghostCell(mv.cell));
         forColumns
         (
-            [&](const column& c)
+            [&](column& c)
             {
-                // Of position and velocity the tentative ones
-                const column& from =
-                    &c == &x_ ? xNew_ : &c == &U_ ? UNew_ : c;
+                // The tentative ones where there are such
+                const column& from = tentative(c);
                 for (int i = 0; i < from.nComponents(); ++i)
                 {
                     rows.append(from[i][mv.point]);
@@ -146,7 +145,7 @@ void Foam::mpm::materialPointCloud::unpack(DynamicList<mover>& movers)
             (
                 [&](column& c)
                 {
-                    column& to = &c == &x_ ? xNew_ : &c == &U_ ? UNew_ : c;
+                    column& to = tentative(c);
                     for (int i = 0; i < to.nComponents(); ++i)
                     {
                         to[i][p] = *from++;

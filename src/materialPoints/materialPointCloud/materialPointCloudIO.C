@@ -440,13 +440,18 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
             std::copy(f.begin(), f.end(), (*damage_)[0]);
         }
 
-        for (column& h : history_)
+        for (const column* own : ownColumns())
         {
-            // Absent at the start of a run: the law's initial state
-            if (!present(h.name()))
+            column& h = const_cast<column&>(*own);
+
+            // Absent at the start of a run: the law's initial state. The
+            // affine matrix also where another transfer has written the time
+            const bool isAffine = affine_ && own == &*affine_;
+            if (!(isAffine ? onDisk(*this, h.name()) : present(h.name())))
             {
                 continue;
             }
+            affineRead_ = affineRead_ || isAffine;
             if (h.kind() == column::scalars)
             {
                 const scalarField f(readField<scalar>(*this, h.name(), n));
@@ -473,8 +478,9 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
             }
         }
 
-        for (const column& h : history_)
+        for (const column* own : ownColumns())
         {
+            const column& h = *own;
             for (int i = 0; i < h.nComponents(); ++i)
             {
                 for (label p = 0; p < n; ++p)
@@ -597,8 +603,9 @@ void Foam::mpm::materialPointCloud::writePoints() const
         writeField<scalar>
         (*this, "damage", n_, [&](label p) { return (*damage_)[0][p]; });
     }
-    for (const column& h : history_)
+    for (const column* own : ownColumns())
     {
+        const column& h = *own;
         if (h.kind() == column::scalars)
         {
             writeField<scalar>

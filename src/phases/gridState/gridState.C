@@ -439,6 +439,7 @@ Foam::mpm::gridState::gridState
     f_(stride_*grid.nNodes()),
     U_(stride_*grid.nNodes()),
     UL_(2*stride_*grid.nNodes()),
+    strainIsU_(true),
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),
     shared_(grid.shared(reach)),
@@ -448,6 +449,16 @@ Foam::mpm::gridState::gridState
 {
     readBoundary();
     updateFixed(0);
+
+    if (Pstream::parRun())
+    {
+        share_.setSize(grid.nNodes(), 1);
+        shared_.sum(share_.begin(), 1, 1);
+        for (scalar& part : share_)
+        {
+            part = 1/part;
+        }
+    }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -644,48 +655,148 @@ void Foam::mpm::gridState::momentumStep(const scalar dt, const vector& g)
 }
 
 
-void Foam::mpm::gridState::startFilter(const bool tentative)
+Foam::scalar Foam::mpm::gridState::boundaryWork
+(
+    const scalar dt,
+    const vector& g
+) const
 {
-    // work = [increments v in 2 stride per node][sum of m S S^T v]
-    if (!work_.data())
+    scalar w = 0;
+    const auto add = [&](const label n)
     {
-        work_ = alignedArray(3*stride_*grid_.nNodes());
-    }
-    if (tentative && !Ustrain_.data())
-    {
-        Ustrain_ = alignedArray(stride_*grid_.nNodes());
-    }
-    scalar* v = work_.data();
-    for (const label n : tentative ? activeNew_ : active_)
-    {
-        for (int d = 0; d < nDim_; ++d)
+        const scalar m = mU_.data()[stride_*n + nDim_];
+        const scalar part = share_.size() ? share_[n] : 1;
+        for (int d = 0; m > 0 && d < nDim_; ++d)
         {
-            if (tentative)
+            const scalar du = UL_.data()[2*stride_*n + stride_ + d];
+            const scalar J =
+                m*(du - dt*g[grid_.direction(d)])
+              - dt*f_.data()[stride_*n + d];
+            w += part*J*(U_.data()[stride_*n + d] + 0.5*du);
+        }
+    };
+    labelHashSet nodes(fixedNode_);
+    nodes.insert(slipNode_);
+    nodes.insert(rigid_.nodes());
+    for (const label n : nodes.sortedToc())
+    {
+        add(n);
+    }
+
+    return w;
+}
+
+
+void Foam::mpm::gridState::strainFromU(const bool copy)
+{
+    strainIsU_ = !copy;
+    if (copy)
+    {
+        scalar* to = strainMomentum();
+        for (const label n : active_)
+        {
+            for (int d = 0; d < nDim_; ++d)
             {
-                v[2*stride_*n + d] = UNew_.data()[stride_*n + d];
-                Ustrain_.data()[stride_*n + d] = UNew_.data()[stride_*n + d];
-            }
-            else
-            {
-                v[2*stride_*n + d] = UL_.data()[2*stride_*n + d];
+                to[stride_*n + d] = U_.data()[stride_*n + d];
             }
         }
     }
 }
 
 
-void Foam::mpm::gridState::addFilter
-(
-    const bool tentative,
-    const scalar weight,
-    const scalar* Mv
-)
+void Foam::mpm::gridState::strainFromUL(const scalar weight)
 {
-    const labelList& nodes = tentative ? activeNew_ : active_;
-    const scalar* mU = tentative ? mUNew_.data() : mU_.data();
-    scalar* v = work_.data();
+    scalar* to = strainMomentum();
+    for (const label n : active_)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            const scalar u =
+                U_.data()[stride_*n + d]
+              + UL_.data()[2*stride_*n + stride_ + d];
+            to[stride_*n + d] = u + weight*(UL_.data()[2*stride_*n + d] - u);
+        }
+    }
+}
 
-    for (const label n : nodes)
+
+Foam::scalar* Foam::mpm::gridState::strainMomentum()
+{
+    strainIsU_ = false;
+    if (!Ustrain_.data())
+    {
+        Ustrain_ = alignedArray(stride_*grid_.nNodes());
+    }
+    for (const label n : active_)
+    {
+        for (int c = 0; c < stride_; ++c)
+        {
+            Ustrain_.data()[stride_*n + c] = 0;
+        }
+    }
+    return Ustrain_.data();
+}
+
+
+void Foam::mpm::gridState::strainFromMomentum()
+{
+    scalar* u = Ustrain_.data();
+    shared_.sum(u, stride_, nDim_ + 1);
+    for (const label n : active_)
+    {
+        const scalar m = u[stride_*n + nDim_];
+        const scalar rm = m > 0 ? 1/m : 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            u[stride_*n + d] *= rm;
+        }
+    }
+    constrain(u, stride_, false, false);
+}
+
+
+void Foam::mpm::gridState::startFilter(const series s)
+{
+    // work = [increments v in 2 stride per node][sum of m S S^T v]
+    if (!work_.data())
+    {
+        work_ = alignedArray(3*stride_*grid_.nNodes());
+    }
+    const scalar* from =
+        s == FMPM ? UL_.data() : s == XPIC ? U_.data() : Ustrain_.data();
+    const int step = s == FMPM ? 2*stride_ : stride_;
+    scalar* v = work_.data();
+    for (const label n : active_)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            v[2*stride_*n + d] = from[step*n + d];
+        }
+    }
+}
+
+
+Foam::scalar* Foam::mpm::gridState::zeroProduct()
+{
+    scalar* Mv = work_.data() + 2*stride_*grid_.nNodes();
+    for (const label n : active_)
+    {
+        for (int c = 0; c < stride_; ++c)
+        {
+            Mv[stride_*n + c] = 0;
+        }
+    }
+    return Mv;
+}
+
+
+void Foam::mpm::gridState::addFilter(const series s, const scalar weight)
+{
+    const scalar* mU = mU_.data();
+    scalar* v = work_.data();
+    const scalar* Mv = v + 2*stride_*grid_.nNodes();
+
+    for (const label n : active_)
     {
         const scalar m = mU[stride_*n + nDim_];
         const scalar rm = m > 0 ? 1/m : 0;
@@ -696,25 +807,19 @@ void Foam::mpm::gridState::addFilter
     }
 
     // The sum keeps the fixed velocities: increments have none there
-    if (!tentative)
+    if (s != strain)
     {
         rigid_.addImpulse(v, 2*stride_, true, mU, stride_);
     }
-    constrain(v, 2*stride_, true, tentative);
+    constrain(v, 2*stride_, true, false);
 
-    for (const label n : nodes)
+    scalar* to = s == strain ? Ustrain_.data() : UL_.data();
+    const int step = s == strain ? stride_ : 2*stride_;
+    for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            if (tentative)
-            {
-                Ustrain_.data()[stride_*n + d] +=
-                    weight*v[2*stride_*n + d];
-            }
-            else
-            {
-                UL_.data()[2*stride_*n + d] += v[2*stride_*n + d];
-            }
+            to[step*n + d] += weight*v[2*stride_*n + d];
         }
     }
 }
@@ -813,7 +918,8 @@ Foam::scalar Foam::mpm::gridState::bytes() const
     return
         scalar(grid_.nNodes())
        *(
-            sizeof(scalar)*stride_*(7 + (work_.data() ? 4 : 0))
+            sizeof(scalar)*stride_
+           *(7 + (work_.data() ? 3 : 0) + (Ustrain_.data() ? 1 : 0))
           + sizeof(label)
         )
       + sizeof(label)*scalar(active_.size() + activeNew_.size());

@@ -17,7 +17,8 @@ Foam::mpm::materialPointPhase::materialPointPhase
     const hexGrid& grid,
     const word& name,
     const dictionary& dict,
-    const bool needHalfSize
+    const bool needHalfSize,
+    const bool needAffine
 )
 :
     name_(name),
@@ -25,7 +26,8 @@ Foam::mpm::materialPointPhase::materialPointPhase
     rho_(0),
     largestMass_(0),
     cloud_(grid, name),
-    nFailed_(0)
+    nFailed_(0),
+    nFailedKept_(0)
 {
     const word type
     (
@@ -76,6 +78,10 @@ Foam::mpm::materialPointPhase::materialPointPhase
     if (needHalfSize)
     {
         cloud_.needHalfSize();
+    }
+    if (needAffine)
+    {
+        cloud_.needAffine();
     }
     if (failure_)
     {
@@ -210,6 +216,20 @@ Foam::mpm::materialPointPhase::acceleration(const scalar time)
     bodyForce_->correct(b);
 
     return *acceleration_;
+}
+
+
+void Foam::mpm::materialPointPhase::keepStress()
+{
+    cloud_.keepStress();
+    nFailedKept_ = nFailed_;
+}
+
+
+void Foam::mpm::materialPointPhase::restoreStress()
+{
+    cloud_.restoreStress();
+    nFailed_ = nFailedKept_;
 }
 
 

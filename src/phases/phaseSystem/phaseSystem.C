@@ -72,66 +72,45 @@ void Foam::mpm::pointPhaseSystem::readNumerics()
     const dictionary& dict =
         requiredDict(mesh_.solutionDict(), "materialPoints");
 
-    checkKeywords
+    wordList valid(transfer::keywords());
+    valid.append
     (
-        dict,
-        {
-            "shapeFunction", "transfer", "PICfraction", "order",
-            "strainFilter", "maxTravel", "maxStrain"
-        }
+        wordList
+        ({
+            "shapeFunction", "stressUpdate", "energyBudget", "maxTravel",
+            "maxStrain"
+        })
     );
+    checkKeywords(dict, valid);
 
-    gridVelocity_ = oneOf(dict, "transfer", {"FLIP", "FMPM"}) == "FMPM";
-    PICfraction_ = 0;
-    order_ = 1;
-    strainFilter_ = boundedOrDefault(dict, "strainFilter", 0.75, 0, 1);
-    if (gridVelocity_)
-    {
-        order_ = boundedLabelOrDefault(dict, "order", 2, 1, 100);
-        if (order_ > 4)
-        {
-            WarningInFunction
-                << "FMPM of order " << order_ << " rings at shocks: in plate"
-                << " impacts with strainFilter 1 order 8 grew without bound."
-                << " Order 2 is what to use." << endl;
-        }
-    }
-    else
-    {
-        PICfraction_ = boundedOrDefault(dict, "PICfraction", 0, 0, 1);
-    }
+    transfer_ = transfer(dict);
+    stressUpdate_ = stressUpdate::New(dict);
     maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
     maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
 }
 
 
-void Foam::mpm::pointPhaseSystem::filter(const bool tentative)
+void Foam::mpm::pointPhaseSystem::filter
+(
+    const gridState::series s,
+    const scalar weight
+)
 {
-    // Sum of k terms of the series of the inverse of the consistent mass
-    // matrix, m^-1 = sum_j (I - m_l^-1 S m_p S^T)^j m_l^-1, times momentum
-    if (tentative && strainFilter_ <= 0)
+    if (weight <= 0)
     {
         return;
     }
-    for (label k = 1; k < order_; ++k)
+    const timer t(clock_.project);
+    forAll(fields_, fieldi)
     {
-        const timer t(clock_.project);
-        forAll(fields_, fieldi)
+        gridState& field = fields_[fieldi];
+        for (label k = 1; k < transfer_.order; ++k)
         {
-            gridState& field = fields_[fieldi];
             if (k == 1)
             {
-                field.startFilter(tentative);
+                field.startFilter(s);
             }
-            scalar* v = field.work();
-            scalar* Mv = v + 2*field.stride()*grid_.nNodes();
-            for (const label n : tentative ? field.activeNew() : field.active())
-            {
-                for (int d = 0; d < field.stride(); ++d)
-                {
-                    Mv[field.stride()*n + d] = 0;
-                }
-            }
+            scalar* Mv = field.zeroProduct();
             forAll(phases_, phasei)
             {
                 if (fieldOf_[phasei] == fieldi && !phases_[phasei].motion())
@@ -139,14 +118,62 @@ void Foam::mpm::pointPhaseSystem::filter(const bool tentative)
                     passes_->massTimes
                     (
                         phases_[phasei].cloud(),
-                        tentative,
-                        v,
+                        false,
+                        field.increment(),
                         Mv
                     );
                 }
             }
             field.sumColumn(Mv);
-            field.addFilter(tentative, strainFilter_, Mv);
+            field.addFilter(s, weight);
+        }
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::startAffine()
+{
+    // Fixed point of C = grad u(v, C): rigid rotation to rounding
+    const noTraps guard;
+    for (label i = 0; i < 200; ++i)
+    {
+        scalar size = 0, change = 0;
+        forAll(phases_, phasei)
+        {
+            materialPointCloud& cloud = phases_[phasei].cloud();
+            const gridState& field = fields_[fieldOf_[phasei]];
+            if (phases_[phasei].motion())
+            {
+                continue;
+            }
+            passes_->affine(cloud, false, field.U(), field.stride());
+            column& C = *cloud.affine();
+            column& CNew = *cloud.affineNew();
+            for (int c = 0; c < C.nComponents(); ++c)
+            {
+                for (label p = 0; p < cloud.size(); ++p)
+                {
+                    size = max(size, mag(CNew[c][p]));
+                    change = max(change, mag(CNew[c][p] - C[c][p]));
+                }
+            }
+            C.swap(CNew);
+        }
+        activate(false);
+        projectAll(pointPasses::current);
+        for (gridState& field : fields_)
+        {
+            field.accept();
+        }
+        reduce(size, maxOp<scalar>());
+        reduce(change, maxOp<scalar>());
+        if (debug)
+        {
+            Info<< "startAffine " << i << ": " << change << " of " << size << nl;
+        }
+        if (change <= 1e-14*size)
+        {
+            break;
         }
     }
 }
@@ -210,7 +237,10 @@ void Foam::mpm::pointPhaseSystem::activate(const bool changed)
 }
 
 
-void Foam::mpm::pointPhaseSystem::projectAll(const bool tentative)
+void Foam::mpm::pointPhaseSystem::projectAll
+(
+    const pointPasses::states state
+)
 {
     const noTraps guard;
 
@@ -226,12 +256,12 @@ void Foam::mpm::pointPhaseSystem::projectAll(const bool tentative)
             passes_->project
             (
                 phases_[phasei].cloud(),
-                tentative,
+                state,
                 fields_[fieldOf_[phasei]].momentumNew()
             );
         }
     }
-    reachRigid(tentative);
+    reachRigid(state);
     for (gridState& field : fields_)
     {
         field.sumMomentum();
@@ -312,7 +342,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
                 grid_,
                 names[phasei],
                 requiredDict(properties_, names[phasei]),
-                passes_->hasExtent()
+                passes_->hasExtent(),
+                transfer_.kind == transfer::APIC
             )
         );
         const word& field = phases_[phasei].velocityField();
@@ -395,9 +426,30 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     updateWaveRate();
 
     startNodes();
+    bool haveAffine = true;
+    for (const materialPointPhase& phase : phases_)
+    {
+        haveAffine = haveAffine && (phase.motion() || phase.cloud().affineRead());
+    }
+    if
+    (
+        transfer_.kind == transfer::APIC
+     && !returnReduce(haveAffine, orOp<bool>())
+    )
+    {
+        startAffine();
+    }
     for (gridState& field : fields_)
     {
         field.writeField();
+    }
+    if
+    (
+        mesh.solutionDict().subDict("materialPoints")
+       .getOrDefault<bool>("energyBudget", false)
+    )
+    {
+        bookEnergy();
     }
     checkOverlap();
 
@@ -407,15 +459,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
         << "    shape function "
         << mesh.solutionDict().subDict("materialPoints").get<word>("shapeFunction")
-        << ", transfer " << (gridVelocity_ ? "FMPM" : "FLIP");
-    if (gridVelocity_)
-    {
-        Info<< " of order " << order_ << nl;
-    }
-    else
-    {
-        Info<< " with PIC fraction " << PICfraction_ << nl;
-    }
+        << ", stress update " << stressUpdate_->name() << nl << "    ";
+    transfer_.write(Info);
     reportBalance();
     Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
         << " buffers, " << gridBytes()/max(nPoints(), label(1))
@@ -481,7 +526,24 @@ void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
         }
     }
 
-    filter(false);
+    if (budget_.active)
+    {
+        scalar boundary = 0;
+        for (const gridState& field : fields_)
+        {
+            boundary += field.boundaryWork(dt, g_);
+        }
+        budget_.step.boundary = returnReduce(boundary, sumOp<scalar>());
+    }
+
+    if (transfer_.kind == transfer::FMPM)
+    {
+        filter(gridState::FMPM, 1);
+    }
+    else if (transfer_.kind == transfer::XPIC)
+    {
+        filter(gridState::XPIC, 1);
+    }
 }
 
 
@@ -492,17 +554,31 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
 
     pointPasses::moveRule rule;
     rule.dt = dt;
-    rule.gridVelocity = gridVelocity_;
-    rule.PICfraction =
-        PICfraction_ < 1
-      ? -std::expm1(std::log1p(-PICfraction_)*dt*courantRate()/0.4)
-      : 1;
+    rule.kind = transfer_.kind;
+    rule.PICfraction = transfer_.fraction(dt*courantRate());
 
-    scalar travel = 0, rate = 0;
+    rule.energy = budget_.active;
+
+    scalar travel = 0, rate = 0, work = 0, body = 0;
+    vector momentum(Zero);
     badPoint bad{-1, -1, false};
     forAll(phases_, phasei)
     {
         materialPointPhase& phase = phases_[phasei];
+        const gridState& field = fields_[fieldOf_[phasei]];
+        rule.U = field.U();
+        rule.bodyForce = phase.bodyAcceleration();
+        if (transfer_.kind == transfer::APIC && !phase.motion())
+        {
+            const bool moment = transfer_.moment;
+            passes_->affine
+            (
+                phase.cloud(),
+                moment,
+                moment ? field.UL() : field.U(),
+                moment ? 2*field.stride() : field.stride()
+            );
+        }
         const pointPasses::moveResult result
         (
             phase.motion()
@@ -511,13 +587,16 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
             (
                 phase.cloud(),
                 rule,
-                fields_[fieldOf_[phasei]].UL(),
+                field.UL(),
                 movers_[phasei]
             )
         );
 
         travel = max(travel, result.travel);
         rate = max(rate, result.rate);
+        work += result.work;
+        momentum += result.momentum;
+        body += result.bodyWork;
 
         // Too far is no reason to stop yet: a smaller step may end inside
         if
@@ -536,10 +615,19 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     {
         stop(bad);
     }
+    if (budget_.active)
+    {
+        reduce(work, sumOp<scalar>());
+        reduce(momentum, sumOp<vector>());
+        reduce(body, sumOp<scalar>());
+        forceWork& step = budget_.step;
+        step.external = dt*((g_ & momentum) + body);
+        step.internal = work - step.external - step.boundary;
+    }
 
     for (gridState& field : fields_)
     {
-        field.addProjectionImpulse(gridVelocity_ ? 1 : rule.PICfraction);
+        field.addProjectionImpulse(transfer_.kind == transfer::FLIP ? rule.PICfraction : 1);
     }
 
     return travel <= maxTravel_ ? 1 : max(0.8*maxTravel_/travel, scalar(0.1));
@@ -567,11 +655,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::project(const scalar dt)
     scalar strain = 0;
     {
         const timer t(clock_.project);
-        projectAll(true);
-    }
-    {
-        const noTraps guard;
-        filter(true);
+        projectAll(pointPasses::tentative);
     }
     {
         const timer t(clock_.nodes);
@@ -614,6 +698,7 @@ void Foam::mpm::pointPhaseSystem::accept()
     {
         field.accept();
     }
+    budget_.work += budget_.step;
     tentative_ = false;
 }
 
@@ -633,11 +718,70 @@ void Foam::mpm::pointPhaseSystem::reject()
         }
         updateWaveRate();
     }
+    if (stressUpdate_->early())
+    {
+        for (materialPointPhase& phase : phases_)
+        {
+            phase.restoreStress();
+        }
+    }
     tentative_ = false;
 }
 
 
-void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
+void Foam::mpm::pointPhaseSystem::strainVelocity()
+{
+    const noTraps guard;
+    const bool filtered = transfer_.order > 1 && transfer_.strainFilter > 0;
+    for (gridState& field : fields_)
+    {
+        field.strainFromU(filtered);
+    }
+    filter(gridState::strain, transfer_.strainFilter);
+}
+
+
+void Foam::mpm::pointPhaseSystem::strainVelocityL()
+{
+    for (gridState& field : fields_)
+    {
+        field.strainFromUL(transfer_.strainFilter);
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::strainVelocityAnew()
+{
+    const noTraps guard;
+    {
+        const timer t(clock_.project);
+        List<scalar*> mU(fields_.size());
+        forAll(fields_, fieldi)
+        {
+            mU[fieldi] = fields_[fieldi].strainMomentum();
+        }
+        forAll(phases_, phasei)
+        {
+            if (!phases_[phasei].motion())
+            {
+                passes_->project
+                (
+                    phases_[phasei].cloud(),
+                    pointPasses::oldPlaces,
+                    mU[fieldOf_[phasei]]
+                );
+            }
+        }
+        for (gridState& field : fields_)
+        {
+            field.strainFromMomentum();
+        }
+    }
+    filter(gridState::strain, transfer_.strainFilter);
+}
+
+
+void Foam::mpm::pointPhaseSystem::force(const scalar dt)
 {
     const noTraps guard;
     const timer t(clock_.stress);
@@ -645,6 +789,48 @@ void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
     for (gridState& field : fields_)
     {
         field.clearForce();
+    }
+    forAll(phases_, phasei)
+    {
+        if (!phases_[phasei].motion())
+        {
+            passes_->force
+            (
+                phases_[phasei].cloud(),
+                fields_[fieldOf_[phasei]].force()
+            );
+        }
+    }
+    finishForce(dt);
+}
+
+
+void Foam::mpm::pointPhaseSystem::finishForce(const scalar dt)
+{
+    addBodyForces(mesh_.time().value() + dt);
+    for (gridState& field : fields_)
+    {
+        field.sumForce();
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::correctStress
+(
+    const scalar dt,
+    const bool withForce,
+    const scalar dtForce
+)
+{
+    const noTraps guard;
+    const timer t(clock_.stress);
+
+    for (gridState& field : fields_)
+    {
+        if (withForce)
+        {
+            field.clearForce();
+        }
     }
     forAll(phases_, phasei)
     {
@@ -662,7 +848,7 @@ void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
                 phase.failure(),
                 dt,
                 fields_[fieldOf_[phasei]].Ustrain(),
-                fields_[fieldOf_[phasei]].force()
+                withForce ? fields_[fieldOf_[phasei]].force() : nullptr
             )
         );
         if (result.badPoint >= 0)
@@ -685,20 +871,29 @@ void Foam::mpm::pointPhaseSystem::correctStress(const scalar dt)
         }
         phase.nFailed() += result.nFailed;
     }
-    addBodyForces(mesh_.time().value() + dt);
-    for (gridState& field : fields_)
+    if (withForce)
     {
-        field.sumForce();
+        finishForce(dtForce);
     }
 }
 
 
 bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
 {
+    if (stressUpdate_->early())
+    {
+        for (materialPointPhase& phase : phases_)
+        {
+            phase.keepStress();
+        }
+    }
+    stressUpdate_->start(*this, dt);
+
     momentum(dt);
     factor = move(dt);
     if (factor >= 1)
     {
+        stressUpdate_->moved(*this, dt);
         factor = project(dt);
     }
     if (factor < 1)
@@ -707,7 +902,8 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
         return false;
     }
     accept();
-    correctStress(dt);
+
+    stressUpdate_->end(*this, dt);
     checkOverlap();
 
     return true;

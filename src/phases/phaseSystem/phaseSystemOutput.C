@@ -198,8 +198,14 @@ void Foam::mpm::pointPhaseSystem::report() const
     Info<< "Material points: " << nPoints() << ", mass " << mass
         << ", momentum " << momentum << nl
         << "Energy: kinetic " << kinetic << ", strain " << strain
-        << ", total " << kinetic + strain << nl
-        << "Failed points: " << nFailed << ", steps redone: " << nRedone_
+        << ", total " << kinetic + strain << nl;
+    if (const energyBudget* b = budget())
+    {
+        Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
+            << b->work.boundary << ", external " << b->work.external
+            << ", residual " << b->residual() << nl;
+    }
+    Info<< "Failed points: " << nFailed << ", steps redone: " << nRedone_
         << endl;
     forAll(phases_, phasei)
     {
@@ -253,6 +259,45 @@ void Foam::mpm::pointPhaseSystem::reportBalance() const
 }
 
 
+void Foam::mpm::pointPhaseSystem::updateBudget() const
+{
+    budget_.kinetic = budget_.strain = 0;
+    for (const materialPointPhase& phase : phases_)
+    {
+        // What moves as prescribed does work on the others: boundary
+        if (!phase.motion())
+        {
+            budget_.kinetic += phase.kineticEnergy();
+            budget_.strain += phase.strainEnergy();
+        }
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::bookEnergy() const
+{
+    if (budget_.active)
+    {
+        return;
+    }
+    budget_.active = true;
+    updateBudget();
+    budget_.kinetic0 = budget_.kinetic;
+    budget_.strain0 = budget_.strain;
+}
+
+
+const Foam::mpm::energyBudget* Foam::mpm::pointPhaseSystem::budget() const
+{
+    if (!budget_.active)
+    {
+        return nullptr;
+    }
+    updateBudget();
+    return &budget_;
+}
+
+
 Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
 {
     dictionary state;
@@ -285,6 +330,16 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         }
     }
     state.add("rigid", rigid);
+    if (budget_.active)
+    {
+        dictionary energy;
+        energy.add("kinetic0", budget_.kinetic0);
+        energy.add("strain0", budget_.strain0);
+        energy.add("internal", budget_.work.internal);
+        energy.add("external", budget_.work.external);
+        energy.add("boundary", budget_.work.boundary);
+        state.add("energy", energy);
+    }
     return state;
 }
 
@@ -299,6 +354,16 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
     {
         const label n = failed.getOrDefault<label>(phase.name(), 0);
         phase.nFailed() = Pstream::master() ? n : 0;
+    }
+    if (state.found("energy"))
+    {
+        budget_.active = true;
+        const dictionary& energy = requiredDict(state, "energy");
+        budget_.kinetic0 = required<scalar>(energy, "kinetic0");
+        budget_.strain0 = required<scalar>(energy, "strain0");
+        budget_.work.internal = required<scalar>(energy, "internal");
+        budget_.work.external = required<scalar>(energy, "external");
+        budget_.work.boundary = required<scalar>(energy, "boundary");
     }
     if (!timeDependent())
     {

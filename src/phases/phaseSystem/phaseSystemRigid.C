@@ -37,29 +37,13 @@ void Foam::mpm::pointPhaseSystem::startNodes()
         }
     }
     activate(true);
-    projectAll(false);
+    projectAll(pointPasses::current);
     for (gridState& field : fields_)
     {
         field.rigid().newTime();
         field.accept();
-        field.clearForce();
     }
-    forAll(phases_, phasei)
-    {
-        if (!phases_[phasei].motion())
-        {
-            passes_->force
-            (
-                phases_[phasei].cloud(),
-                fields_[fieldOf_[phasei]].force()
-            );
-        }
-    }
-    addBodyForces(mesh_.time().value());
-    for (gridState& field : fields_)
-    {
-        field.sumForce();
-    }
+    force(0);
 }
 
 
@@ -77,7 +61,10 @@ void Foam::mpm::pointPhaseSystem::advanceRigid(const scalar dt)
 }
 
 
-void Foam::mpm::pointPhaseSystem::reachRigid(const bool tentative)
+void Foam::mpm::pointPhaseSystem::reachRigid
+(
+    const pointPasses::states state
+)
 {
     for (gridState& field : fields_)
     {
@@ -91,7 +78,7 @@ void Foam::mpm::pointPhaseSystem::reachRigid(const bool tentative)
             gridState& field = fields_[fieldOf_[phasei]];
             scalar* mass =
                 field.rigid().clearMass(field.activeNew(), field.stride());
-            passes_->project(phase.cloud(), tentative, mass);
+            passes_->project(phase.cloud(), state, mass);
             field.sumWithMass(mass);
             field.rigid().add
             (

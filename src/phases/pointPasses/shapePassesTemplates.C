@@ -74,16 +74,22 @@ template<template<int> class Shape, int DIM>
 void shapePasses<Shape, DIM>::project
 (
     materialPointCloud& cloud,
-    const bool tentative,
+    const states state,
     scalar* mU
 ) const
 {
-    const geometry geo(cloud, tentative);
+    if (cloud.affine())
+    {
+        projectAffine(cloud, state, mU);
+        return;
+    }
+
+    const geometry geo(cloud, state == tentative);
     const scalar* mass = cloud.mass()[0];
     const scalar* U[DIM];
     for (int d = 0; d < DIM; ++d)
     {
-        U[d] = tentative ? cloud.UNew()[d] : cloud.U()[d];
+        U[d] = state == current ? cloud.U()[d] : cloud.UNew()[d];
     }
 
     accumulator acc;
@@ -106,6 +112,114 @@ void shapePasses<Shape, DIM>::project
         },
         [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); }
     );
+}
+
+
+template<template<int> class Shape, int DIM>
+void shapePasses<Shape, DIM>::projectAffine
+(
+    materialPointCloud& cloud,
+    const states state,
+    scalar* mU
+) const
+{
+    const geometry geo(cloud, state == tentative);
+    const scalar* mass = cloud.mass()[0];
+    const column& C = state == current ? *cloud.affine() : *cloud.affineNew();
+    const scalar* U[DIM];
+    for (int d = 0; d < DIM; ++d)
+    {
+        U[d] = state == current ? cloud.U()[d] : cloud.UNew()[d];
+    }
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, const label celli, const label p, const int n)
+        {
+            T X[DIM], L[DIM], q[DIM + 1], A[DIM*DIM];
+            geo.load(p, X, L);
+            q[DIM] = load<W>(mass + p);
+            for (int d = 0; d < DIM; ++d)
+            {
+                q[d] = q[DIM]*load<W>(U[d] + p);
+            }
+            for (int i = 0; i < DIM*DIM; ++i)
+            {
+                A[i] = q[DIM]*load<W>(C[i] + p);
+            }
+            shape_.scatterAffine(celli, s, X, L, q, A, n, acc);
+        },
+        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); }
+    );
+}
+
+
+template<template<int> class Shape, int DIM>
+template<int STRIDE>
+void shapePasses<Shape, DIM>::affineFrom
+(
+    materialPointCloud& cloud,
+    const bool moment,
+    const scalar* u
+) const
+{
+    const geometry geo(cloud, false);
+    column& C = *cloud.affineNew();
+
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) {},
+        [&](const stencil& s, const label celli, const label p, const int)
+        {
+            T X[DIM], L[DIM], G[DIM*DIM], D[DIM];
+            geo.load(p, X, L);
+            gradientsType S;
+            if (moment && shapeType::hasMoments)
+            {
+                shape_.moments(celli, s, X, L, S, D);
+                shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
+                for (int i = 0; i < DIM*DIM; ++i)
+                {
+                    G[i] /= D[i % DIM];
+                }
+            }
+            else
+            {
+                shape_.evaluate(s, X, L, S);
+                shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
+                shape_.toPhysical(S, G);
+            }
+            for (int i = 0; i < DIM*DIM; ++i)
+            {
+                store<W>(C[i] + p, G[i]);
+            }
+        },
+        [&](const stencil&) {}
+    );
+}
+
+
+template<template<int> class Shape, int DIM>
+void shapePasses<Shape, DIM>::affine
+(
+    materialPointCloud& cloud,
+    const bool moment,
+    const scalar* u,
+    const label stride
+) const
+{
+    if (stride == P)
+    {
+        affineFrom<P>(cloud, moment, u);
+    }
+    else
+    {
+        affineFrom<2*P>(cloud, moment, u);
+    }
 }
 
 
@@ -196,8 +310,9 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
     }
     const double dt = rule.dt, a = rule.PICfraction;
 
-    moveResult result{0, 0, -1, false};
-    T travel = {}, rate = {};
+    moveResult result{0, 0, -1, false, 0, Zero, 0};
+    T travel = {}, rate = {}, work = {}, momentum[DIM] = {}, body = {};
+    const scalar* mass = cloud.mass()[0];
     movers.clear();
 
     forGroups
@@ -212,19 +327,7 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
             shape_.evaluate(s, X, L, S);
 
             T dX[DIM];
-            if (rule.gridVelocity)
-            {
-                T q[DIM];
-                shapeType::template gather<DIM, 2*P>(S, s.nodes, u, q);
-                for (int d = 0; d < DIM; ++d)
-                {
-                    // The old and the new velocity are both of this kind:
-                    // trapezoidal rule
-                    dX[d] = 0.5*dt*(q[d] + load<W>(U[d] + p));
-                    V[d] = q[d];
-                }
-            }
-            else
+            if (rule.kind == transfer::FLIP)
             {
                 T uL[DIM], du[DIM];
                 shapeType::template gather<DIM, 2*P>(S, s.nodes, u, uL);
@@ -234,6 +337,53 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
                     // (7) and (8)
                     V[d] = (1 - a)*(load<W>(U[d] + p) + du[d]) + a*uL[d];
                     dX[d] = dt*(uL[d] - 0.5*du[d]);
+                }
+            }
+            else
+            {
+                shapeType::template gather<DIM, 2*P>(S, s.nodes, u, V);
+                T un[DIM];
+                if (rule.kind == transfer::XPIC)
+                {
+                    shapeType::template gather<DIM, P>(S, s.nodes, rule.U, un);
+                }
+                for (int d = 0; d < DIM; ++d)
+                {
+                    const T v = load<W>(U[d] + p);
+                    dX[d] =
+                        rule.kind == transfer::FMPM ? 0.5*dt*(V[d] + v)
+                      : rule.kind == transfer::XPIC ? dt*(un[d] + 0.5*(V[d] - v))
+                      : dt*V[d];
+                }
+            }
+
+            if (rule.energy)
+            {
+                T du[DIM], m = load<W>(mass + p);
+                for (int l = n; l < W; ++l)
+                {
+                    m[l] = 0;
+                }
+                shapeType::template gather<DIM, 2*P>(S, s.nodes, u + P, du);
+                for (int d = 0; d < DIM; ++d)
+                {
+                    // Lanes beyond n may hold anything
+                    T w = load<W>(U[d] + p) + 0.5*du[d];
+                    for (int l = n; l < W; ++l)
+                    {
+                        w[l] = du[d][l] = 0;
+                    }
+                    work += m*w*du[d];
+                    momentum[d] += m*w;
+                    if (rule.bodyForce)
+                    {
+                        T b = load<W>((*rule.bodyForce)[d] + p);
+                        for (int l = n; l < W; ++l)
+                        {
+                            b[l] = 0;
+                        }
+                        body += m*w*b;
+                    }
                 }
             }
 
@@ -302,6 +452,15 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
 
     result.travel = horizontalMax(travel);
     result.rate = horizontalMax(rate);
+    for (int l = 0; l < W; ++l)
+    {
+        result.work += work[l];
+        result.bodyWork += body[l];
+        for (int d = 0; d < DIM; ++d)
+        {
+            result.momentum[grid.direction(d)] += momentum[d][l];
+        }
+    }
     return result;
 }
 
@@ -484,10 +643,20 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
                 result.nFailed += failure->correct(block);
             }
 
-            // Force of the new stress. Zero times a number that is not
-            // finite is not zero: one sum tells for the block
+            // Zero times a number that is not finite is not zero: one sum
+            // tells for the block
             T notFinite = {};
-            for (label k = k0; k < k1; ++k)
+            for (label p = begin; !f && p < end; ++p)
+            {
+                notFinite[0] += 0.0*volume[p];
+                for (int i = 0; i < nStress(DIM); ++i)
+                {
+                    notFinite[0] += 0.0*stress[i][p];
+                }
+            }
+
+            // Force of the new stress
+            for (label k = k0; f && k < k1; ++k)
             {
                 stencil s;
                 shape_.prepare(cells[k], s);

@@ -145,7 +145,7 @@ Foam::mpm::pointPasses::moveResult Foam::mpm::rigidMotion::move
 ) const
 {
     const int D = grid_.nDim();
-    pointPasses::moveResult result{0, 0, -1, false};
+    pointPasses::moveResult result{0, 0, -1, false, 0, Zero, 0};
     movers.clear();
 
     forAll(cloud.cells(), k)

@@ -103,6 +103,12 @@ SMOOTH = {
         2, {"shapeFunction": "cubicBSpline", "transfer": "FLIP"}, 0, [(3, 1, 1)]),
     "2D skewed, linear FLIP": (
         2, {"shapeFunction": "linear", "transfer": "FLIP"}, 0.2, [(2, 1, 1), (2, 2, 1)]),
+    "2D GIMP APIC USAVG": (
+        2, {"shapeFunction": "GIMP", "transfer": "APIC", "stressUpdate": "USAVG",
+            "energyBudget": True}, 0, [(2, 2, 1)]),
+    "2D quadratic XPIC USL": (
+        2, {"shapeFunction": "quadraticBSpline", "transfer": "XPIC",
+            "stressUpdate": "USL"}, 0, [(2, 2, 1)]),
     "3D GIMP FLIP": (3, {"shapeFunction": "GIMP", "transfer": "FLIP"}, 0,
                      [(2, 1, 1), (2, 2, 1)]),
     "3D linear FMPM": (3, {"shapeFunction": "linear", "transfer": "FMPM", "order": 2}, 0,

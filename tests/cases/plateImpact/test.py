@@ -49,6 +49,13 @@ SCHEMES = {
         "FLIP + 1 % PIC": {"transfer": "FLIP", "PICfraction": 0.01},
         **{f"FMPM {k}": {"transfer": "FMPM", "order": k} for k in (1, 2, 3, 4, 8)}
     }.items()}
+SCHEMES.update({
+    f"{shape} {name}": {"shapeFunction": shape, **transfer}
+    for shape in ("GIMP", "quadraticBSpline", "cubicBSpline") for name, transfer in {
+        **{f"FMPM 2, strainFilter {f}": {"transfer": "FMPM", "order": 2,
+                                         "strainFilter": f} for f in (0.75, 1)},
+        "XPIC 2": {"transfer": "XPIC", "order": 2},
+        "APIC": {"transfer": "APIC"}}.items()})
 
 
 def measure(scheme, cells, maxCo):

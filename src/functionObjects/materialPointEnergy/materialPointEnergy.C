@@ -1,0 +1,88 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointEnergy.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(materialPointEnergy, 0);
+    addToRunTimeSelectionTable
+    (
+        functionObject,
+        materialPointEnergy,
+        dictionary
+    );
+}
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::wordList Foam::functionObjects::materialPointEnergy::keywords() const
+{
+    return wordList();
+}
+
+
+void Foam::functionObjects::materialPointEnergy::prepare
+(
+    const mpm::pointPhaseSystem& points
+)
+{
+    if (!functionObject::postProcess)
+    {
+        points.bookEnergy();
+    }
+    setFiles
+    (
+        wordList(1, "energy"),
+        List<string>
+        (
+            1,
+            "Energy budget of all phases\n"
+            "\tkinetic[J]\tstrain[J]\ttotal[J]\ttransfer[J]\tboundary[J]"
+            "\texternal[J]\tresidual[J]"
+        )
+    );
+}
+
+
+void Foam::functionObjects::materialPointEnergy::sample
+(
+    const mpm::pointPhaseSystem& points
+)
+{
+    if (const mpm::energyBudget* b = points.budget())
+    {
+        row(0)
+            << tab << b->kinetic << tab << b->strain
+            << tab << b->kinetic + b->strain << tab << b->transfer()
+            << tab << b->work.boundary << tab << b->work.external
+            << tab << b->residual() << endl;
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::materialPointEnergy::materialPointEnergy
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    materialPointOutput(name, runTime, dict)
+{
+    read(dict);
+}
+
+// ************************************************************************* //
