@@ -57,6 +57,27 @@ Foam::OFstream* Foam::functionObjects::materialPointOutput::newFile
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+const Foam::mpm::pointPhaseSystem&
+Foam::functionObjects::materialPointOutput::system()
+{
+    const mpm::pointPhaseSystem* points = findPoints();
+
+    if (!points)
+    {
+        FatalErrorInFunction
+            << type() << " " << name() << ": there are no material points."
+            << nl << "This function object works with materialPointFoam and"
+            << " materialPointFoam -postProcess." << exit(FatalError);
+    }
+    if (!ready_)
+    {
+        prepare(*points);
+        ready_ = true;
+    }
+    return *points;
+}
+
+
 Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases
 (
     const mpm::pointPhaseSystem& points
@@ -255,23 +276,10 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
 
 bool Foam::functionObjects::materialPointOutput::write()
 {
-    const mpm::pointPhaseSystem* points = findPoints();
-
-    if (!points)
-    {
-        FatalErrorInFunction
-            << type() << " " << name() << ": there are no material points."
-            << nl << "This function object works with materialPointFoam and"
-            << " materialPointFoam -postProcess." << exit(FatalError);
-    }
-    if (!ready_)
-    {
-        prepare(*points);
-        ready_ = true;
-    }
+    const mpm::pointPhaseSystem& points = system();
     if (writeToFile_)
     {
-        sample(*points);
+        sample(points);
         late_ = true;
     }
     return true;

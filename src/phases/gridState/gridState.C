@@ -99,6 +99,7 @@ void Foam::mpm::gridState::readFixed()
                 fixedNode_.append(n);
                 fixedPatch_.append(patchi);
                 fixedIndex_.append(i);
+                parts_.append({n, patchi, true, {}, point()});
             }
         }
     }
@@ -169,12 +170,17 @@ void Foam::mpm::gridState::shareFixed()
         if (at.found())
         {
             fixedPatch_[at.val()] = -1;
+            parts_[at.val()].patch = iter.val().first();
         }
         else
         {
             fixedNode_.append(iter.key());
             fixedPatch_.append(-1);
             fixedIndex_.append(-1);
+            parts_.append
+            (
+                {iter.key(), iter.val().first(), true, {}, point()}
+            );
         }
     }
     reduce(fixedElsewhere_, orOp<bool>());
@@ -318,6 +324,20 @@ void Foam::mpm::gridState::readSlip(const labelHashSet& fixed)
             if (rest.norm() > 1e-3)
             {
                 N += rest*rest.transpose()/rest.squaredNorm();
+
+                nodeReactions::part part
+                {
+                    entry.first.first(),
+                    entry.first.second(),
+                    false,
+                    {},
+                    point()
+                };
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    part.normal[d] = rest(d)/rest.norm();
+                }
+                parts_.append(part);
             }
         }
     }
@@ -627,7 +647,16 @@ void Foam::mpm::gridState::momentumStep(const scalar dt, const vector& g)
                 m > 0 ? U[stride_*n + d] + dtm*f[stride_*n + d] + dt*gd[d] : 0;
         }
     }
+    if (reactions_)
+    {
+        reactions_->start(dt, active_, shared_);
+        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+    }
     constrain(UL, 2*stride_, false);
+    if (reactions_)
+    {
+        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
+    }
 
     for (const label n : active_)
     {
@@ -692,7 +721,16 @@ void Foam::mpm::gridState::addFilter
     }
 
     // The sum keeps the fixed velocities: increments have none there
+    const bool takes = reactions_ && !tentative;
+    if (takes)
+    {
+        reactions_->add(nodes, -1, v, 2*stride_, mU, stride_);
+    }
     constrain(v, 2*stride_, true);
+    if (takes)
+    {
+        reactions_->add(nodes, 1, v, 2*stride_, mU, stride_);
+    }
 
     for (const label n : nodes)
     {
@@ -773,6 +811,31 @@ Foam::scalar Foam::mpm::gridState::maxStrain
         }
     }
     return dt*largest;
+}
+
+
+void Foam::mpm::gridState::needReactions()
+{
+    if (!reactions_)
+    {
+        reactions_.reset(new nodeReactions(grid_, parts_, shared_));
+    }
+}
+
+
+void Foam::mpm::gridState::addProjected(const scalar share)
+{
+    if (reactions_ && share > 0)
+    {
+        reactions_->addProjected
+        (
+            active_,
+            share,
+            U_.data(),
+            mU_.data(),
+            stride_
+        );
+    }
 }
 
 

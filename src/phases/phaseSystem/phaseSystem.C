@@ -492,6 +492,11 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
       ? -std::expm1(std::log1p(-PICfraction_)*dt*courantRate()/0.4)
       : 1;
 
+    for (gridState& field : fields_)
+    {
+        field.addProjected(gridVelocity_ ? 1 : rule.PICfraction);
+    }
+
     scalar travel = 0, rate = 0;
     badPoint bad{-1, -1, false};
     forAll(phases_, phasei)
