@@ -235,7 +235,10 @@ Foam::mpm::caseTime::caseTime
             Time::findTimes(nProcessors ? path/"processor0" : path)
         )
         {
-            names.append(t.name());
+            if (t.name() != "constant")
+            {
+                names.append(t.name());
+            }
         }
         FatalErrorInFunction
             << "Case " << path << " has no time "

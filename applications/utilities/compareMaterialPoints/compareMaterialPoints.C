@@ -39,6 +39,7 @@ Usage
 #include "caseTime.H"
 #include "difference.H"
 #include "noTraps.H"
+#include <cstdlib>
 #include <iomanip>
 #include <sstream>
 
@@ -438,7 +439,8 @@ int main(int argc, char *argv[])
     c.compareClouds();
     c.compareFields();
 
-    return c.finish(args.found("tolerance"), tolerance) ? 0 : 1;
+    // Not by return: at its end argList exits with 0 in some versions
+    std::exit(c.finish(args.found("tolerance"), tolerance) ? 0 : 1);
 }
 
 // ************************************************************************* //
