@@ -242,7 +242,7 @@ Foam::mpm::caseTime::caseTime
         }
         FatalErrorInFunction
             << "Case " << path << " has no time "
-            << (latest ? string("folder") : string(Foam::name(value))) << "."
+            << (latest ? word("folder") : word(Foam::name(value))) << "."
             << nl << "Its times are: " << flatOutput(names)
             << exit(FatalError);
     }
