@@ -150,10 +150,11 @@ void Foam::functionObjects::materialPointPatchForces::prepare
 {
     if (functionObject::postProcess)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Forces on patches belong to time steps: " << type()
-            << " works while materialPointFoam runs, not with -postProcess."
-            << exit(FatalIOError);
+        WarningInFunction
+            << "Forces on patches belong to time steps: " << type() << ' '
+            << name() << " writes nothing with -postProcess." << endl;
+        fields_.clear();
+        return;
     }
     for (const word& key : wordList({"executeControl", "executeInterval"}))
     {
@@ -276,7 +277,10 @@ bool Foam::functionObjects::materialPointPatchForces::execute()
             moment_[i] += arm ^ J;
         }
     }
-    duration_ += points.fields()[fields_[0]].reactions()->dt();
+    if (fields_.size())
+    {
+        duration_ += points.fields()[fields_[0]].reactions()->dt();
+    }
 
     return true;
 }

@@ -655,9 +655,9 @@ ROWS += [
     ("forces: not in each step", SOLVE,
      function("PatchForces", "patches (ground); executeInterval 5;"),
      inControl + ["executeInterval", "each step"]),
-    #  OpenFOAM's -postProcess makes a warning of it and goes on
     ("allowed: forces, -postProcess", SOLVE + ["-postProcess"],
-     function("PatchForces", "patches (ground);"), None, {"has": "belong to time steps"}),
+     function("PatchForces", "patches (ground);"), None,
+     {"has": "belong to time steps", "warnings": 1}),
     ("forces: origin", SOLVE, function("PatchForces", "patches (ground); origin (0 0);"),
      inControl),
     ("fields on mesh points: unknown field", SOLVE,
