@@ -11,6 +11,9 @@ rest        a column in a box of slip walls, damped: floor F = weight, walls
 fields      a block that translates: alpha 1 and U the velocity at its inner
             mesh points, whatever place it has in the cells
 probes      values of nearest, ids and box against the cloud on disk
+parallel    every file of all function objects, and fields on mesh points, of
+            2 to 4 processors (some without points) against one processor, to
+            1e-10 of each column's maximum; also restarted at half time
 """
 
 import os
@@ -241,6 +244,91 @@ def probes(table):
               np.abs(last("extent", "block")[:9] - extent).max()/H, 1e-12)
 
 
+def parallel(table, scheme):
+    """All objects on one processor and on several."""
+    end = 40*H/C
+    probe = {"type": "materialPointProbes", **LIBS, "phase": "block",
+             "fields": ["x", "U_y", "sigma", "J", "displacement"]}
+    xt = {"type": "materialPointXT", **LIBS, "direction": "x", "range": (0, 3.5*H), "nBins": 5}
+    objects = {
+        "balance": {**BALANCE, "origin": (0.01, 0.02, 0)},
+        "extent": {"type": "materialPointExtent", **LIBS},
+        "ids": {**probe, "points": {"ids": [70, 3, 44]}},
+        "nearest": {**probe, "points": {"nearest": [(4*H, 0, 0), (0, 6*H, 0), (2*H, 3*H, 0)]}},
+        "box": {**probe, "points": {"box": f"(0 0 0) ({2*H} {3*H} 1)"}},
+        "largest": {**probe, "operation": "max", "points": {"box": f"(0 0 0) (1 {3*H} 1)"}},
+        "xt": {**xt, "field": "sigma_yy"}, "xtJ": {**xt, "field": "J"},
+        "forces": {"type": "materialPointPatchForces", **LIBS, "patches": ["left", "floor"],
+                   "origin": (0.01, 0.02, 0)},
+        "pictures": {"type": "materialPointFields", **LIBS,
+                     "fields": ["alpha", "U", "sigma", "displacement"]}}
+
+    def make(name, stop=end):
+        return build(
+            f"parallel-{scheme}-{name}", (8, 12, 1),
+            {"floor": "slip", "left": FIXED, "right": "calculated", "top": "calculated"},
+            {"min": (0.5*H, 0.5*H, 0), "max": (4.5*H, 5.5*H, H),
+             "velocity": (-0.03*C, -0.06*C, 0)}, SCHEMES[scheme],
+            {**controlDict(stop, end/2, maxCo=0.4, functions=objects),
+             "startFrom": "latestTime"}, (0, -400, 0))
+
+    def files(case, time="0"):
+        """All tables of the objects."""
+        root = case.file("postProcessing")
+        return {os.path.join(o, f): case.series(o, f, time)
+                for o in sorted(os.listdir(root))
+                for f in sorted(os.listdir(os.path.join(root, o, time)))}
+
+    one = make("one")
+    one.run("materialPointFoam")
+    expected = files(one)
+    half = one.times()[1]
+
+    def judge(label, case, time="0"):
+        found = files(case, time)
+        table.check(f"{scheme}, {label}: files", set(found) == set(expected),
+                    f"{len(found)}, {sorted(set(found) ^ set(expected))}")
+        worst, where = 0, "none"
+        for name, rows in found.items():
+            want = expected[name][-len(rows):]
+            if rows.shape != want.shape:
+                worst, where = np.inf, name
+                continue
+            # Components of one quantity by its largest one
+            size = np.abs(expected[name][:, 1:]).max(axis=0)
+            if name.split("/")[0] not in ("balance", "extent"):
+                size[:] = size.max()
+            else:
+                kinds = ([0], [1], [2, 3, 4], [5, 6, 7], [8, 9, 10], [11]) \
+                    if name.startswith("balance") \
+                    else ([0, 1, 2, 3, 4, 5, 6, 7, 8], [9], [10, 11, 12])
+                for kind in kinds:
+                    size[kind] = size[kind].max()
+            error = (np.abs(rows[:, 1:] - want[:, 1:]).max(axis=0)/np.maximum(size, 1e-300)).max()
+            if error > worst:
+                worst, where = error, name
+        table.row(f"{scheme}, {label}: worst of all tables ({where})", 0, worst, 1e-10)
+
+    for pieces in ((2, 1, 1), (1, 3, 1), (2, 2, 1)):
+        label = "x".join(map(str, pieces[:2])) + " processors"
+        case = make(label)
+        case.decompose(pieces)
+        case.runParallel()
+        judge(label, case)
+        end_ = one.times()[-1]
+        one.run("compareMaterialPoints", one.path, case.path, "-time", end_, "-tolerance",
+                "1e-10", "-processors", "second")
+        table.check(f"{scheme}, {label}: points and fields of compareMaterialPoints",
+                    "pointDisplacement.block" in one.log("compareMaterialPoints"), "1e-10")
+
+    case = make("restart", float(half))
+    case.decompose((2, 2, 1))
+    case.runParallel()
+    case.change("system/controlDict", "endTime [^;]*;", f"endTime {end!r};")
+    case.runParallel()
+    judge("restarted on 2x2 processors", case, half)
+
+
 def main():
     table = Report("functionObjects")
     slip = {"floor": "slip", "left": "slip", "right": "calculated", "top": "calculated"}
@@ -250,7 +338,8 @@ def main():
             for scheme in SCHEMES for conditions in (slip, fixed)]
     jobs += [(balance, "GIMP FLIP", ("floor", "left"), moving),
              (balance, "GIMP FMPM 2", ("floor", "left"), moving),
-             (rest,), (fields, "GIMP"), (fields, "linear"), (probes,)]
+             (rest,), (parallel, "GIMP FLIP"), (parallel, "GIMP FMPM 2"),
+             (parallel, "linear FLIP"), (fields, "GIMP"), (fields, "linear"), (probes,)]
     for function, *arguments in jobs:
         try:
             function(table, *arguments)
