@@ -227,6 +227,7 @@ Foam::functionObjects::materialPointOutput::materialPointOutput
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name),
     ready_(false),
+    sampled_(true),
 
     // A startTime of controlDict is no start of -postProcess
     late_
@@ -251,6 +252,9 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
 
     dict_ = dict;
     ready_ = false;
+
+    // writeToFile_ is false on all processors but the master
+    sampled_ = dict.getOrDefault<bool>("writeToFile", true);
 
     wordList valid
     ({
@@ -277,7 +281,7 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
 bool Foam::functionObjects::materialPointOutput::write()
 {
     const mpm::pointPhaseSystem& points = system();
-    if (writeToFile_)
+    if (sampled_)
     {
         sample(points);
         late_ = true;

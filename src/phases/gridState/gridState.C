@@ -99,7 +99,7 @@ void Foam::mpm::gridState::readFixed()
                 fixedNode_.append(n);
                 fixedPatch_.append(patchi);
                 fixedIndex_.append(i);
-                parts_.append({n, patchi, true, {}, point()});
+                parts_.append({n, patchi, true, {}, point(Zero)});
             }
         }
     }
@@ -179,7 +179,7 @@ void Foam::mpm::gridState::shareFixed()
             fixedIndex_.append(-1);
             parts_.append
             (
-                {iter.key(), iter.val().first(), true, {}, point()}
+                {iter.key(), iter.val().first(), true, {}, point(Zero)}
             );
         }
     }
@@ -331,7 +331,7 @@ void Foam::mpm::gridState::readSlip(const labelHashSet& fixed)
                     entry.first.second(),
                     false,
                     {},
-                    point()
+                    point(Zero)
                 };
                 for (int d = 0; d < nDim_; ++d)
                 {
