@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Error against core-seconds of all schemes on scenes with a known answer.
 
-    Allrun                  everything, about a quarter of an hour
+    Allrun                  everything: some minutes of an idle core
     Allrun -quick           the two coarsest resolutions of each, 2 to 3 minutes
     Allrun word ...         schemes and scenes whose name has one of the words
 
-Writes run/results.csv (one row per run) and <scene>.png (error over
+Writes run/results.csv (one row per run) and run/speedAgainstError.png (error over
 core-seconds, one line per scheme from coarse to fine), and prints what each
 scheme costs down to given errors. Core-seconds are those of the solver's steps,
 without start-up and meshing; they belong to a machine.
@@ -59,28 +59,34 @@ def lineOf(rows, scene, scheme):
             if (r["scene"], r["scheme"]) == (scene, scheme) and math.isfinite(r["error"])]
 
 
-def plot(rows, scene, path):
+def plot(rows, path):
+    """One picture, a panel for each scene."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, axes = pyplot.subplots(figsize=(8, 5.5))
-    for scheme in SCHEMES:
-        line = lineOf(rows, scene, scheme)
-        if line:
-            shape, _, transfer = scheme.partition(" ")
-            axes.loglog(*zip(*line), label=scheme, lw=1, ms=5,
-                        color=f"C{list(TRANSFERS).index(transfer)}",
-                        marker="osD^"[SHAPES.index(shape) % 4],
-                        linestyle=("-", ":", "--", "-.")[SHAPES.index(shape) % 4])
-    axes.set_xlabel("core-seconds of the steps")
-    axes.set_ylabel("error: " + scenes.SCENES[scene][1])
-    axes.set_title(f"{scene}: cells " + ", ".join(
-        map(str, sorted({r["cells"] for r in rows if r["scene"] == scene}))))
-    axes.grid(True, which="both", alpha=0.3)
-    axes.legend(fontsize=6, ncol=2)
-    figure.tight_layout()
-    figure.savefig(path, dpi=120)
+    shown = list(dict.fromkeys(r["scene"] for r in rows))
+    figure, axes = pyplot.subplots(1, len(shown), figsize=(4.6*len(shown), 6), squeeze=False)
+    handles = {}
+    for scene, ax in zip(shown, axes[0]):
+        for scheme in SCHEMES:
+            line = lineOf(rows, scene, scheme)
+            if line:
+                shape, _, transfer = scheme.partition(" ")
+                at = SHAPES.index(shape) % 4
+                handles[scheme], = ax.loglog(
+                    *zip(*line), lw=1, ms=5, marker="osD^"[at],
+                    linestyle=("-", ":", "--", "-.")[at],
+                    color=f"C{list(TRANSFERS).index(transfer)}")
+        ax.set_xlabel("core-seconds of the steps")
+        ax.set_ylabel("error: " + scenes.SCENES[scene][1])
+        ax.set_title(f"{scene}: cells " + ", ".join(
+            map(str, sorted({r["cells"] for r in rows if r["scene"] == scene}))), fontsize=10)
+        ax.grid(True, which="both", alpha=0.3)
+    figure.legend(handles.values(), handles.keys(), loc="lower center",
+                  ncol=len(SHAPES), fontsize=8)
+    figure.tight_layout(rect=(0, 0.02 + 0.035*len(TRANSFERS), 1, 1))
+    figure.savefig(path, dpi=110)
     pyplot.close(figure)
 
 
@@ -135,10 +141,9 @@ def main():
         writer = csv.DictWriter(f, COLUMNS)
         writer.writeheader()
         writer.writerows(rows)
-    for scene in dict.fromkeys(r["scene"] for r in rows):
-        plot(rows, scene, os.path.join(scenes.RUN, f"{scene}.png"))
+    plot(rows, os.path.join(scenes.RUN, "speedAgainstError.png"))
     summary(rows)
-    print(f"\nTable and pictures: {scenes.RUN}")
+    print(f"\nTable and picture: {scenes.RUN}")
 
 
 if __name__ == "__main__":
