@@ -249,6 +249,28 @@ def readField(path):
     return values.reshape(n, size) if size > 1 else values
 
 
+_TYPES = {"scalar": 1, "vector": 3, "symmTensor": 6, "tensor": 9}
+
+
+def readInternal(path):
+    """Inner values of a field on cells or mesh points; they must not be uniform
+    unless there is one value."""
+    with open(path, "rb") as f:
+        raw = f.read()
+    binary = re.search(rb"format\s+(\w+)\s*;", raw)[1] == b"binary"
+    head = re.search(rb"internalField\s+(?:uniform\s+([^;]*);"
+                     rb"|nonuniform\s+List<(\w+)>\s*(\d+)\s*\()", raw)
+    if head[1] is not None:
+        return np.array([head[1].translate(None, b"()").split()], float)
+    n, size = int(head[3]), _TYPES[head[2].decode()]
+    body = raw[head.end():]
+    if binary:
+        values = np.frombuffer(body, "f8", n*size)
+    else:
+        values = np.array(body[:body.index(b";")].translate(None, b"()").split(), float)
+    return values.reshape(n, size) if size > 1 else values
+
+
 def writeField(path, values):
     """A field of a cloud in ascii with all digits."""
     values = np.asarray(values)

@@ -66,6 +66,23 @@ def startPositions(case, phase):
     return case.points("0", phase).byId("x")[:, 1]
 
 
+def tensionRun(group, name, cells, numerics, maxCo, pointsPerCell=2, probes=(),
+               limit=300):
+    """The impact without failure, 1.2 us; cells over the target. The case, its
+    core-seconds, the mean sigma_yy of the points that were within half a cell of
+    the target's mid-plane over time, and t343: when it rises through half of
+    rho c v/2, exact 3 H/c."""
+    h = 2*exact.H/cells
+    case = plateCase(
+        group, name, cells//2, numerics, 1.2e-6, 1e-6, maxCo,
+        pointsPerCell=pointsPerCell,
+        probes=(("target", "middle", ("sigma_yy",), exact.H - h/2, exact.H + h/2, "mean"),
+                *probes))
+    seconds = case.run("materialPointFoam", limit=limit)
+    t, sigma = case.series("middle", "sigma_yy.dat").T
+    return case, seconds, t, sigma, crossing(t, sigma, exact.STRESS/2)
+
+
 def crossing(t, f, level, after=0.0):
     """First time after which f has risen through the level; linear between the
     steps; NaN if it never does."""

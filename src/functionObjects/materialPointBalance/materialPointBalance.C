@@ -67,6 +67,7 @@ struct sums
 };
 
 
+//- Over the points of all processors
 sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
 {
     const mpm::materialPointCloud& cloud = phase.cloud();
@@ -96,6 +97,10 @@ sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
             s.nFailed += (*damage)[0][p] > 0;
         }
     }
+    reduce(s.nPoints, sumOp<label>());
+    reduce(s.nFailed, sumOp<label>());
+    reduce(s.angularMomentum, sumOp<vector>());
+
     return s;
 }
 
@@ -153,9 +158,15 @@ void Foam::functionObjects::materialPointBalance::sample
     {
         const sums s(sumsOf(phase(points, phases_[phasei]), origin_));
         total.add(s);
-        s.write(row(phasei));
+        if (Pstream::master())
+        {
+            s.write(row(phasei));
+        }
     }
-    total.write(row(phases_.size()));
+    if (Pstream::master())
+    {
+        total.write(row(phases_.size()));
+    }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

@@ -33,13 +33,6 @@ namespace
 
 using namespace Foam;
 
-//- The cloud gives it out only for changing
-const mpm::column* halfSizeOf(const mpm::materialPointPhase& phase)
-{
-    return const_cast<mpm::materialPointCloud&>(phase.cloud()).halfSize();
-}
-
-
 void writeVector(Ostream& os, const vector& v)
 {
     for (const scalar c : v)
@@ -69,7 +62,7 @@ void Foam::functionObjects::materialPointExtent::prepare
     List<string> headers(phases_.size());
     forAll(phases_, phasei)
     {
-        if (halfSize_ && !halfSizeOf(phase(points, phases_[phasei])))
+        if (halfSize_ && !phase(points, phases_[phasei]).cloud().halfSize())
         {
             FatalIOErrorInFunction(dict_)
                 << "Points have no half-size with this shape function of"
@@ -94,9 +87,8 @@ void Foam::functionObjects::materialPointExtent::sample
 {
     forAll(phases_, phasei)
     {
-        const mpm::materialPointPhase& material =
-            phase(points, phases_[phasei]);
-        const mpm::materialPointCloud& cloud = material.cloud();
+        const mpm::materialPointCloud& cloud =
+            phase(points, phases_[phasei]).cloud();
         const mpm::hexGrid& grid = cloud.grid();
 
         vector low(vector::max), high(vector::min), centre(Zero);
@@ -111,7 +103,7 @@ void Foam::functionObjects::materialPointExtent::sample
                 vector h(Zero);
                 for (int d = 0; halfSize_ && d < grid.nDim(); ++d)
                 {
-                    h[grid.direction(d)] = (*halfSizeOf(material))[d][p];
+                    h[grid.direction(d)] = (*cloud.halfSize())[d][p];
                 }
                 low = min(low, x - h);
                 high = max(high, x + h);
@@ -135,12 +127,26 @@ void Foam::functionObjects::materialPointExtent::sample
                 }
             }
         }
-        if (cloud.size() == 0)
+
+        reduce(low, minOp<vector>());
+        reduce(high, maxOp<vector>());
+        reduce(centre, sumOp<vector>());
+        reduce(mass, sumOp<scalar>());
+        reduce(maxU2, maxOp<scalar>());
+        reduce(maxSigma, maxOp<scalar>());
+        reduce(minP, minOp<scalar>());
+        reduce(maxP, maxOp<scalar>());
+
+        if (!returnReduce(cloud.size(), sumOp<label>()))
         {
             low = high = Zero;
             maxSigma = minP = maxP = 0;
         }
 
+        if (!Pstream::master())
+        {
+            continue;
+        }
         Ostream& os = row(phasei);
         writeVector(os, low);
         writeVector(os, high);

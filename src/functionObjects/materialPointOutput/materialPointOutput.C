@@ -57,6 +57,27 @@ Foam::OFstream* Foam::functionObjects::materialPointOutput::newFile
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+const Foam::mpm::pointPhaseSystem&
+Foam::functionObjects::materialPointOutput::system()
+{
+    const mpm::pointPhaseSystem* points = findPoints();
+
+    if (!points)
+    {
+        FatalErrorInFunction
+            << type() << " " << name() << ": there are no material points."
+            << nl << "This function object works with materialPointFoam and"
+            << " materialPointFoam -postProcess." << exit(FatalError);
+    }
+    if (!ready_)
+    {
+        prepare(*points);
+        ready_ = true;
+    }
+    return *points;
+}
+
+
 Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases
 (
     const mpm::pointPhaseSystem& points
@@ -206,6 +227,7 @@ Foam::functionObjects::materialPointOutput::materialPointOutput
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name),
     ready_(false),
+    sampled_(true),
 
     // A startTime of controlDict is no start of -postProcess
     late_
@@ -231,6 +253,9 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
     dict_ = dict;
     ready_ = false;
 
+    // writeToFile_ is false on all processors but the master
+    sampled_ = dict.getOrDefault<bool>("writeToFile", true);
+
     wordList valid
     ({
         "type", "libs", "functionObjectLibs", "enabled", "log", "errors",
@@ -255,23 +280,10 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
 
 bool Foam::functionObjects::materialPointOutput::write()
 {
-    const mpm::pointPhaseSystem* points = findPoints();
-
-    if (!points)
+    const mpm::pointPhaseSystem& points = system();
+    if (sampled_)
     {
-        FatalErrorInFunction
-            << type() << " " << name() << ": there are no material points."
-            << nl << "This function object works with materialPointFoam and"
-            << " materialPointFoam -postProcess." << exit(FatalError);
-    }
-    if (!ready_)
-    {
-        prepare(*points);
-        ready_ = true;
-    }
-    if (writeToFile_)
-    {
-        sample(*points);
+        sample(points);
         late_ = true;
     }
     return true;

@@ -11,6 +11,7 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "pointQuantity.H"
 #include "selector.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -77,6 +78,10 @@ void Foam::functionObjects::materialPointProbes::prepare
         start_.reset(new mpm::startState(dict_, material));
     }
     select(material, pointsDict);
+    if (start_)
+    {
+        shareStart();
+    }
 
     const bool each = operation_ == "none";
     List<string> headers(fields_.size());
@@ -120,6 +125,65 @@ void Foam::functionObjects::materialPointProbes::prepare
 }
 
 
+void Foam::functionObjects::materialPointProbes::shareStart()
+{
+    boolList keep(start_->id().size());
+    forAll(keep, p)
+    {
+        keep[p] = table_[start_->id()[p]] >= 0;
+    }
+    start_->share(keep);
+
+    for (const label id : id_)
+    {
+        if (start_->find(id) < 0)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Point " << id << " of phase " << phase_ << " was not there"
+                << " at the start, time " << start_->time() << ": it has no"
+                << " displacement and no J." << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::functionObjects::materialPointProbes::writeRow
+(
+    Ostream& os,
+    const int n,
+    const UList<scalar>& values,
+    const UList<scalar>& V
+) const
+{
+    if (operation_ == "none")
+    {
+        for (const scalar v : values)
+        {
+            os  << tab << v;
+        }
+    }
+    else
+    {
+        for (int c = 0; c < n; ++c)
+        {
+            scalar result = values[c], sum = 0, volume = 0;
+            forAll(V, i)
+            {
+                const scalar v = values[n*i + c];
+                sum += V[i]*v;
+                volume += V[i];
+                if (operation_ == "min" ? v < result : v > result)
+                {
+                    result = v;
+                }
+            }
+            os  << tab << (operation_ == "mean" ? sum/volume : result);
+        }
+    }
+    os  << endl;
+}
+
+
 void Foam::functionObjects::materialPointProbes::sample
 (
     const mpm::pointPhaseSystem& points
@@ -128,22 +192,29 @@ void Foam::functionObjects::materialPointProbes::sample
     const mpm::materialPointPhase& material = phase(points, phase_);
     const mpm::materialPointCloud& cloud = material.cloud();
 
-    // Points are sorted by cell in each step
+    // Points are sorted by cell in each step and may be on any processor
     labelList place(id_.size(), label(-1));
+    labelList found(id_.size(), label(0));
+    scalarField V(id_.size(), Zero);
     for (label p = 0; p < cloud.size(); ++p)
     {
         const label i = table_[label(cloud.id()[0][p])];
         if (i >= 0)
         {
             place[i] = p;
+            found[i] = 1;
+            V[i] = cloud.volume()[0][p];
         }
     }
-    if (place.found(-1))
+    Pstream::listCombineGather(found, maxEqOp<label>());
+    Pstream::listCombineScatter(found);
+    if (found.found(0))
     {
         FatalErrorInFunction
-            << type() << ' ' << name() << ": point " << id_[place.find(-1)]
+            << type() << ' ' << name() << ": point " << id_[found.find(0)]
             << " of " << phase_ << " is no longer there." << exit(FatalError);
     }
+    Pstream::listCombineGather(V, plusEqOp<scalar>());
 
     forAll(fields_, fieldi)
     {
@@ -154,41 +225,24 @@ void Foam::functionObjects::materialPointProbes::sample
             fields_[fieldi],
             start_ ? &*start_ : nullptr
         );
-        scalar v[mpm::pointQuantity::maxSize];
-        scalar result[mpm::pointQuantity::maxSize] = {};
-        scalar volume = 0;
-
-        Ostream& os = row(fieldi);
+        // One processor has a point; the others add zero. The master works in
+        // the order of the list, whatever processors hold the points
+        const int n = q.size();
+        scalarField values(n*place.size(), Zero);
         forAll(place, i)
         {
-            q.get(place[i], v);
-            const scalar V = cloud.volume()[0][place[i]];
-            volume += V;
-            for (int c = 0; c < q.size(); ++c)
+            if (place[i] >= 0)
             {
-                if (operation_ == "none")
-                {
-                    os  << tab << v[c];
-                }
-                else if (operation_ == "mean")
-                {
-                    result[c] += V*v[c];
-                }
-                else if
-                (
-                    i == 0
-                 || (operation_ == "min" ? v[c] < result[c] : v[c] > result[c])
-                )
-                {
-                    result[c] = v[c];
-                }
+                scalar v[mpm::pointQuantity::maxSize];
+                q.get(place[i], v);
+                std::copy_n(v, n, &values[n*i]);
             }
         }
-        for (int c = 0; operation_ != "none" && c < q.size(); ++c)
+        Pstream::listCombineGather(values, plusEqOp<scalar>());
+        if (Pstream::master())
         {
-            os  << tab << (operation_ == "mean" ? result[c]/volume : result[c]);
+            writeRow(row(fieldi), n, values, V);
         }
-        os  << endl;
     }
 }
 

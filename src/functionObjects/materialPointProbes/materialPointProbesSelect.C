@@ -26,16 +26,23 @@ void Foam::functionObjects::materialPointProbes::checkIds
     }
     const mpm::idTable table(there, there.size());
 
-    for (const label id : id_)
+    boolList known(id_.size());
+    forAll(id_, i)
     {
-        if (table[id] < 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown id " << id << " of phase " << phase_ << nl << nl
-                << "It has " << there.size() << " points with ids from "
-                << min(there) << " to " << max(there) << "." << nl
-                << exit(FatalIOError);
-        }
+        known[i] = table[id_[i]] >= 0;
+    }
+    Pstream::listCombineGather(known, orEqOp<bool>());
+    Pstream::listCombineScatter(known);
+
+    if (known.found(false))
+    {
+        const label n = returnReduce(there.size(), sumOp<label>());
+        const label first = gMin(there), last = gMax(there);
+        FatalIOErrorInFunction(dict)
+            << "Unknown id " << id_[known.find(false)] << " of phase "
+            << phase_ << nl << nl << "It has " << n
+            << " points with ids from " << first << " to " << last << "." << nl
+            << exit(FatalIOError);
     }
 }
 
@@ -46,10 +53,10 @@ void Foam::functionObjects::materialPointProbes::selectNearest
     const pointField& locations
 )
 {
-    id_.setSize(locations.size());
+    id_.setSize(locations.size(), labelMax);
+    scalarField best(locations.size(), VGREAT);
     forAll(locations, i)
     {
-        scalar best = VGREAT;
         forAll(start_->x(), p)
         {
             scalar distance2 = 0;
@@ -60,13 +67,31 @@ void Foam::functionObjects::materialPointProbes::selectNearest
             }
             // The lowest id of points at the same distance
             const label id = start_->id()[p];
-            if (distance2 < best || (distance2 == best && id < id_[i]))
+            if
+            (
+                distance2 < best[i]
+             || (distance2 == best[i] && id < id_[i])
+            )
             {
-                best = distance2;
+                best[i] = distance2;
                 id_[i] = id;
             }
         }
     }
+
+    // The same rule among processors
+    scalarField nearest(best);
+    Pstream::listCombineGather(nearest, minEqOp<scalar>());
+    Pstream::listCombineScatter(nearest);
+    forAll(id_, i)
+    {
+        if (best[i] > nearest[i])
+        {
+            id_[i] = labelMax;
+        }
+    }
+    Pstream::listCombineGather(id_, minEqOp<label>());
+    Pstream::listCombineScatter(id_);
 }
 
 
@@ -106,17 +131,26 @@ void Foam::functionObjects::materialPointProbes::selectBox
             ids.append(start_->id()[p]);
         }
     }
-    Foam::sort(ids);
-    id_.transfer(ids);
+
+    List<labelList> parts(Pstream::nProcs());
+    parts[Pstream::myProcNo()] = ids;
+    Pstream::gatherList(parts);
+    Pstream::scatterList(parts);
+    id_.clear();
+    for (const labelList& part : parts)
+    {
+        id_.append(part);
+    }
+    Foam::sort(id_);
 
     if (id_.empty())
     {
+        const boundBox all(start_->x(), true);
         FatalIOErrorInFunction(dict)
             << "At time " << start_->time() << " no point of phase " << phase_
             << " is in the box " << low << ' ' << high << nl << nl
             << "Its points are in the box "
-            << boundBox(start_->x(), false).min() << ' '
-            << boundBox(start_->x(), false).max() << nl
+            << all.min() << ' ' << all.max() << nl
             << exit(FatalIOError);
     }
 }

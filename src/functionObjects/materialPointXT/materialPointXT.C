@@ -51,26 +51,34 @@ void Foam::functionObjects::materialPointXT::makeBins
     bin_.setSize(start_.size());
     forAll(start_, i)
     {
+        // Points may have started on another processor: all know the bins of
+        // all points that have one
+        boolList inside(start_[i].x().size());
+        forAll(inside, p)
+        {
+            const scalar x = start_[i].x()[p][c];
+            first = min(first, x);
+            last = max(last, x);
+            inside[p] = x >= low && x <= high;
+        }
+        nPoints += returnReduce(inside.size(), sumOp<label>());
+        start_[i].share(inside);
+
         const pointField& x = start_[i].x();
         bin_[i].setSize(x.size());
-        nPoints += x.size();
+        nIn += x.size();
         forAll(x, p)
         {
-            first = min(first, x[p][c]);
-            last = max(last, x[p][c]);
-            bin_[i][p] = -1;
-            if (x[p][c] >= low && x[p][c] <= high)
-            {
-                bin_[i][p] = min
-                (
-                    nBins_ - 1,
-                    label(nBins_*((x[p][c] - low)/(high - low)))
-                );
-                used[bin_[i][p]] = true;
-                ++nIn;
-            }
+            bin_[i][p] = min
+            (
+                nBins_ - 1,
+                label(nBins_*((x[p][c] - low)/(high - low)))
+            );
+            used[bin_[i][p]] = true;
         }
     }
+    reduce(first, minOp<scalar>());
+    reduce(last, maxOp<scalar>());
 
     if (!nIn)
     {
@@ -174,7 +182,7 @@ void Foam::functionObjects::materialPointXT::sample
 
         for (label p = 0; p < cloud.size(); ++p)
         {
-            // Points that came later have no place in the diagram
+            // Points out of the range at the start have no place in the diagram
             const label first = start_[i].find(label(cloud.id()[0][p]));
             const label b = first < 0 ? -1 : bin_[i][first];
             if (b >= 0)
@@ -188,6 +196,12 @@ void Foam::functionObjects::materialPointXT::sample
         }
     }
 
+    Pstream::listCombineGather(sum, plusEqOp<scalar>());
+    Pstream::listCombineGather(volume, plusEqOp<scalar>());
+    if (!Pstream::master())
+    {
+        return;
+    }
     Ostream& os = row(0);
     forAll(sum, b)
     {

@@ -63,6 +63,42 @@ void readFile
     values.transfer(f);
 }
 
+
+//- The values to keep, those of all processors one after the other
+template<class Container>
+void shareValues(const boolList& keep, Container& values)
+{
+    List<Container> parts(Pstream::nProcs());
+    Container& mine = parts[Pstream::myProcNo()];
+    mine.setSize(values.size());
+    label n = 0;
+    forAll(values, i)
+    {
+        if (keep[i])
+        {
+            mine[n++] = values[i];
+        }
+    }
+    mine.setSize(n);
+    Pstream::gatherList(parts);
+    Pstream::scatterList(parts);
+
+    n = 0;
+    for (const Container& part : parts)
+    {
+        n += part.size();
+    }
+    values.setSize(n);
+    n = 0;
+    for (const Container& part : parts)
+    {
+        for (const auto& value : part)
+        {
+            values[n++] = value;
+        }
+    }
+}
+
 }
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -85,6 +121,31 @@ Foam::point Foam::mpm::positionOf
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::word Foam::mpm::startState::firstTime(const cloud& c)
+{
+    // The same list for all: a folder may be missing where no points were
+    DynamicList<word> found;
+    for (const instant& t : c.time().times())
+    {
+        if (t.name() != c.time().constant())
+        {
+            found.append(t.name());
+        }
+    }
+    wordList names(std::move(found));
+    Pstream::scatter(names);
+
+    for (const word& name : names)
+    {
+        if (returnReduce(hasFile(c, name, "m"), orOp<bool>()))
+        {
+            return name;
+        }
+    }
+    return word::null;
+}
+
+
 void Foam::mpm::startState::read
 (
     const dictionary& dict,
@@ -92,9 +153,12 @@ void Foam::mpm::startState::read
     const word& time
 )
 {
+    const bool hasPoints = hasFile(cloud, time, "m");
+
     for (const word field : {"x", "V"})
     {
-        if (!hasFile(cloud, time, field))
+        const bool missing = hasPoints && !hasFile(cloud, time, field);
+        if (returnReduce(missing, orOp<bool>()))
         {
             FatalIOErrorInFunction(dict)
                 << "The start positions of phase " << cloud.name()
@@ -104,6 +168,10 @@ void Foam::mpm::startState::read
                 << " materialPointFoam write."
                 << exit(FatalIOError);
         }
+    }
+    if (!hasPoints)
+    {
+        return;
     }
     readFile(dict, cloud, time, "x", x_, -1);
     readFile(dict, cloud, time, "V", V_, x_.size());
@@ -133,17 +201,16 @@ Foam::mpm::startState::startState
     const materialPointCloud& cloud = phase.cloud();
     const Time& runTime = cloud.time();
 
-    const instant* first = nullptr;
-    const instantList times(runTime.times());
-    for (const instant& t : times)
+    time_ = firstTime(cloud);
+    scalar first = GREAT;
+    if (!time_.empty())
     {
-        if (t.name() != runTime.constant() && hasFile(cloud, t.name(), "m"))
-        {
-            first = &t;
-            break;
-        }
+        readScalar(time_, first);
     }
-    if (!first || first->value() > runTime.value())
+
+    // Names have fewer digits than times
+    const bool now = time_ == runTime.timeName();
+    if (!now && first > runTime.value())
     {
         FatalIOErrorInFunction(dict)
             << "The start positions of phase " << phase.name()
@@ -154,8 +221,7 @@ Foam::mpm::startState::startState
             << exit(FatalIOError);
     }
 
-    time_ = first->name();
-    if (first->value() < runTime.value())
+    if (!now)
     {
         read(dict, cloud, time_);
     }
@@ -172,6 +238,16 @@ Foam::mpm::startState::startState
             V_[p] = cloud.volume()[0][p];
         }
     }
+    table_ = idTable(id_, id_.size());
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::startState::share(const boolList& keep)
+{
+    shareValues(keep, id_);
+    shareValues(keep, x_);
+    shareValues(keep, V_);
     table_ = idTable(id_, id_.size());
 }
 

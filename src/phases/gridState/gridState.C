@@ -99,6 +99,7 @@ void Foam::mpm::gridState::readFixed()
                 fixedNode_.append(n);
                 fixedPatch_.append(patchi);
                 fixedIndex_.append(i);
+                parts_.append({n, patchi, true, {}, point(Zero)});
             }
         }
     }
@@ -169,12 +170,17 @@ void Foam::mpm::gridState::shareFixed()
         if (at.found())
         {
             fixedPatch_[at.val()] = -1;
+            parts_[at.val()].patch = iter.val().first();
         }
         else
         {
             fixedNode_.append(iter.key());
             fixedPatch_.append(-1);
             fixedIndex_.append(-1);
+            parts_.append
+            (
+                {iter.key(), iter.val().first(), true, {}, point(Zero)}
+            );
         }
     }
     reduce(fixedElsewhere_, orOp<bool>());
@@ -318,6 +324,20 @@ void Foam::mpm::gridState::readSlip(const labelHashSet& fixed)
             if (rest.norm() > 1e-3)
             {
                 N += rest*rest.transpose()/rest.squaredNorm();
+
+                nodeReactions::part part
+                {
+                    entry.first.first(),
+                    entry.first.second(),
+                    false,
+                    {},
+                    point(Zero)
+                };
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    part.normal[d] = rest(d)/rest.norm();
+                }
+                parts_.append(part);
             }
         }
     }
@@ -641,8 +661,17 @@ void Foam::mpm::gridState::momentumStep(const scalar dt, const vector& g)
                 m > 0 ? U[stride_*n + d] + dtm*f[stride_*n + d] + dt*gd[d] : 0;
         }
     }
+    if (reactions_)
+    {
+        reactions_->start(dt, active_, shared_);
+        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+    }
     rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
     constrain(UL, 2*stride_, false, false);
+    if (reactions_)
+    {
+        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
+    }
 
     for (const label n : active_)
     {
@@ -807,11 +836,20 @@ void Foam::mpm::gridState::addFilter(const series s, const scalar weight)
     }
 
     // The sum keeps the fixed velocities: increments have none there
+    const bool takes = reactions_ && s != strain;
+    if (takes)
+    {
+        reactions_->add(active_, -1, v, 2*stride_, mU, stride_);
+    }
     if (s != strain)
     {
         rigid_.addImpulse(v, 2*stride_, true, mU, stride_);
     }
     constrain(v, 2*stride_, true, false);
+    if (takes)
+    {
+        reactions_->add(active_, 1, v, 2*stride_, mU, stride_);
+    }
 
     scalar* to = s == strain ? Ustrain_.data() : UL_.data();
     const int step = s == strain ? stride_ : 2*stride_;
@@ -887,6 +925,31 @@ Foam::scalar Foam::mpm::gridState::maxStrain
         }
     }
     return dt*largest;
+}
+
+
+void Foam::mpm::gridState::needReactions()
+{
+    if (!reactions_)
+    {
+        reactions_.reset(new nodeReactions(grid_, parts_, shared_));
+    }
+}
+
+
+void Foam::mpm::gridState::addProjected(const scalar share)
+{
+    if (reactions_ && share > 0)
+    {
+        reactions_->addProjected
+        (
+            active_,
+            share,
+            U_.data(),
+            mU_.data(),
+            stride_
+        );
+    }
 }
 
 

@@ -559,6 +559,13 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
 
     rule.energy = budget_.active;
 
+    const scalar projected =
+        transfer_.kind == transfer::FLIP ? rule.PICfraction : 1;
+    for (gridState& field : fields_)
+    {
+        field.addProjected(projected);
+    }
+
     scalar travel = 0, rate = 0, work = 0, body = 0;
     vector momentum(Zero);
     badPoint bad{-1, -1, false};
@@ -627,7 +634,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
 
     for (gridState& field : fields_)
     {
-        field.addProjectionImpulse(transfer_.kind == transfer::FLIP ? rule.PICfraction : 1);
+        field.addProjectionImpulse(projected);
     }
 
     return travel <= maxTravel_ ? 1 : max(0.8*maxTravel_/travel, scalar(0.1));

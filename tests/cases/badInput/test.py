@@ -345,6 +345,13 @@ def nanLaw(n):
         replace(PHASES, r"failureModel\s*\{.*?\}", ""))
 
 
+def function(kind, entries):
+    """A function object of the solver."""
+    return replace(CONTROL, "application",
+                   f"functions {{ object {{ type materialPoint{kind}; "
+                   f"libs (mpmFunctionObjects); {entries} }} }}\napplication")
+
+
 # --- rows: name, programme, change, patterns of the message, options ---------
 
 SET, SOLVE = ["setMaterialPoints"], ["materialPointFoam"]
@@ -726,6 +733,53 @@ ROWS += [
      movingGround("((0 (0 0 0)) (0.1 (0 0 0)))"), ["overflow|0.1"]),
     ("table of boundary values missing", SOLVE,
      several(movingGround("()"), remove("table")), ["badInput/\\d+/table"]),
+
+    #- function objects
+    ("forces: patch not in the mesh", SOLVE, function("PatchForces", "patches (ground roof);"),
+     inControl + ["roof is not in the mesh", VALID + " .*ground"]),
+    ("forces: patch without condition", SOLVE,
+     function("PatchForces", "patches (outside);"),
+     inControl + ["outside fixes no velocity", VALID + " .*ground"]),
+    ("forces: patch listed twice", SOLVE,
+     function("PatchForces", "patches (ground ground);"),
+     inControl + ["ground is listed twice", VALID]),
+    ("forces: no patches", SOLVE, function("PatchForces", "patches ();"),
+     inControl + ["empty", VALID + " .*ground"]),
+    ("forces: required keyword", SOLVE, function("PatchForces", ""),
+     inControl + ["patches"]),
+    ("forces: keyword", SOLVE, function("PatchForces", "patches (ground); rho 1;"),
+     inControl + ["rho", VALID + "[^\\n]*|patches"]),
+    ("forces: velocity field", SOLVE,
+     function("PatchForces", "patches (ground); velocityFields (soil);"),
+     inControl + ["soil", VALID + " .*body"]),
+    ("forces: not in each step", SOLVE,
+     function("PatchForces", "patches (ground); executeInterval 5;"),
+     inControl + ["executeInterval", "each step"]),
+    ("allowed: forces, -postProcess", SOLVE + ["-postProcess"],
+     function("PatchForces", "patches (ground);"), None,
+     {"has": "belong to time steps", "warnings": 1}),
+    ("forces: origin", SOLVE, function("PatchForces", "patches (ground); origin (0 0);"),
+     inControl),
+    ("fields on mesh points: unknown field", SOLVE,
+     function("Fields", "fields (alpha sigmaa);"), inControl + ["sigmaa", VALID, "sigmaEq"]),
+    ("fields on mesh points: none", SOLVE, function("Fields", "fields ();"),
+     inControl + ["empty", VALID, "alpha"]),
+    ("fields on mesh points: required keyword", SOLVE, function("Fields", ""),
+     inControl + ["fields"]),
+    ("fields on mesh points: phase", SOLVE,
+     function("Fields", "fields (U); phases (soil);"), inControl + ["soil", VALID, "block"]),
+    ("probes: unknown id", SOLVE,
+     function("Probes", "phase block; fields (U); points { ids (3 1000000); }"),
+     inControl + ["Unknown id 1000000", "ids from 0 to"]),
+    ("probes: no point in the box", SOLVE,
+     function("Probes", "phase block; fields (U); points { box (20 20 20) (21 21 21); }"),
+     inControl + ["no point of phase block", "Its points are in the box"]),
+    ("x-t diagram: no point in the range", SOLVE,
+     function("XT", "field p; direction y; range (100 200); nBins 3;"),
+     inControl + ["no point is in the range", "They are in"]),
+    ("allowed: forces and fields", SOLVE,
+     function("PatchForces", "patches (ground); origin (1 2 0); velocityFields (body);"),
+     None),
 
     #- runs that go wrong
     ("E 1e300: no end in sight", SOLVE, replace(PHASES, "1e6", "1e300"),

@@ -30,7 +30,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import plateImpactExact as exact
 from foamCase import RunFailed, VERIFY
-from plates import crossing, plateCase, startPositions
+from plates import plateCase, startPositions, tensionRun
 from report import Report
 
 US, NS, MPA = 1e-6, 1e-9, 1e6
@@ -57,17 +57,11 @@ LIMIT_T343 = {("FLIP", 100): 25, ("FLIP", 200): 16,
 def elastic(table, scheme, cells):
     label = f"{scheme}, {cells} cells"
     h = 2*exact.H/cells
-    case = plateCase(
-        "spall", f"{scheme}-{cells}", cells//2, SCHEMES[scheme], 1.2*US, 1*US,
-        MAX_CO[scheme],
-        pointsPerCell=POINTS[scheme],
-        probes=(("target", "middle", ("sigma_yy",), exact.H - h/2, exact.H + h/2, "mean"),
-                ("target", "surface", ("U_y",), 0, h/2, "mean"),
-                ("target", "all", ("sigma_yy",), 0, 2*exact.H, "none")))
-    seconds = case.run("materialPointFoam", limit=300)
-
-    t, sigma = case.series("middle", "sigma_yy.dat").T
-    t343 = crossing(t, sigma, exact.STRESS/2)
+    case, seconds, t, sigma, t343 = tensionRun(
+        "spall", f"{scheme}-{cells}", cells, SCHEMES[scheme], MAX_CO[scheme],
+        POINTS[scheme],
+        (("target", "surface", ("U_y",), 0, h/2, "mean"),
+         ("target", "all", ("sigma_yy",), 0, 2*exact.H, "none")))
     window = (t > 0.60*US) & (t < 0.95*US)
     plateau = np.mean(sigma[window])
 

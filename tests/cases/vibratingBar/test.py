@@ -23,63 +23,14 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (FoamCase, RunFailed, VERIFY, boxMesh, controlDict, noSchemes,
-                      velocityFile, writeField)
+from bar import ENERGY, T, V0, barRun, period
+from foamCase import RunFailed, VERIFY
 from report import Report
-
-L, E, RHO, V0 = 25.0, 100.0, 1.0, 0.1
-T = 4*L/np.sqrt(E/RHO)
-ENERGY = RHO*L*V0**2/4
 
 SCHEMES = {
     "FLIP": {"transfer": "FLIP", "PICfraction": 0},
     "FMPM2": {"transfer": "FMPM", "order": 2},
     "FLIP-1%PIC": {"transfer": "FLIP", "PICfraction": 0.01}}
-
-
-def run(scheme, cells):
-    """Time, velocity of the mass centre, total energy; seconds of one core."""
-    case = FoamCase("vibratingBar", f"{scheme}-{cells}".replace("%", ""))
-    case.write("constant/phaseProperties", {
-        "phases": ["bar"],
-        "bar": {"constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": E,
-                                      "nu": 0}}})
-    beyond = 4
-    case.write("system/blockMeshDict", boxMesh(
-        (0, 0, 0), (L*(1 + beyond/cells), 1, 1), (cells + beyond, 1, 1),
-        {"wall": ("patch", ("x-",)), "end": ("patch", ("x+",)),
-         "sides": ("empty", ("y-", "y+", "z-", "z+"))}))
-    velocityFile(case, "bar", {
-        "wall": {"type": "fixedValue", "value": "uniform (0 0 0)"},
-        "end": "calculated", "sides": "empty"})
-    case.write("system/setMaterialPointsDict", {"regions": {"bar": {
-        "phase": "bar", "type": "box", "min": (0, 0, 0), "max": (L, 1, 1),
-        "pointsPerCell": 2}}})
-    case.write("system/fvSolution",
-               {"materialPoints": {"shapeFunction": "GIMP", **SCHEMES[scheme]}})
-    noSchemes(case)
-    case.write("system/controlDict", controlDict(5*T, 5*T, maxCo=0.2, functions={
-        "balance": {"type": "materialPointBalance", "libs": "(mpmFunctionObjects)",
-                    "writeControl": "timeStep", "writeInterval": 1}}))
-    case.run("blockMesh")
-    case.run("setMaterialPoints")
-
-    x = case.points("0", "bar")["x"][:, 0]
-    start = np.zeros((len(x), 3))
-    start[:, 0] = V0*np.sin(np.pi*x/(2*L))
-    writeField(case.file("0/lagrangian/bar/U"), start)
-
-    seconds = case.run("materialPointFoam", limit=600)
-    # time, points, mass, momentum 3, angular momentum 3, kinetic, strain, total
-    record = case.series("balance", "bar.dat")
-    return record[:, 0], record[:, 3]/record[:, 2], record[:, 11], seconds
-
-
-def period(t, v):
-    """From all zero crossings, linear between the steps."""
-    i = np.nonzero(v[:-1]*v[1:] < 0)[0]
-    zero = t[i] - v[i]*(t[i + 1] - t[i])/(v[i + 1] - v[i])
-    return 2*(zero[-1] - zero[0])/(len(zero) - 1) if len(zero) > 1 else np.nan
 
 
 def main():
@@ -88,7 +39,9 @@ def main():
         for scheme in SCHEMES:
             label = f"{scheme}, {cells} cells"
             try:
-                t, v, energy, seconds = run(scheme, cells)
+                _, t, v, energy, seconds = barRun(
+                    "vibratingBar", f"{scheme}-{cells}".replace("%", ""),
+                    {"shapeFunction": "GIMP", **SCHEMES[scheme]}, cells)
             except RunFailed as e:
                 table.check(f"{label} runs", False, e)
                 continue

@@ -1,0 +1,70 @@
+"""Scenes with a known answer: what speedAgainstError.py runs with each scheme.
+
+A scene has a name, what its error is, the resolutions (coarse to fine; the quick
+mode takes the first two), the errors of the summary and a function
+
+    measure(label, numerics, cells) -> (case, error, core-seconds, {more figures})
+
+with numerics the dictionary fvSolution.materialPoints and error signed. A scene
+more: a function and a line in SCENES.
+"""
+
+import os
+import sys
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PROJECT = os.path.dirname(os.path.dirname(HERE))
+DISKS = os.path.join(PROJECT, "tutorials", "twoDisks")
+sys.path[:0] = [os.path.join(PROJECT, "tests", "lib"), DISKS]
+
+import bar  # noqa: E402
+import foamCase  # noqa: E402
+import plateImpactExact as exact  # noqa: E402
+from energies import Energies  # noqa: E402
+from plates import tensionRun  # noqa: E402
+
+RUN = os.path.join(HERE, "run")
+foamCase.RUN = RUN
+
+
+def spall(label, numerics, cells):
+    """Instant of the tension at the mid-plane of the target (tests/cases/spall)."""
+    case, seconds, _, sigma, t343 = tensionRun(
+        "spall", f"{label}-{cells}", cells, numerics, 0.5)
+    return case, 1e9*(t343 - exact.T_TENSION), seconds, {
+        "largest tension": sigma.max()/exact.STRESS}
+
+
+def vibratingBar(label, numerics, cells):
+    """Period over five periods (tests/cases/vibratingBar)."""
+    case, t, v, energy, seconds = bar.barRun("bar", f"{label}-{cells}", numerics, cells)
+    return case, 100*(bar.period(t, v)/bar.T - 1), seconds, {
+        "energy %": 100*(energy[-1]/bar.ENERGY - 1)}
+
+
+def twoDisks(label, numerics, cells):
+    """Total energy of two disks that bounce (tutorials/twoDisks); the largest
+    error over 3 s, kinetic and strain energy at the same time."""
+    case = foamCase.FoamCase("disks", f"{label}-{cells}", DISKS)
+    case.change("system/blockMeshDict", r"^n\s.*?;", f"n {cells};")
+    case.change("system/controlDict", r"^maxCo\s.*?;", "maxCo 0.1;")
+    case.change("system/controlDict", r"^writeInterval\s.*?;", "writeInterval 3;")
+    case.write("system/fvSolution", {"materialPoints": numerics})
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    seconds = case.run("materialPointFoam", limit=1200)
+    e = Energies(case.path)
+    worst = e.errorCentred[np.argmax(np.abs(e.errorCentred))]
+    return case, worst, seconds, {"kinetic left %": 100*e.kinetic[-1]/e.start}
+
+
+#: name: (measure, what the error is, resolutions, errors of the summary)
+SCENES = {
+    "spall": (spall, "instant of tension [ns]", (50, 100, 200, 400),
+              (20, 10, 5)),
+    "vibratingBar": (vibratingBar, "period [%]", (16, 32, 64, 128),
+                     (0.1, 0.03, 0.01)),
+    "twoDisks": (twoDisks, "total energy [%]", (14, 28, 56, 112),
+                 (5, 1, 0.3))}
