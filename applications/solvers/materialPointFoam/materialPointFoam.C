@@ -20,11 +20,14 @@ Description
 #include "fvCFD.H"
 #include "phaseSystem.H"
 #include "timeStepControl.H"
+#include "fatalMessages.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
+    mpm::exitOnFatal();
+
     argList::addNote
     (
         "Material points (solids that break, flow and hit each other) on"
@@ -35,6 +38,10 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    mpm::checkControlDict
+    (
+        args.rootPath()/args.globalCaseName()/"system"/"controlDict"
+    );
     mpm::timeStepControl::setAsideIncomplete(args);
     #include "createTime.H"
 

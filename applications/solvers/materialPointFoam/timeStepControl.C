@@ -8,6 +8,7 @@ License
 
 #include "timeStepControl.H"
 #include "selector.H"
+#include "fatalMessages.H"
 #include "fullPrecision.H"
 #include "cloud.H"
 #include "IFstream.H"
@@ -52,13 +53,16 @@ Foam::mpm::timeStepControl::timeStepControl
     {
         IFstream is(file);
         const dictionary state(is);
-        time.setTime
-        (
-            required<scalar>(state, "value"),
-            time.timeIndex()
-        );
-        origin_ = required<scalar>(state, "origin");
-        growFrom_ = required<scalar>(state, "growFrom");
+        checkKeywords(state, {"value", "origin", "growFrom", "points"});
+        requireClosed(file);
+
+        // The folder's name has fewer digits
+        const scalar value =
+            bounded(state, "value", time.value() - 0.01*mag(time.value()),
+                time.value() + 0.01*mag(time.value()));
+        time.setTime(value, time.timeIndex());
+        origin_ = bounded(state, "origin", -GREAT, value);
+        growFrom_ = positive(state, "growFrom");
         points.setState(requiredDict(state, "points"));
     }
 }
@@ -196,6 +200,12 @@ bool Foam::mpm::timeStepControl::dryRun(const argList& args) const
 }
 
 
+bool Foam::mpm::timeStepControl::openEnd() const
+{
+    return time_.endTime().value() > 0.1*GREAT;
+}
+
+
 void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
 {
     // Not by Time: it takes the nearest whole number of steps, which may make
@@ -212,7 +222,10 @@ void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
         const scalar next =
             origin_ + (std::floor(passed + 1e-9) + 1)*interval;
         const scalar left = next - time_.value();
-        dt = left/std::ceil(left/largest - 1e-9);
+        if (left < labelMax*largest)
+        {
+            dt = left/std::ceil(left/largest - 1e-9);
+        }
     }
     time_.setDeltaT(dt, false);
 
@@ -262,6 +275,14 @@ void Foam::mpm::timeStepControl::setDeltaT()
 
     else
     {
+        if (dict.found("maxCo") && !dict.found("adjustTimeStep"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry maxCo has no effect without adjustTimeStep." << nl
+                << "Write  adjustTimeStep yes;  or, for a fixed deltaT, no."
+                << exit(FatalIOError);
+        }
+
         // A redone step may have made it smaller
         fixedDeltaT_ = max(fixedDeltaT_, time_.deltaTValue());
         growFrom_ *= 1.2;
@@ -315,10 +336,7 @@ void Foam::mpm::timeStepControl::checkAdvances() const
     const scalar dt = time_.deltaTValue();
     const scalar nLeft = (time_.endTime().value() - time_.value())/dt;
 
-    // stopAt other than endTime sets the end to infinity
-    const bool open = time_.endTime().value() > 0.1*GREAT;
-
-    if (!(time_.value() + dt > time_.value()) || (!open && nLeft > labelMax))
+    if (!(time_.value() + dt > time_.value()) || (!openEnd() && nLeft > labelMax))
     {
         FatalErrorInFunction
             << "The time step " << dt << " s at time " << time_.timeName()
@@ -326,7 +344,8 @@ void Foam::mpm::timeStepControl::checkAdvances() const
             << "It follows from maxCo, maxDeltaT or deltaT in"
             << " system/controlDict, the wave speeds and velocities of the"
             << " points and the size of the cells: look for a wrong unit in"
-            << " constant/phaseProperties or setMaterialPointsDict."
+            << " constant/phaseProperties, setMaterialPointsDict or the"
+            << " boundary values of 0/U.<velocityField>."
             << exit(FatalError);
     }
 }

@@ -91,6 +91,8 @@ Usage
 #include "PtrList.H"
 #include "materialPointPhase.H"
 #include "selector.H"
+#include "fatalMessages.H"
+#include "noTraps.H"
 #include "regionTable.H"
 
 using namespace Foam;
@@ -290,6 +292,8 @@ void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
 
 int main(int argc, char *argv[])
 {
+    exitOnFatal();
+
     argList::addNote
     (
         "Fill regions of the mesh with material points, as"
@@ -318,6 +322,10 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCase.H"
+    checkControlDict
+    (
+        args.rootPath()/args.globalCaseName()/"system"/"controlDict"
+    );
     #include "createTime.H"
 
     // fvSchemes and fvSolution are wanted only for a field
@@ -336,6 +344,9 @@ int main(int argc, char *argv[])
     );
     const polyMesh& mesh = *meshPtr;
 
+    // Shapes may be as large as they like: what overflows is found by name
+    const noTraps guard;
+
     const word dictName("setMaterialPointsDict");
     #include "setSystemMeshDictionaryIO.H"
 
@@ -351,11 +362,13 @@ int main(int argc, char *argv[])
             IOobject::MUST_READ
         )
     );
+    requireClosed(phaseProperties.objectPath());
     PtrList<materialPointPhase> phases;
     readPhases(grid, phaseProperties, phases);
 
     Info<< "Reading " << dictIO.objectPath() << nl << endl;
     const IOdictionary dict(dictIO);
+    requireClosed(dict.objectPath());
     PtrList<pointRegion> regions;
     readRegions(grid, dict, phases, regions);
 

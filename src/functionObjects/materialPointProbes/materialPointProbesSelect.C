@@ -53,10 +53,25 @@ void Foam::functionObjects::materialPointProbes::selectNearest
     const pointField& locations
 )
 {
+    // Twice as large as the mesh
+    boundBox near(grid.mesh().bounds());
+    near.inflate(0.5);
+
     id_.setSize(locations.size(), labelMax);
     scalarField best(locations.size(), VGREAT);
     forAll(locations, i)
     {
+        for (int d = 0; d < grid.nDim(); ++d)
+        {
+            const int c = grid.direction(d);
+            if (locations[i][c] < near.min()[c] || locations[i][c] > near.max()[c])
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "Entry nearest has the place " << locations[i]
+                    << ", far outside the mesh " << grid.mesh().bounds() << "."
+                    << exit(FatalIOError);
+            }
+        }
         forAll(start_->x(), p)
         {
             scalar distance2 = 0;

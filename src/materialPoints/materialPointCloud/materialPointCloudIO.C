@@ -10,8 +10,10 @@ License
 #include "pointBlock.H"
 #include "noTraps.H"
 #include "fullPrecision.H"
+#include "fatalMessages.H"
 #include "Cloud.H"
 #include "passiveParticle.H"
+#include "IFstream.H"
 #include "IOField.H"
 #include "OSspecific.H"
 #include "Time.H"
@@ -44,6 +46,28 @@ IOobject columnObject
 }
 
 
+void wrongSize(const IOobject& object, const label size, const label n)
+{
+    FatalErrorInFunction
+        << "Field " << object.objectPath() << " has " << size
+        << " values for " << n << " material points." << exit(FatalError);
+}
+
+
+//- Number of values that a field's file announces, -1 if it has none
+label announced(const cloud& c, const word& name)
+{
+    IOobject object(columnObject(c, name, IOobject::MUST_READ));
+    IFstream is(object.objectPath());
+    if (!is.good() || !object.readHeader(is))
+    {
+        return -1;
+    }
+    const token first(is);
+    return first.isLabel() ? first.labelToken() : -1;
+}
+
+
 //- Field of the current time; fatal if it is missing or of another length
 template<class Type>
 tmp<Field<Type>> readField
@@ -55,39 +79,27 @@ tmp<Field<Type>> readField
 {
     const IOobject object(columnObject(c, name, IOobject::MUST_READ));
 
+    // Before there is memory for a wrong number of them
+    const label nAnnounced = n < 0 ? -1 : announced(c, name);
+    if (nAnnounced >= 0 && nAnnounced != n)
+    {
+        wrongSize(object, nAnnounced, n);
+    }
+
     // OpenFOAM aborts on a broken list without naming the file
-    string problem;
-    autoPtr<IOField<Type>> fPtr;
-    const bool throwing = FatalError.throwExceptions();
-    try
-    {
-        fPtr.reset(new IOField<Type>(object));
-    }
-    catch (const Foam::IOerror&)
-    {
-        throw;
-    }
-    catch (const Foam::error& e)
-    {
-        problem = e.message();
-    }
-    if (!throwing)
-    {
-        FatalError.dontThrowExceptions();
-    }
-    if (!fPtr)
-    {
-        FatalErrorInFunction
-            << "Field " << object.objectPath() << " cannot be read: "
-            << problem.c_str() << exit(FatalError);
-    }
+    autoPtr<IOField<Type>> fPtr
+    (
+        readNamed
+        (
+            object.objectPath(),
+            [&] { return autoPtr<IOField<Type>>(new IOField<Type>(object)); }
+        )
+    );
     IOField<Type>& f = *fPtr;
 
     if (n >= 0 && f.size() != n)
     {
-        FatalErrorInFunction
-            << "Field " << f.objectPath() << " has " << f.size()
-            << " values for " << n << " material points." << exit(FatalError);
+        wrongSize(object, f.size(), n);
     }
     return tmp<Field<Type>>::New(std::move(static_cast<Field<Type>&>(f)));
 }
@@ -145,6 +157,33 @@ Foam::label Foam::mpm::materialPointCloud::ownCellBeside(const point& x) const
 }
 
 
+bool Foam::mpm::materialPointCloud::present(const word& name) const
+{
+    if (onDisk(*this, name))
+    {
+        return true;
+    }
+
+    // A time that a run has written has every column, one of setMaterialPoints
+    // at least these: a missing one would silently start from zero
+    const bool written = isFile
+    (
+        time().path()/time().timeName()/"uniform"/"materialPointState"
+    );
+    const bool ours = onDisk(*this, "x") && (name == "U" || name == "sigma");
+    if (written || ours)
+    {
+        FatalErrorInFunction
+            << "Column " << name << " of phase " << this->name()
+            << " is missing in time " << time().timeName() << ", which was"
+            << " written with it." << nl
+            << "Restart from another time, or run setMaterialPoints."
+            << exit(FatalError);
+    }
+    return false;
+}
+
+
 void Foam::mpm::materialPointCloud::readPositions
 (
     const labelList& id,
@@ -155,7 +194,7 @@ void Foam::mpm::materialPointCloud::readPositions
     const label n = cell.size();
 
     vectorField x;
-    if (onDisk(*this, "x"))
+    if (present("x"))
     {
         x = readField<vector>(*this, "x", n);
     }
@@ -238,7 +277,14 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
     scalarField mass;
     if (onDisk(*this, "m"))
     {
-        mass = readField<scalar>(*this, "m", -1);
+        // Wrong if it agrees with neither of two other columns
+        const bool agrees = announced(*this, "m") == announced(*this, "x");
+        mass = readField<scalar>
+        (
+            *this,
+            "m",
+            agrees ? -1 : announced(*this, "V")
+        );
     }
     const label n = mass.size();
     labelList cell(n, label(-1));
@@ -263,6 +309,13 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         }
         for (label p = 0; p < n; ++p)
         {
+            if (id[p] < 0)
+            {
+                FatalErrorInFunction
+                    << "Cloud " << name() << " of time " << time().timeName()
+                    << " has a material point with the id " << id[p]
+                    << "; ids must not be negative." << exit(FatalError);
+            }
             id_[0][p] = id[p];
         }
 
@@ -292,6 +345,8 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         (
             const scalarField& f,
             const word& name,
+            const scalar limit,
+            const char* rule,
             column& c
         )
         {
@@ -300,44 +355,32 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
                 check
                 (
                     p,
-                    std::isfinite(f[p]) && f[p] > 0,
+                    f[p] > 0 && f[p] < limit,
                     name,
                     Foam::name(f[p]),
-                    "finite and greater than 0"
+                    rule
                 );
                 c[0][p] = f[p];
             }
         };
 
-        positiveField(mass, "m (mass)", mass_);
+        positiveField
+        (
+            mass,
+            "m (mass)",
+            VGREAT,
+            "finite and greater than 0",
+            mass_
+        );
         mass.clear();
         positiveField
         (
             readField<scalar>(*this, "V", n)(),
             "V (volume)",
+            1e3*grid_.mesh().bounds().volume(),
+            "greater than 0 and not far above that of the mesh",
             volume_
         );
-
-        // A time that a run has written has every column: a missing one would
-        // silently start from zero
-        const bool written = isFile
-        (
-            time().path()/time().timeName()/"uniform"/"materialPointState"
-        );
-        const auto present = [&](const word& column)
-        {
-            const bool there = onDisk(*this, column);
-            if (written && !there)
-            {
-                FatalErrorInFunction
-                    << "Column " << column << " of phase " << this->name()
-                    << " is missing in time " << time().timeName()
-                    << ", which a run has written with it." << nl
-                    << "Restart from another time, or run setMaterialPoints."
-                    << exit(FatalError);
-            }
-            return there;
-        };
 
         if (present("U"))
         {

@@ -467,6 +467,13 @@ Foam::mpm::gridState::gridState
     rigid_(grid),
     UNew_(stride_*grid.nNodes())
 {
+    if (Ufield_.dimensions() != dimVelocity)
+    {
+        FatalErrorInFunction
+            << "Field " << Ufield_.objectPath() << " has the dimensions "
+            << Ufield_.dimensions() << "; they must be " << dimVelocity
+            << " (m/s)." << exit(FatalError);
+    }
     readBoundary();
     updateFixed(0);
 

@@ -8,9 +8,11 @@ License
 
 #include "phaseSystem.H"
 #include "selector.H"
+#include "fatalMessages.H"
 #include "noTraps.H"
 #include "uniformDimensionedFields.H"
 #include "Time.H"
+#include "OSspecific.H"
 #include <chrono>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -314,11 +316,35 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         IOobject::NO_WRITE,
         false
     );
-    if (gHeader.typeHeaderOk<uniformDimensionedVectorField>(true))
+    if
+    (
+        gHeader.typeHeaderOk<uniformDimensionedVectorField>(true)
+     || exists(mesh.time().globalPath()/mesh.time().constant()/"g")
+    )
     {
-        g_ = uniformDimensionedVectorField(gHeader).value();
+        const auto g = readNamed
+        (
+            gHeader.objectPath(),
+            [&]
+            {
+                const uniformDimensionedVectorField field(gHeader);
+                return dimensionedVector(field.name(), field.dimensions(),
+                    field.value());
+            }
+        );
+        const noTraps guard;
+        if (g.dimensions() != dimAcceleration || !std::isfinite(mag(g.value())))
+        {
+            FatalErrorInFunction
+                << "Gravity in " << gHeader.objectPath() << " is " << g.value()
+                << ' ' << g.dimensions() << "; it must be finite and in "
+                << dimAcceleration << " (m/s2)." << exit(FatalError);
+        }
+        g_ = g.value();
     }
 
+    requireClosed(properties_.objectPath());
+    requireClosed(mesh.solutionDict().name());
     readNumerics();
     passes_ = pointPasses::New
     (
@@ -358,7 +384,28 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     fields_.setSize(fieldNames.size());
     forAll(fieldNames, fieldi)
     {
-        fields_.set(fieldi, new gridState(grid_, fieldNames[fieldi], passes_->reach()));
+        const fileName file
+        (
+            mesh.time().timePath()
+           /IOobject::groupName("U", fieldNames[fieldi])
+        );
+        fields_.set
+        (
+            fieldi,
+            readNamed
+            (
+                file,
+                [&]
+                {
+                    return new gridState
+                    (
+                        grid_,
+                        fieldNames[fieldi],
+                        passes_->reach()
+                    );
+                }
+            )
+        );
         fields_[fieldi].rigid().setPhases(phases_.size());
     }
 

@@ -346,15 +346,48 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
 
 void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
 {
-    rate_ = required<scalar>(state, "rate");
-    waveRate_ = required<scalar>(state, "waveRate");
-    nRedone_ = required<label>(state, "stepsRedone");
+    checkKeywords
+    (
+        state,
+        {"rate", "waveRate", "stepsRedone", "failed", "rigid", "energy"}
+    );
+
+    // The laws may have changed since
+    rate_ = bounded
+    (
+        state,
+        "rate",
+        0,
+        waveRate_ > 0 ? 1e3*(rate_ + waveRate_) : GREAT
+    );
+    const scalar waveRate = bounded(state, "waveRate", 0, GREAT);
+    if (waveRate >= waveRate_ && waveRate <= 2*waveRate_)
+    {
+        waveRate_ = waveRate;
+    }
+    requireKeyword(state, "stepsRedone");
+    nRedone_ = boundedLabelOrDefault(state, "stepsRedone", 0, 0, labelMax);
+
     const dictionary& failed = requiredDict(state, "failed");
+    DynamicList<word> names, rigid;
     for (materialPointPhase& phase : phases_)
     {
-        const label n = failed.getOrDefault<label>(phase.name(), 0);
+        names.append(phase.name());
+        if (phase.motion())
+        {
+            rigid.append(phase.name());
+        }
+        requireKeyword(failed, phase.name());
+        const label n =
+            boundedLabelOrDefault(failed, phase.name(), 0, 0, labelMax);
         phase.nFailed() = Pstream::master() ? n : 0;
     }
+    checkKeywords(failed, wordList(names));
+    if (state.found("rigid"))
+    {
+        checkKeywords(requiredDict(state, "rigid"), wordList(rigid));
+    }
+
     if (state.found("energy"))
     {
         budget_.active = true;

@@ -35,6 +35,13 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
     highest_{0, 0, 0},
     sameWidth_(0)
 {
+    if (!returnReduce(mesh.nCells(), sumOp<label>()))
+    {
+        FatalErrorInFunction
+            << "The mesh " << mesh.bounds() << " has no cells: look at"
+            << " system/blockMeshDict." << exit(FatalError);
+    }
+
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (isA<wedgePolyPatch>(pp))
@@ -53,6 +60,14 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
         {
             dir_[nDim_++] = d;
         }
+    }
+
+    if (!nDim_)
+    {
+        FatalErrorInFunction
+            << "All directions of the mesh " << mesh.bounds() << " are empty:"
+            << " look at the patches in system/blockMeshDict; faces that none"
+            << " of them names become empty." << exit(FatalError);
     }
 
     makeNodes();

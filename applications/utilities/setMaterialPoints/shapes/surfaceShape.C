@@ -32,8 +32,8 @@ void Foam::mpm::surfaceShape::read(const word& name, const dictionary& dict)
     const word type(required<word>(dict, "type"));
     string problem;
 
-    FatalError.throwExceptions();
-    FatalIOError.throwExceptions();
+    const bool throwing = FatalError.throwExceptions();
+    const bool throwingIO = FatalIOError.throwExceptions();
     try
     {
         surface_ = searchableSurface::New
@@ -56,8 +56,8 @@ void Foam::mpm::surfaceShape::read(const word& name, const dictionary& dict)
     {
         problem = err.message();
     }
-    FatalError.dontThrowExceptions();
-    FatalIOError.dontThrowExceptions();
+    FatalError.throwExceptions(throwing);
+    FatalIOError.throwExceptions(throwingIO);
 
     if (problem.size())
     {
