@@ -833,9 +833,6 @@ ROWS += [
     ("parallel, not decomposed", ["mpirun", "--oversubscribe", "-np", "2",
                                   "materialPointFoam", "-parallel"],
      lambda c: None, ["processor|decomposeParDict"]),
-    ("parallel", ["mpirun", "--oversubscribe", "-np", "2", "materialPointFoam",
-                  "-parallel"],
-     "decompose", ["one processor", "-parallel"], {"ranks": 2}),
     ("parallel", SET + ["-parallel"], lambda c: None, None,
      {"refused": r"Invalid option: -parallel"}),
     ("allowed: fields that meet", SOLVE, fields("base", "block"), None,
@@ -860,16 +857,6 @@ for traps in ("true", "false"):
 
 
 # --- one row ------------------------------------------------------------------
-
-def decompose(case):
-    case.write("system/decomposeParDict",
-               "FoamFile { version 2.0; format ascii; class dictionary;"
-               " object decomposeParDict; }\nnumberOfSubdomains 2;\n"
-               "method simple;\nsimpleCoeffs { n (2 1 1); delta 0.001; }\n")
-    status, text, _ = case.run(["decomposePar"])
-    if status:
-        raise RuntimeError("decomposePar failed: " + text[-500:])
-
 
 def block(text):
     """The text of the fatal message, as one line."""
@@ -909,7 +896,7 @@ def judge(command, case, patterns, options):
     else:
         if status == 0:
             wrong.append("exit 0")
-        if fatal != options.get("ranks", 1):
+        if fatal != 1:
             wrong.append(f"{fatal} fatal messages")
         missing = [p for p in patterns or [] if not re.search(p, message)]
         if missing:
@@ -956,7 +943,7 @@ def run(table, number, row, seeds):
     case = Case(os.path.join(RUN, f"{number:03d}"),
                 seeds[options.get("seed", "start")])
     try:
-        (decompose if change == "decompose" else change)(case)
+        change(case)
         wrong, message = judge(command, case, patterns, options)
     except (LookupError, RuntimeError, OSError, AttributeError,
             AssertionError) as e:

@@ -108,6 +108,8 @@ HARMLESS = [
      "OpenFOAM's own words: other output, the same run", SAME),
     (CONTROL, r"functions\.\w+\.(points\.\w+|range|nBins)", ".*list|tiny|huge",
      "another choice of points to look at, the same run", SAME),
+    (CONTROL, r"functions\.\w+\.fields", "short list",
+     "fewer fields to look at, the same run", SAME),
     (CONTROL, r"functions\.\w+\.libs", ".*",
      "another function object loads the library", SAME),
     (CONTROL, "writeControl|writeInterval", ".*", "OpenFOAM's own: other output"),
