@@ -109,6 +109,11 @@ void Foam::mpm::materialPointCloud::reserve(label n)
         grow(xNew_);
         grow(UNew_);
         if (affineNew_) grow(*affineNew_);
+        if (gasPressure_)
+        {
+            grow(*gasPressure_);
+            grow(*gasForce_);
+        }
         scratch_ = alignedArray(n + column::padding);
     }
 }
@@ -260,6 +265,16 @@ void Foam::mpm::materialPointCloud::needHistory
 )
 {
     history_.emplace_back(name, kind, grid_.nDim());
+}
+
+
+void Foam::mpm::materialPointCloud::needGas()
+{
+    const int D = grid_.nDim();
+    gasVolume_.reset(new column("gasVolume", column::scalars, D));
+    way_.reset(new column("way", column::vectors, D));
+    gasPressure_.reset(new column("gasPressure", column::scalars, D));
+    gasForce_.reset(new column("gasForce", column::vectors, D));
 }
 
 

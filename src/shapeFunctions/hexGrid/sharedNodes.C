@@ -10,12 +10,27 @@ License
 #include "hexGrid.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
-#include "PackedBoolList.H"
+#include "HashSet.H"
+#include "IndirectList.H"
 #include "ListOps.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::sharedNodes::sharedNodes(const hexGrid& grid, const label reach)
+{
+    if (Pstream::parRun())
+    {
+        const labelList nodes(grid.candidateNodes(reach));
+        *this = sharedNodes(nodes, labelUIndList(grid.nodeKey(), nodes)());
+    }
+}
+
+
+Foam::mpm::sharedNodes::sharedNodes
+(
+    const labelUList& places,
+    const labelUList& placeKeys
+)
 {
     if (!Pstream::parRun())
     {
@@ -23,15 +38,13 @@ Foam::mpm::sharedNodes::sharedNodes(const hexGrid& grid, const label reach)
     }
 
     // Keys that each processor offers
-    const labelList candidates(grid.candidateNodes(reach));
-    Map<label> nodeOfKey(2*candidates.size());
+    Map<label> nodeOfKey(2*places.size());
     labelListList keys(Pstream::nProcs());
     labelList& mine = keys[Pstream::myProcNo()];
-    mine.setSize(candidates.size());
-    forAll(candidates, i)
+    mine = placeKeys;
+    forAll(places, i)
     {
-        mine[i] = grid.nodeKey()[candidates[i]];
-        nodeOfKey.insert(mine[i], candidates[i]);
+        nodeOfKey.insert(placeKeys[i], places[i]);
     }
     Foam::sort(mine);
     Pstream::gatherList(keys);
@@ -39,7 +52,7 @@ Foam::mpm::sharedNodes::sharedNodes(const hexGrid& grid, const label reach)
 
     DynamicList<label> procs;
     DynamicList<labelList> nodes;
-    PackedBoolList isShared(grid.nNodes());
+    labelHashSet isShared;
     forAll(keys, proci)
     {
         if (proci == Pstream::myProcNo())
@@ -53,7 +66,7 @@ Foam::mpm::sharedNodes::sharedNodes(const hexGrid& grid, const label reach)
             if (iter.found())
             {
                 common.append(iter.val());
-                isShared.set(iter.val());
+                isShared.insert(iter.val());
             }
         }
         if (common.size())
