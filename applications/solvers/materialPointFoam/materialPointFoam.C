@@ -20,6 +20,7 @@ Description
 #include "fvCFD.H"
 #include "phaseSystem.H"
 #include "eulerianGas.H"
+#include "gasCoupling.H"
 #include "phaseNames.H"
 #include "selector.H"
 #include "uniformDimensionedFields.H"
@@ -83,7 +84,11 @@ int main(int argc, char *argv[])
         {
             control.redo(factor);
         }
-        if (gas)
+        if (coupling)
+        {
+            coupling->advanceGas(runTime.deltaTValue());
+        }
+        else if (gas)
         {
             gas->faceFlux(runTime.deltaTValue());
             gas->advance(runTime.deltaTValue());
@@ -107,6 +112,10 @@ int main(int argc, char *argv[])
             {
                 gas->report();
             }
+            if (coupling)
+            {
+                coupling->report();
+            }
         }
 
         if (runTime.writeTime())
@@ -118,6 +127,10 @@ int main(int argc, char *argv[])
             if (gas)
             {
                 gas->writeFields();
+            }
+            if (coupling)
+            {
+                coupling->writeFields();
             }
         }
         runTime.write();

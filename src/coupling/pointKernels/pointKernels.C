@@ -197,19 +197,12 @@ public:
 
     void depart(materialPointCloud& cloud, scalar* face) const override
     {
-        const hexGrid& grid = sums_.grid();
         const scalar* x[DIM];
-        const scalar* xNew[DIM];
-        scalar* way[DIM];
-        T period[DIM], half[DIM];
+        const scalar* way[DIM];
         for (int d = 0; d < DIM; ++d)
         {
             x[d] = cloud.x()[d];
-            xNew[d] = cloud.xNew()[d];
             way[d] = (*cloud.way())[d];
-            period[d] = broadcast<W>(grid.period(d));
-            half[d] =
-                broadcast<W>(grid.period(d) > 0 ? 0.5*grid.period(d) : VGREAT);
         }
         const scalar* v = (*cloud.gasVolume())[0];
 
@@ -227,12 +220,7 @@ public:
                 const T vp = 0.5*load<W>(v + p);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    T w = load<W>(xNew[d] + p) - load<W>(x[d] + p);
-                    // Through a cyclic side
-                    w = select(w > half[d], w - period[d], w);
-                    w = select(w < -half[d], w + period[d], w);
-                    storePart<W>(way[d] + p, w, n);
-                    const T q[3] = {T{}, vp*w, T{}};
+                    const T q[3] = {T{}, vp*load<W>(way[d] + p), T{}};
                     addFaces(K, d, q, n, acc[d]);
                 }
             }
@@ -277,13 +265,17 @@ public:
                     const T q[3] = {vp, 0.5*vp*load<W>(way[d] + p), mp};
                     addFaces(K, d, q, n, acc[d]);
                 }
-                const T dv =
-                    oldVolume ? vp - loadPart<W>(oldVolume + p, n) : T{};
+                T filling = vp;
+                T dv = oldVolume ? vp - loadPart<W>(oldVolume + p, n) : T{};
+                for (int l = n; l < W; ++l)
+                {
+                    filling[l] = dv[l] = 0;
+                }
                 for (int c = 0; c < nCells; ++c)
                 {
                     const T kernel = cellKernel(K, c);
                     dilated[c] += kernel*dv;
-                    filled[c] += kernel*vp;
+                    filled[c] += kernel*filling;
                 }
             }
             flushFaces(s, acc, face);

@@ -208,7 +208,7 @@ void Foam::mpm::eulerianGas::primitives()
 }
 
 
-void Foam::mpm::eulerianGas::boundaryStates()
+void Foam::mpm::eulerianGas::updateBoundaryStates()
 {
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     const label nInternal = mesh_.nInternalFaces();
@@ -332,6 +332,7 @@ Foam::mpm::eulerianGas::eulerianGas
 {
     wordList valid(gasThermo::keywords);
     valid.append("type");
+    valid.append(wordList({"mu", "poreFloor", "faceDrag"}));
     checkKeywords(dict, valid);
     checkDimensions(p_, dimPressure);
     checkDimensions(U_, dimVelocity);
@@ -369,14 +370,14 @@ void Foam::mpm::eulerianGas::readState()
     {
         conserve();
         primitives();
-        boundaryStates();
+        updateBoundaryStates();
         U_.correctBoundaryConditions();
         p_.correctBoundaryConditions();
         if (T_)
         {
             T_->correctBoundaryConditions();
         }
-        boundaryStates();
+        updateBoundaryStates();
         return;
     }
 
@@ -413,7 +414,7 @@ void Foam::mpm::eulerianGas::readState()
             << " run starts from p, T." << name_ << ", U." << name_ << "."
             << exit(FatalError);
     }
-    boundaryStates();
+    updateBoundaryStates();
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -428,7 +429,7 @@ bool Foam::mpm::eulerianGas::setTheta(const UList<scalar>& theta)
     theta_ = theta;
     conserve();
     primitives();
-    boundaryStates();
+    updateBoundaryStates();
     return false;
 }
 
@@ -436,7 +437,7 @@ bool Foam::mpm::eulerianGas::setTheta(const UList<scalar>& theta)
 void Foam::mpm::eulerianGas::refresh()
 {
     primitives();
-    boundaryStates();
+    updateBoundaryStates();
 }
 
 
@@ -461,7 +462,7 @@ void Foam::mpm::eulerianGas::correct()
     {
         T_->correctBoundaryConditions();
     }
-    boundaryStates();
+    updateBoundaryStates();
 }
 
 // ************************************************************************* //

@@ -278,6 +278,16 @@ void Foam::mpm::materialPointCloud::needGas()
 }
 
 
+void Foam::mpm::materialPointCloud::allocateGas()
+{
+    const label n = max(x_.capacity(), label(1));
+    for (column* c : {&*gasVolume_, &*way_, &*gasPressure_, &*gasForce_})
+    {
+        c->reserve(n, 0);
+    }
+}
+
+
 Foam::scalar Foam::mpm::materialPointCloud::bytesPerPoint() const
 {
     materialPointCloud& me = const_cast<materialPointCloud&>(*this);

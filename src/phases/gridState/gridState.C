@@ -791,6 +791,32 @@ void Foam::mpm::gridState::strainFromMomentum()
 }
 
 
+void Foam::mpm::gridState::addImpulse(const scalar* impulse)
+{
+    const scalar* mU = mU_.data();
+    scalar* UL = UL_.data();
+    for (const label n : active_)
+    {
+        const scalar m = mU[stride_*n + nDim_];
+        const scalar rm = m > 0 ? 1/m : 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            // The increment takes what is left after boundary conditions
+            UL[2*stride_*n + stride_ + d] -= UL[2*stride_*n + d];
+            UL[2*stride_*n + d] += rm*impulse[stride_*n + d];
+        }
+    }
+    constrain(UL, 2*stride_, false, false);
+    for (const label n : active_)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            UL[2*stride_*n + stride_ + d] += UL[2*stride_*n + d];
+        }
+    }
+}
+
+
 void Foam::mpm::gridState::startFilter(const series s)
 {
     // work = [increments v in 2 stride per node][sum of m S S^T v]

@@ -42,7 +42,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
     );
     if (type == "rigid")
     {
-        checkKeywords(dict, {"type", "rho", "motion", "velocityField"});
+        checkKeywords(dict, {"type", "rho", "motion", "velocityField", "drag"});
         rho_ = positive(dict, "rho");
         motion_ = rigidMotion::New(dict, grid);
         cloud_.needReference();
@@ -54,7 +54,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
             dict,
             {
                 "type", "constitutiveModel", "failureModel", "bodyForce",
-                "velocityField"
+                "velocityField", "drag"
             }
         );
         law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));

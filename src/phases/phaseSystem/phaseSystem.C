@@ -305,7 +305,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     nRedone_(0),
     dt_(0),
     tentative_(false),
-    warned_(false)
+    warned_(false),
+    coupling_(nullptr)
 {
     IOobject gHeader
     (
@@ -902,7 +903,9 @@ void Foam::mpm::pointPhaseSystem::correctStress
                 phase.failure(),
                 dt,
                 fields_[fieldOf_[phasei]].Ustrain(),
-                withForce ? fields_[fieldOf_[phasei]].force() : nullptr
+                withForce && !coupling_
+              ? fields_[fieldOf_[phasei]].force()
+              : nullptr
             )
         );
         if (result.badPoint >= 0)
@@ -925,10 +928,45 @@ void Foam::mpm::pointPhaseSystem::correctStress
         }
         phase.nFailed() += result.nFailed;
     }
-    if (withForce)
+    if (withForce && !coupling_)
     {
         finishForce(dtForce);
     }
+}
+
+
+void Foam::mpm::pointPhaseSystem::couple(pointCoupling& coupling)
+{
+    if (stressUpdate_->early() || word(stressUpdate_->name()) != "MUSL")
+    {
+        FatalIOErrorInFunction
+        (
+            mesh_.solutionDict().subDict("materialPoints")
+        )   << "stressUpdate " << stressUpdate_->name() << " does not work in"
+            << " a gas, which has to act on the stress of the start of the"
+            << " step." << nl << "Valid choice: MUSL" << exit(FatalIOError);
+    }
+    if (budget_.active)
+    {
+        FatalIOErrorInFunction
+        (
+            mesh_.solutionDict().subDict("materialPoints")
+        )   << "energyBudget is that of points without a gas; remove it."
+            << exit(FatalIOError);
+    }
+    coupling_ = &coupling;
+}
+
+
+void Foam::mpm::pointPhaseSystem::addImpulse
+(
+    const label fieldi,
+    scalar* impulse
+)
+{
+    gridState& field = fields_[fieldi];
+    field.sumColumn(impulse);
+    field.addImpulse(impulse);
 }
 
 
@@ -943,10 +981,23 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
     }
     stressUpdate_->start(*this, dt);
 
+    if (coupling_)
+    {
+        coupling_->force();
+        force(0);
+    }
     momentum(dt);
+    if (coupling_)
+    {
+        coupling_->drag(dt);
+    }
     factor = move(dt);
     if (factor >= 1)
     {
+        if (coupling_)
+        {
+            coupling_->depart();
+        }
         stressUpdate_->moved(*this, dt);
         factor = project(dt);
     }
@@ -957,7 +1008,15 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
     }
     accept();
 
+    if (coupling_)
+    {
+        coupling_->accepted();
+    }
     stressUpdate_->end(*this, dt);
+    if (coupling_)
+    {
+        coupling_->arrive(dt);
+    }
     checkOverlap();
 
     return true;

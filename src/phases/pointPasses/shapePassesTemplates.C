@@ -233,6 +233,13 @@ void shapePasses<Shape, DIM>::force
     const geometry geo(cloud, false);
     const scalar* volume = cloud.volume()[0];
     const column& stress = cloud.stress();
+    const scalar* pressure =
+        cloud.gasPressure() ? (*cloud.gasPressure())[0] : nullptr;
+    const scalar* push[DIM] = {};
+    for (int d = 0; pressure && d < DIM; ++d)
+    {
+        push[d] = (*cloud.gasForce())[d];
+    }
 
     accumulator acc;
     forGroups
@@ -246,10 +253,73 @@ void shapePasses<Shape, DIM>::force
             gradientsType S;
             shape_.evaluate(s, X, L, S);
             minusVolumeStress(stress, volume, p, F);
+            if (pressure)
+            {
+                const T vP = load<W>(volume + p)*load<W>(pressure + p);
+                T q[DIM];
+                for (int d = 0; d < DIM; ++d)
+                {
+                    F[d*(DIM + 1)] -= vP;
+                    q[d] = load<W>(push[d] + p);
+                }
+                shapeType::template scatter<DIM>(S, q, n, acc);
+            }
             shape_.toLocal(S, F);
             shapeType::scatterGradient(S, F, n, acc);
         },
         [&](const stencil& s) { shapeType::flush(acc, s.nodes, f); }
+    );
+}
+
+
+template<template<int> class Shape, int DIM>
+void shapePasses<Shape, DIM>::forStencils
+(
+    const materialPointCloud& cloud,
+    const std::function<void(const label, const label*)>& f
+) const
+{
+    forAll(cloud.cells(), k)
+    {
+        stencil s;
+        shape_.prepare(cloud.cells()[k], s);
+        f(k, s.nodes);
+    }
+}
+
+
+template<template<int> class Shape, int DIM>
+void shapePasses<Shape, DIM>::massShares
+(
+    materialPointCloud& cloud,
+    scalar* share
+) const
+{
+    const geometry geo(cloud, false);
+    const scalar* mass = cloud.mass()[0];
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, label, const label p, const int n)
+        {
+            T X[DIM], L[DIM];
+            geo.load(p, X, L);
+            weightsType S;
+            shape_.evaluate(s, X, L, S);
+            const T q[1] = {load<W>(mass + p)};
+            shapeType::template scatter<1>(S, q, n, acc);
+        },
+        [&](const stencil&)
+        {
+            for (int i = 0; i < shapeType::nNodes; ++i)
+            {
+                const int r = i/(2*shapeType::NP), j = i % (2*shapeType::NP);
+                *share++ = acc.a[r][j/2][P*(j % 2)];
+            }
+        }
     );
 }
 
@@ -307,6 +377,11 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
         U[d] = cloud.U()[d];
         xNew[d] = cloud.xNew()[d];
         UNew[d] = cloud.UNew()[d];
+    }
+    scalar* ways[DIM] = {};
+    for (int d = 0; cloud.way() && d < DIM; ++d)
+    {
+        ways[d] = (*cloud.way())[d];
     }
     const double dt = rule.dt, a = rule.PICfraction;
 
@@ -392,6 +467,10 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
             for (int d = 0; d < DIM; ++d)
             {
                 X[d] += dX[d];
+                if (ways[d])
+                {
+                    storePart<W>(ways[d] + p, dX[d], n);
+                }
                 const double ih = shape_.inverseWidth(s, d);
                 way = laneMax(way, laneAbs(dX[d])*ih);
                 fast = laneMax(fast, laneAbs(V[d])*ih);

@@ -189,6 +189,14 @@ Foam::mpm::pointPasses::moveResult Foam::mpm::rigidMotion::move
                 {
                     result.travel = max(result.travel, way/h);
                 }
+                if (cloud.way())
+                {
+                    // Of the step, not across a cyclic side
+                    const scalar L = grid_.period(d);
+                    scalar w = at[d] - cloud.x()[d][p];
+                    w -= L > 0 ? L*std::round(w/L) : 0;
+                    (*cloud.way())[d][p] = w;
+                }
                 cloud.xNew()[d][p] = at[d];
                 cloud.UNew()[d][p] = u;
             }

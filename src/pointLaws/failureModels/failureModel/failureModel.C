@@ -44,7 +44,13 @@ Foam::mpm::failureModel::failureModel(const dictionary& dict)
 :
     strength_(positive(dict, "strength")),
     modulus_(0),
-    seed_(0)
+    seed_(0),
+    ambient_(boundedOrDefault(dict, "ambientPressure", 0, 0, GREAT)),
+    effective_
+    (
+        oneOfOrDefault(dict, "limitOn", "total", {"total", "effective"})
+     == "effective"
+    )
 {
     if (dict.found("weibull"))
     {

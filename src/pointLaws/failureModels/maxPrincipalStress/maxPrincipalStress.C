@@ -28,7 +28,11 @@ Foam::mpm::maxPrincipalStress::maxPrincipalStress(const dictionary& dict)
 :
     failureModel(dict)
 {
-    checkKeywords(dict, {"type", "strength", "weibull"});
+    checkKeywords
+    (
+        dict,
+        {"type", "strength", "weibull", "ambientPressure", "limitOn"}
+    );
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -37,6 +41,7 @@ Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
 {
     const int D = b.nDim;
     label nFailed = 0;
+    const scalar ambient = this->ambient(), shift = limitShift();
 
     for (label p = 0; p < b.n; ++p)
     {
@@ -54,8 +59,12 @@ Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
         }
         const scalar bound = mean + 1.1547005383792517*std::sqrt(J2);
 
-        if (!(b.damage[p] > 0 ? bound > 0 : bound > limit))
+        if (!(b.damage[p] > 0 ? bound > -ambient : bound + shift > limit))
         {
+            for (int i = 0; b.damage[p] > 0 && i < 3; ++i)
+            {
+                b.stress[i][p] += ambient;
+            }
             continue;
         }
 
@@ -64,7 +73,7 @@ Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
 
         if (b.damage[p] <= 0)
         {
-            if (!(largestPrincipal(sigma) > limit))
+            if (!(largestPrincipal(sigma) + shift > limit))
             {
                 continue;
             }
@@ -72,6 +81,10 @@ Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
             ++nFailed;
         }
 
+        for (int i = 0; i < 3; ++i)
+        {
+            sigma[4*i] += ambient;
+        }
         isotropicFunction<3>
         (
             sigma,

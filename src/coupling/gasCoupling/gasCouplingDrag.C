@@ -1,0 +1,206 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "gasCoupling.H"
+#include "noTraps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::mpm::gasCoupling::exchange
+(
+    const label phasei,
+    const label celli,
+    const scalar M,
+    const vector& Us,
+    const scalar thetaS,
+    const scalar dt
+)
+{
+    const dragModel& model = drag_[phasei];
+    const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
+    const vector ug((gas_.rhoU()[celli] + J_[celli])/rho);
+    vector relative(Us - ug);
+
+    if (model.normalOnly())
+    {
+        // Outward or inward is the same: the gradient of the fraction
+        vector n(Zero);
+        for (const label f : mesh_.cells()[celli])
+        {
+            if (sums_.direction(f) >= 0)
+            {
+                const scalar out = mesh_.faceOwner()[f] == celli ? 1 : -1;
+                n += out*raw(face_, f)*mesh_.faceAreas()[f];
+            }
+        }
+        const scalar size = mag(n);
+        if (size < 1e-6*std::pow(mesh_.V()[celli], 2.0/3.0))
+        {
+            return Zero;
+        }
+        n /= size;
+        relative = n*(n & relative);
+    }
+
+    const scalar K = model.K
+    (
+        dragModel::state{thetaS, theta, rho/theta, mu_, mag(relative)}
+    );
+    if (!(K > 0))
+    {
+        return Zero;
+    }
+    Kc_[celli] += K;
+
+    // Harmonic masses; a rigid phase has no end of it
+    const scalar shared = M < GREAT ? rho*M/(rho + M) : rho;
+    const scalar a = dt*K/shared;
+    const vector J(a/(1 + a)*shared*relative);
+
+    if (magSqr(J_[celli]) <= 0 && mag(Q_[celli]) <= 0)
+    {
+        dragged_.append(celli);
+    }
+    J_[celli] += J;
+    Q_[celli] += J & (M < GREAT ? Us - 0.5*J/M : Us);
+
+    return J;
+}
+
+
+void Foam::mpm::gasCoupling::dragPhase(const label phasei, const scalar dt)
+{
+    materialPointPhase& phase = points_.phases()[phasei];
+    materialPointCloud& cloud = phase.cloud();
+    const pointPasses& passes = points_.passes();
+    const label fieldi = points_.fieldOf(phasei);
+    gridState& field = points_.fields()[fieldi];
+    const int D = sums_.grid().nDim(), stride = field.stride();
+    const label n = passes.nStencil();
+
+    share_.setSize(max(share_.size(), n*cloud.cells().size()));
+    passes.massShares(cloud, share_.data());
+
+    impulse_.setSize(stride*sums_.grid().nNodes());
+    for (const label node : field.active())
+    {
+        for (int d = 0; d < D; ++d)
+        {
+            impulse_[stride*node + d] = 0;
+        }
+    }
+
+    const scalar* UL = field.UL();
+    passes.forStencils
+    (
+        cloud,
+        [&](const label k, const label* nodes)
+        {
+            const label celli = cloud.cells()[k];
+            const scalar* share = share_.cdata() + n*k;
+            scalar M = 0, v = 0;
+            vector mU(Zero);
+            for (label i = 0; i < n; ++i)
+            {
+                M += share[i];
+                for (int d = 0; d < D; ++d)
+                {
+                    mU[sums_.grid().direction(d)] +=
+                        share[i]*UL[2*stride*nodes[i] + d];
+                }
+            }
+            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+            {
+                v += (*cloud.gasVolume())[0][p];
+            }
+            const scalar V = mesh_.V()[celli];
+            const vector J
+            (
+                exchange
+                (
+                    phasei,
+                    celli,
+                    M/V,
+                    mU/M,
+                    min((1 - eps_)*v/V, 1 - eps_),
+                    dt
+                )
+            );
+            for (label i = 0; i < n; ++i)
+            {
+                const scalar part = share[i]*V/M;
+                for (int d = 0; d < D; ++d)
+                {
+                    impulse_[stride*nodes[i] + d] -=
+                        part*J[sums_.grid().direction(d)];
+                }
+            }
+        }
+    );
+    points_.addImpulse(fieldi, impulse_.data());
+}
+
+
+void Foam::mpm::gasCoupling::dragRigid(const label phasei, const scalar dt)
+{
+    materialPointCloud& cloud = points_.phases()[phasei].cloud();
+    forAll(cloud.cells(), k)
+    {
+        scalar m = 0, v = 0;
+        vector mU(Zero);
+        for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+        {
+            m += cloud.mass()[0][p];
+            mU += cloud.mass()[0][p]*cloud.velocity(p);
+            v += (*cloud.gasVolume())[0][p];
+        }
+        const label celli = cloud.cells()[k];
+        exchange
+        (
+            phasei,
+            celli,
+            GREAT,
+            mU/m,
+            min((1 - eps_)*v/mesh_.V()[celli], 1 - eps_),
+            dt
+        );
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::gasCoupling::drag(const scalar dt)
+{
+    const noTraps guard;
+
+    for (const label c : dragged_)
+    {
+        J_[c] = Zero;
+        Q_[c] = 0;
+    }
+    dragged_.clear();
+    Kc_ = 0;
+
+    forAll(points_.phases(), phasei)
+    {
+        if (drag_[phasei].none())
+        {
+            continue;
+        }
+        if (points_.phases()[phasei].motion())
+        {
+            dragRigid(phasei, dt);
+        }
+        else
+        {
+            dragPhase(phasei, dt);
+        }
+    }
+}
+
+// ************************************************************************* //
