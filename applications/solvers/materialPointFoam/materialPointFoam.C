@@ -9,7 +9,7 @@ Application
 
 Description
     Explicit dynamics of solids that break, flow and hit each other: material
-    points over a fixed mesh.
+    points over a fixed mesh; of a gas on the mesh; or of both.
 
     The time step follows the Courant number of waves and points,
     dt max((|u| + c)/h) <= maxCo, and is redone smaller where a point would
@@ -19,6 +19,10 @@ Description
 
 #include "fvCFD.H"
 #include "phaseSystem.H"
+#include "eulerianGas.H"
+#include "phaseNames.H"
+#include "selector.H"
+#include "uniformDimensionedFields.H"
 #include "timeStepControl.H"
 #include "fatalMessages.H"
 
@@ -60,7 +64,7 @@ int main(int argc, char *argv[])
 
 
     #include "createFields.H"
-    mpm::timeStepControl control(runTime, points);
+    mpm::timeStepControl control(runTime, points.get(), gas.get());
 
     if (control.dryRun(args))
     {
@@ -75,22 +79,46 @@ int main(int argc, char *argv[])
     {
         // Equations (5) to (9) of the paper, then stress (section 3.1)
         scalar factor = 1;
-        while (!points.advance(runTime.deltaTValue(), factor))
+        while (points && !points->advance(runTime.deltaTValue(), factor))
         {
             control.redo(factor);
+        }
+        if (gas)
+        {
+            gas->faceFlux(runTime.deltaTValue());
+            gas->advance(runTime.deltaTValue());
         }
 
         ++runTime;
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
+        if (gas)
+        {
+            gas->correct();
+        }
+
         if (control.reports())
         {
-            points.report();
+            if (points)
+            {
+                points->report();
+            }
+            if (gas)
+            {
+                gas->report();
+            }
         }
 
         if (runTime.writeTime())
         {
-            points.writePoints();
+            if (points)
+            {
+                points->writePoints();
+            }
+            if (gas)
+            {
+                gas->writeFields();
+            }
         }
         runTime.write();
         if (runTime.writeTime())

@@ -36,11 +36,13 @@ fileName stateFile(const fileName& path, const word& instance)
 Foam::mpm::timeStepControl::timeStepControl
 (
     Time& time,
-    pointPhaseSystem& points
+    pointPhaseSystem* points,
+    eulerianGas* gas
 )
 :
     time_(time),
     points_(points),
+    gas_(gas),
     origin_(time.value()),
     startTime_(time.value()),
     nSteps_(0),
@@ -53,7 +55,7 @@ Foam::mpm::timeStepControl::timeStepControl
     {
         IFstream is(file);
         const dictionary state(is);
-        checkKeywords(state, {"value", "origin", "growFrom", "points"});
+        checkKeywords(state, {"value", "origin", "growFrom", "points", "gas"});
         requireClosed(file);
 
         // The folder's name has fewer digits
@@ -63,7 +65,14 @@ Foam::mpm::timeStepControl::timeStepControl
         time.setTime(value, time.timeIndex());
         origin_ = bounded(state, "origin", -GREAT, value);
         growFrom_ = positive(state, "growFrom");
-        points.setState(requiredDict(state, "points"));
+        if (points)
+        {
+            points->setState(requiredDict(state, "points"));
+        }
+        if (gas)
+        {
+            gas->setState(requiredDict(state, "gas"));
+        }
     }
 }
 
@@ -109,14 +118,17 @@ void Foam::mpm::timeStepControl::setAsideIncomplete(const argList& args)
         }
     }
 
-    // Those with points on some processor, complete on all. The first one with
-    // points is that of setMaterialPoints; later ones are of a run
+    // Those with points or a state on some processor, complete on all. The
+    // first one with points is that of setMaterialPoints; later ones are of a
+    // run
     wordList names;
     boolList points, complete;
     bool known = false;
     for (const auto& t : times)
     {
-        const bool here = isDir(path/t.second/cloud::prefix);
+        const bool here =
+            isDir(path/t.second/cloud::prefix)
+         || isFile(stateFile(path, t.second));
         const bool has = returnReduce(here, orOp<bool>());
         if (names.size() || has)
         {
@@ -179,7 +191,14 @@ void Foam::mpm::timeStepControl::writeState() const
         state.add("value", time_.value());
         state.add("origin", origin_);
         state.add("growFrom", growFrom_);
-        state.add("points", points_.state());
+        if (points_)
+        {
+            state.add("points", points_->state());
+        }
+        if (gas_)
+        {
+            state.add("gas", gas_->state());
+        }
 
         OFstream os(file + ".part");
         os.precision(17);
@@ -238,9 +257,29 @@ void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
 }
 
 
+Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
+{
+    const dictionary& dict = time_.controlDict();
+    scalar dt = GREAT;
+    if (points_)
+    {
+        dt = bounded(dict, "maxCo", 1e-6, 1)/points_->courantRate();
+    }
+    if (gas_)
+    {
+        dt = min
+        (
+            dt,
+            boundedOrDefault(dict, "maxCoGas", 0.4, 1e-6, 1)
+           /gas_->courantRate()
+        );
+    }
+    return dt;
+}
+
+
 void Foam::mpm::timeStepControl::setDeltaT()
 {
-    const scalar courantRate = points_.courantRate();
     const dictionary& dict = time_.controlDict();
     const bool adjust = dict.getOrDefault<bool>("adjustTimeStep", false);
 
@@ -255,12 +294,11 @@ void Foam::mpm::timeStepControl::setDeltaT()
 
     if (adjust)
     {
-        const scalar maxCo = bounded(dict, "maxCo", 1e-6, 1);
         const scalar maxDeltaT =
             boundedOrDefault(dict, "maxDeltaT", GREAT, VSMALL, GREAT);
 
         // After a step that was redone smaller, grow again by a fifth per step
-        const scalar dt = min(maxCo/courantRate, maxDeltaT);
+        const scalar dt = min(courantDeltaT(), maxDeltaT);
         if (dt <= 1.2*growFrom_)
         {
             growFrom_ = GREAT;
@@ -295,9 +333,18 @@ void Foam::mpm::timeStepControl::setDeltaT()
 
     checkAdvances();
 
-    const scalar Co = courantRate*time_.deltaTValue();
-    Info<< "Courant Number mean: " << Co << " max: " << Co << nl
-        << "deltaT = " << time_.deltaTValue() << endl;
+    const scalar CoPoints =
+        points_ ? points_->courantRate()*time_.deltaTValue() : 0;
+    const scalar CoGas =
+        gas_ ? gas_->courantRate()*time_.deltaTValue() : 0;
+    const scalar Co = max(CoPoints, CoGas);
+    Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
+    if (points_ && gas_)
+    {
+        Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
+            << CoGas << nl;
+    }
+    Info<< "deltaT = " << time_.deltaTValue() << endl;
 
     if (Co > 1)
     {

@@ -8,6 +8,7 @@ License
 
 #include "materialPointPhase.H"
 #include "selector.H"
+#include "phaseNames.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -112,29 +113,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
 
 Foam::wordList Foam::mpm::materialPointPhase::names(const dictionary& dict)
 {
-    requireKeyword(dict, "phases");
-    const wordList names(dict.get<wordList>("phases"));
-    if (names.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "There are no phases; list at least one in phases (...);"
-            << exit(FatalIOError);
-    }
-    forAll(names, i)
-    {
-        if (names.find(names[i]) != i)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Phase " << names[i] << " is listed twice."
-                << exit(FatalIOError);
-        }
-    }
-    wordList valid(names);
-    valid.append("phases");
-    valid.append("FoamFile");
-    checkKeywords(dict, valid);
-
-    return names;
+    return phaseNames(dict, {"materialPoints", "rigid"});
 }
 
 

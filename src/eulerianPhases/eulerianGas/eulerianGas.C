@@ -1,0 +1,449 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianGas.H"
+#include "selector.H"
+#include "noTraps.H"
+#include "basicSymmetryFvPatchFields.H"
+#include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Fatal if the file of a field that the gas needs is not there
+const IOobject& present(const IOobject& header, const word& gas)
+{
+    IOobject io(header);
+    if (!returnReduce(io.typeHeaderOk<regIOobject>(false), andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "Field " << header.name() << " of gas " << gas
+            << " is missing: there is no file " << header.objectPath() << "."
+            << exit(FatalError);
+    }
+    return header;
+}
+
+
+template<class Field>
+void checkDimensions(const Field& field, const dimensionSet& dimensions)
+{
+    if (field.dimensions() != dimensions)
+    {
+        FatalErrorInFunction
+            << "Field " << field.name() << " in " << field.objectPath()
+            << " has dimensions " << field.dimensions() << "; they must be "
+            << dimensions << "." << exit(FatalError);
+    }
+}
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::IOobject Foam::mpm::eulerianGas::header
+(
+    const word& name,
+    const IOobject::readOption read
+) const
+{
+    return IOobject
+    (
+        name == "p" ? name : IOobject::groupName(name, name_),
+        mesh_.time().timeName(),
+        mesh_,
+        read,
+        IOobject::NO_WRITE
+    );
+}
+
+
+void Foam::mpm::eulerianGas::sortFaces()
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label nInternal = mesh_.nInternalFaces();
+
+    DynamicList<label> boundary, coupled;
+    wall_.setSize(mesh_.nFaces() - nInternal, false);
+    forAll(patches, patchi)
+    {
+        const polyPatch& pp = patches[patchi];
+        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
+        {
+            continue;
+        }
+        const fvPatchVectorField& Ub = U_.boundaryField()[patchi];
+        const bool wall =
+            (
+                Ub.fixesValue()
+             || isA<basicSymmetryFvPatchVectorField>(Ub)
+            )
+         && !p_.boundaryField()[patchi].fixesValue();
+        for (label f = pp.start(); f < pp.start() + pp.size(); ++f)
+        {
+            (pp.coupled() ? coupled : boundary).append(f);
+            wall_[f - nInternal] = wall;
+        }
+    }
+    boundary_.transfer(boundary);
+    coupledList_.transfer(coupled);
+
+    // Courant number per second of a cell: half the sum of |u.S| + c|S| over
+    // its faces over its volume
+    faceRate_.setSize(mesh_.nCells(), Zero);
+    allRate_.setSize(mesh_.nCells(), 0);
+    const auto add = [&](const label f, const label c)
+    {
+        const vector& S = mesh_.faceAreas()[f];
+        const scalar h = 0.5/mesh_.V()[c];
+        faceRate_[c] += h*cmptMag(S);
+        allRate_[c] += h*mag(S);
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        add(f, mesh_.faceOwner()[f]);
+        add(f, mesh_.faceNeighbour()[f]);
+    }
+    for (const labelList* list : {&boundary_, &coupledList_})
+    {
+        for (const label f : *list)
+        {
+            add(f, mesh_.faceOwner()[f]);
+        }
+    }
+
+    Vb_.setSize(mesh_.nFaces() - nInternal);
+    magS_.setSize(mesh_.nFaces());
+    forAll(magS_, f)
+    {
+        magS_[f] = mag(mesh_.faceAreas()[f]);
+    }
+    forAll(Vb_, i)
+    {
+        Vb_[i] = mesh_.V()[mesh_.faceOwner()[nInternal + i]];
+    }
+    coupled_.swap(Vb_);
+}
+
+
+void Foam::mpm::eulerianGas::conserve()
+{
+    const scalar iGm1 = 1/(thermo_.gamma() - 1);
+    forAll(rho_, c)
+    {
+        const scalar p = p_[c];
+        rho_[c] = theta_[c]*thermo_.rho(p, T_ ? (*T_)[c] : 1);
+        rhoU_[c] = rho_[c]*U_[c];
+        if (!thermo_.isentropic())
+        {
+            rhoE_[c] = theta_[c]*p*iGm1 + 0.5*rho_[c]*magSqr(U_[c]);
+        }
+    }
+}
+
+
+void Foam::mpm::eulerianGas::primitives()
+{
+    const scalar gamma = thermo_.gamma();
+    const scalar R = thermo_.R();
+    const bool energy = !thermo_.isentropic();
+    scalarField& p = p_.primitiveFieldRef();
+    vectorField& U = U_.primitiveFieldRef();
+    scalarField& rho0 = rho0_.primitiveFieldRef();
+    scalar* T = T_ ? T_->primitiveFieldRef().data() : nullptr;
+
+    scalar rate = 0;
+    label bad = -1;
+    {
+        const noTraps guard;
+        forAll(rho_, c)
+        {
+            gasState& w = W_[c];
+            const scalar iTheta = 1/theta_[c];
+            w.rho = rho_[c]*iTheta;
+            w.u = rhoU_[c]/rho_[c];
+            w.p =
+                energy
+              ? (gamma - 1)*(rhoE_[c] - 0.5*(rhoU_[c] & w.u))*iTheta
+              : thermo_.pIsentropic(w.rho);
+
+            p[c] = w.p;
+            U[c] = w.u;
+            rho0[c] = w.rho;
+            if (T)
+            {
+                T[c] = w.p/(w.rho*R);
+            }
+
+            const scalar r =
+                (cmptMag(w.u) & faceRate_[c])
+              + std::sqrt(gamma*w.p/w.rho)*allRate_[c];
+            if (!(w.rho > 0 && w.p > 0 && r < GREAT))
+            {
+                bad = bad < 0 ? c : bad;
+            }
+            rate = max(rate, r);
+        }
+    }
+
+    // One reduction for both
+    rate = bad < 0 ? -rate : -VGREAT;
+    reduce(rate, minOp<scalar>());
+    rate_ = -rate;
+    if (rate_ >= VGREAT)
+    {
+        stop(bad);
+    }
+}
+
+
+void Foam::mpm::eulerianGas::boundaryStates()
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+
+    forAll(patches, patchi)
+    {
+        const polyPatch& pp = patches[patchi];
+        const label start = pp.start() - nInternal;
+        if (isA<emptyPolyPatch>(pp))
+        {
+            continue;
+        }
+        if (pp.coupled())
+        {
+            for (label i = 0; i < pp.size(); ++i)
+            {
+                Wb_[start + i] = W_[own[pp.start() + i]];
+                thetaB_[start + i] = theta_[own[pp.start() + i]];
+            }
+            continue;
+        }
+        const fvPatchScalarField& p = p_.boundaryField()[patchi];
+        const fvPatchVectorField& U = U_.boundaryField()[patchi];
+        fvPatchScalarField& rho0 = rho0_.boundaryFieldRef()[patchi];
+        fvPatchScalarField& psi = psi_.boundaryFieldRef()[patchi];
+        for (label i = 0; i < pp.size(); ++i)
+        {
+            const scalar T = T_ ? T_->boundaryField()[patchi][i] : 1;
+            gasState& w = Wb_[start + i];
+            w.p = p[i];
+            w.u = U[i];
+            w.rho = thermo_.rho(p[i], T);
+            rho0[i] = w.rho;
+            psi[i] = w.rho/w.p;
+            thetaB_[start + i] = theta_[own[pp.start() + i]];
+        }
+    }
+    if (!coupled_.empty())
+    {
+        coupled_.swap(Wb_);
+        if (porous_)
+        {
+            coupled_.swap(thetaB_);
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::eulerianGas::eulerianGas
+(
+    const fvMesh& mesh,
+    const word& name,
+    const dictionary& dict,
+    const vector& g
+)
+:
+    mesh_(mesh),
+    name_(name),
+    thermo_(dict),
+    g_(g),
+    coupled_(mesh),
+    reconstruction_(mesh, coupled_, boundary_, coupledList_),
+    theta_(mesh.nCells(), 1),
+    rho_(mesh.nCells()),
+    rhoE_(thermo_.isentropic() ? 0 : mesh.nCells()),
+    rhoU_(mesh.nCells()),
+    W_(mesh.nCells()),
+    Wb_(mesh.nFaces() - mesh.nInternalFaces(), gasState{1, Zero, 1}),
+    thetaB_(Wb_.size(), 1),
+    p_(present(header("p", IOobject::MUST_READ), name), mesh),
+    T_
+    (
+        thermo_.isentropic()
+      ? nullptr
+      : new volScalarField
+        (
+            present(header("T", IOobject::MUST_READ), name),
+            mesh
+        )
+    ),
+    U_(present(header("U", IOobject::MUST_READ), name), mesh),
+    rho0_
+    (
+        header("rho", IOobject::NO_READ),
+        mesh,
+        dimensionedScalar(dimDensity, Zero)
+    ),
+    psi_
+    (
+        header("psi", IOobject::NO_READ),
+        mesh,
+        dimensionedScalar(dimDensity/dimPressure, Zero)
+    ),
+    phiField_
+    (
+        header("phi", IOobject::NO_READ),
+        mesh,
+        dimensionedScalar(dimVolume/dimTime, Zero)
+    ),
+    phi_(mesh.nFaces(), 0),
+    pStar_(mesh.nFaces(), 0),
+    limits_(false),
+    out_(mesh.nCells()),
+    sums_(mesh.nCells()),
+    rate_(0),
+    porous_(false),
+    restarted_(false)
+{
+    wordList valid(gasThermo::keywords);
+    valid.append("type");
+    checkKeywords(dict, valid);
+    checkDimensions(p_, dimPressure);
+    checkDimensions(U_, dimVelocity);
+    if (T_)
+    {
+        checkDimensions(*T_, dimTemperature);
+    }
+
+    sortFaces();
+    readState();
+
+    Info<< "Gas " << name_ << ": " << dict.get<word>("thermo")
+        << ", gamma " << thermo_.gamma();
+    if (!thermo_.isentropic())
+    {
+        Info<< ", R " << thermo_.R() << " J/kg/K";
+    }
+    Info<< ", " << returnReduce(mesh.nCells(), sumOp<label>()) << " cells"
+        << nl << "    reconstruction: " << reconstruction_.description().c_str()
+        << nl << endl;
+}
+
+
+void Foam::mpm::eulerianGas::readState()
+{
+    IOobject io(header("thetaRho", IOobject::MUST_READ));
+    restarted_ =
+        returnReduce
+        (
+            io.typeHeaderOk<volScalarField::Internal>(false),
+            andOp<bool>()
+        );
+
+    if (!restarted_)
+    {
+        conserve();
+        primitives();
+        boundaryStates();
+        U_.correctBoundaryConditions();
+        p_.correctBoundaryConditions();
+        if (T_)
+        {
+            T_->correctBoundaryConditions();
+        }
+        boundaryStates();
+        return;
+    }
+
+    theta_ = volScalarField
+    (
+        header("theta", IOobject::MUST_READ), mesh_
+    ).primitiveField();
+    rho_ = volScalarField::Internal(io, mesh_).field();
+    rhoU_ = volVectorField::Internal
+    (
+        header("thetaRhoU", IOobject::MUST_READ), mesh_
+    ).field();
+    if (!thermo_.isentropic())
+    {
+        rhoE_ = volScalarField::Internal
+        (
+            header("thetaRhoE", IOobject::MUST_READ), mesh_
+        ).field();
+    }
+    porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
+
+    const scalarField p(p_.primitiveField());
+    primitives();
+    const scalar change =
+        returnReduce(max(mag(p/p_.primitiveField() - 1)), maxOp<scalar>());
+    if (!(change < 1e-6))
+    {
+        FatalErrorInFunction
+            << "Field p of time " << mesh_.time().timeName()
+            << " differs by up to " << change << " of its value from the"
+            << " pressure of the state thetaRho." << name_ << ", thetaRhoU."
+            << name_ << ", thetaRhoE." << name_ << " of that time." << nl
+            << "If p was changed on purpose, remove these three files and the"
+            << " run starts from p, T." << name_ << ", U." << name_ << "."
+            << exit(FatalError);
+    }
+    boundaryStates();
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::eulerianGas::setTheta(const UList<scalar>& theta)
+{
+    porous_ = true;
+    if (restarted_)
+    {
+        return true;
+    }
+    theta_ = theta;
+    conserve();
+    primitives();
+    boundaryStates();
+    return false;
+}
+
+
+void Foam::mpm::eulerianGas::correct()
+{
+    primitives();
+
+    // phi of the step that has just been made, for conditions that ask
+    forAll(mesh_.boundary(), patchi)
+    {
+        fvsPatchScalarField& phi = phiField_.boundaryFieldRef()[patchi];
+        const label start = mesh_.boundaryMesh()[patchi].start();
+        forAll(phi, i)
+        {
+            phi[i] = phi_[start + i];
+        }
+    }
+
+    U_.correctBoundaryConditions();
+    p_.correctBoundaryConditions();
+    if (T_)
+    {
+        T_->correctBoundaryConditions();
+    }
+    boundaryStates();
+}
+
+// ************************************************************************* //

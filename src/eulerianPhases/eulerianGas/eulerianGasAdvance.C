@@ -1,0 +1,208 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianGas.H"
+#include "noTraps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::eulerianGas::newTheta
+(
+    const scalar A,
+    const scalar D,
+    const scalar eps
+)
+{
+    scalar theta = A + D;
+    if (theta < 0.5*A)
+    {
+        theta = A/(1 - D/A);
+        ++fixups_.theta;
+    }
+    if (theta < min(A, 0.5*eps))
+    {
+        theta = min(A, 0.5*eps);
+        ++fixups_.theta;
+    }
+    return theta;
+}
+
+
+template<bool Porous, bool Energy>
+void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const vectorField& S = mesh_.faceAreas();
+    const scalarField& V = mesh_.V();
+    const scalar gamma = thermo_.gamma();
+    const scalar iGm1 = 1/(gamma - 1);
+    const bool upwind = reconstruction_.upwind();
+    const List<reconstruction::sides>& sides = reconstruction_.faces();
+    const scalarField& limited = phiLimited();
+
+    sums_ = sums{0, Zero, 0};
+    if (Porous)
+    {
+        volumes_.setSize(mesh_.nCells());
+        volumes_ = volumes{0, 0, 0};
+    }
+
+    // Mass, momentum without pressure and energy across a face [1/s]
+    const auto flux = [&](const label f, const gasState& donor)
+    {
+        sums s;
+        s.rho = limited[f]*donor.rho;
+        s.rhoU = s.rho*donor.u;
+        if (Energy)
+        {
+            // Nominal flux in the work next to solid keeps p uniform when the
+            // limiter acts
+            s.rhoE =
+                limited[f]*(iGm1*donor.p + 0.5*donor.rho*magSqr(donor.u))
+              + pStar_[f]*(Porous ? phi_[f] : limited[f]);
+        }
+        return s;
+    };
+
+    // To one side, whose pressure is p
+    const auto add = [&]
+    (
+        const label c,
+        const scalar sign,
+        const sums& s,
+        const label f,
+        const scalar theta
+    )
+    {
+        sums& to = sums_[c];
+        to.rho += sign*s.rho;
+        to.rhoU += sign*(s.rhoU + (theta*(pStar_[f] - W_[c].p))*S[f]);
+        if (Energy)
+        {
+            to.rhoE += sign*s.rhoE;
+        }
+        if (Porous)
+        {
+            volumes& v = volumes_[c];
+            v.phi += sign*phi_[f];
+            v.limited += sign*limited[f];
+            v.solid += sign*pores->phiS[f];
+        }
+    };
+
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const label P = own[f], N = nei[f];
+        const bool out = limited[f] > 0;
+        const sums s
+        (
+            flux
+            (
+                f,
+                upwind
+              ? W_[out ? P : N]
+              : (out ? sides[f].own : sides[f].nei)
+            )
+        );
+        const scalar theta = Porous ? 1 - pores->thetaS0[f] : 1;
+        add(P, 1, s, f, theta);
+        add(N, -1, s, f, theta);
+    }
+    for (const labelList* list : {&coupledList_, &boundary_})
+    {
+        for (const label f : *list)
+        {
+            const label P = own[f];
+            const bool out = limited[f] > 0;
+            const sums s
+            (
+                flux
+                (
+                    f,
+                    upwind
+                  ? (out ? W_[P] : Wb_[f - nInternal])
+                  : (out ? sides[f].own : sides[f].nei)
+                )
+            );
+            add(P, 1, s, f, Porous ? 1 - pores->thetaS0[f] : 1);
+        }
+    }
+
+    forAll(sums_, c)
+    {
+        const sums& s = sums_[c];
+        const scalar h = dt/V[c];
+        const scalar rhoOld = rho_[c];
+        const vector rhoUOld(rhoU_[c]);
+        rho_[c] -= h*s.rho;
+        rhoU_[c] += dt*rhoOld*g_ - h*s.rhoU;
+        if (Energy)
+        {
+            rhoE_[c] += dt*(rhoUOld & g_) - h*s.rhoE;
+        }
+        if (Porous)
+        {
+            const volumes& v = volumes_[c];
+            const scalar A = theta_[c] - h*v.limited;
+            const scalar D = h*(v.solid + v.phi) - pores->dilation[c];
+            theta_[c] = newTheta(A, D, pores->eps);
+            if (Energy)
+            {
+                const scalar p = W_[c].p;
+                rhoE_[c] -= p*(theta_[c] - A - h*v.phi);
+
+                if (near_[c])
+                {
+                    const scalar kinetic = 0.5*magSqr(rhoU_[c])/rho_[c];
+                    const scalar pNew =
+                        (gamma - 1)*(rhoE_[c] - kinetic)/theta_[c];
+                    const scalar pIsentropic =
+                        p*std::pow(rho_[c]/(theta_[c]*W_[c].rho), gamma);
+                    if (!(pNew >= 0.3*pIsentropic))
+                    {
+                        const scalar E = iGm1*theta_[c]*pIsentropic + kinetic;
+                        fixups_.energy += (E - rhoE_[c])*V[c];
+                        rhoE_[c] = E;
+                        ++fixups_.isentropic;
+                    }
+                }
+            }
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::eulerianGas::advance(const scalar dt, const porosity* pores)
+{
+    const noTraps guard;
+
+    if (pores)
+    {
+        if (thermo_.isentropic())
+        {
+            cells<true, false>(dt, pores);
+        }
+        else
+        {
+            cells<true, true>(dt, pores);
+        }
+    }
+    else if (thermo_.isentropic())
+    {
+        cells<false, false>(dt, pores);
+    }
+    else
+    {
+        cells<false, true>(dt, pores);
+    }
+}
+
+// ************************************************************************* //

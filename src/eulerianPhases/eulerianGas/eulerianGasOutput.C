@@ -1,0 +1,167 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianGas.H"
+#include "selector.H"
+#include "fullPrecision.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::eulerianGas::stop(const label celli)
+{
+    // One processor tells
+    const label teller = returnReduce
+    (
+        celli < 0 ? Pstream::nProcs() : Pstream::myProcNo(),
+        minOp<label>()
+    );
+    OStringStream os;
+    if (teller == Pstream::myProcNo())
+    {
+        const gasState& w = W_[celli];
+        const bool density = !(w.rho > 0 && w.rho < GREAT);
+        os  << "Gas " << name_ << " in cell " << celli << " at "
+            << mesh_.cellCentres()[celli] << ", time "
+            << mesh_.time().timeName() << ": "
+            << (density ? "density " : "pressure ")
+            << (density ? w.rho : w.p) << " (density " << w.rho
+            << ", pressure " << w.p << ", velocity " << w.u << ", theta "
+            << theta_[celli];
+        if (T_)
+        {
+            os  << ", temperature " << w.p/(w.rho*thermo_.R());
+        }
+        os  << ").";
+    }
+    string text(os.str());
+    List<string> texts(Pstream::nProcs());
+    texts[Pstream::myProcNo()] = text;
+    Pstream::gatherList(texts);
+    Pstream::scatterList(texts);
+
+    FatalErrorInFunction
+        << texts[teller].c_str() << nl
+        << "At the start: look into 0/p, 0/T." << name_ << ", 0/U." << name_
+        << " and constant/phaseProperties. Later: a smaller maxCoGas in"
+        << " system/controlDict or upwind for reconstruct(...) in"
+        << " system/fvSchemes often keeps the gas positive."
+        << exit(FatalError);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::eulerianGas::report() const
+{
+    const scalarField& V = mesh_.V();
+    scalar energy = 0;
+    forAll(rhoE_, c)
+    {
+        energy += V[c]*rhoE_[c];
+    }
+    scalar pMin = GREAT, pMax = -GREAT;
+    for (const gasState& w : W_)
+    {
+        pMin = min(pMin, w.p);
+        pMax = max(pMax, w.p);
+    }
+    Info<< "Gas " << name_ << ": mass " << gSum(V*rho_) << ", momentum "
+        << gSum(V*rhoU_);
+    if (!thermo_.isentropic())
+    {
+        Info<< ", energy " << returnReduce(energy, sumOp<scalar>());
+    }
+    Info<< nl << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
+        << returnReduce(pMax, maxOp<scalar>()) << ", outflow limited "
+        << returnReduce(fixups_.limited, sumOp<label>()) << ", theta kept "
+        << returnReduce(fixups_.theta, sumOp<label>())
+        << ", isentropic "
+        << returnReduce(fixups_.isentropic, sumOp<label>()) << " (energy "
+        << returnReduce(fixups_.energy, sumOp<scalar>()) << ")" << endl;
+}
+
+
+void Foam::mpm::eulerianGas::writeFields()
+{
+    const fullPrecision allDigits;
+
+    const auto object = [&](const word& name)
+    {
+        IOobject io(header(name, IOobject::NO_READ));
+        io.instance() = mesh_.time().timeName();
+        return io;
+    };
+
+    {
+        scalarField& psi = psi_.primitiveFieldRef();
+        forAll(psi, c)
+        {
+            psi[c] = W_[c].rho/W_[c].p;
+        }
+    }
+    for (regIOobject* field : {static_cast<regIOobject*>(&p_), static_cast<regIOobject*>(&U_), static_cast<regIOobject*>(&rho0_)})
+    {
+        field->instance() = mesh_.time().timeName();
+        field->write();
+    }
+    if (T_)
+    {
+        T_->instance() = mesh_.time().timeName();
+        T_->write();
+    }
+
+    volScalarField theta
+    (
+        object("theta"), mesh_, dimensionedScalar(dimless, Zero), "zeroGradient"
+    );
+    theta.primitiveFieldRef() = theta_;
+    theta.correctBoundaryConditions();
+    theta.write();
+
+    volScalarField::Internal rho(object("thetaRho"), mesh_, dimDensity, rho_);
+    rho.write();
+    volVectorField::Internal rhoU
+    (
+        object("thetaRhoU"), mesh_, dimDensity*dimVelocity, rhoU_
+    );
+    rhoU.write();
+    if (!thermo_.isentropic())
+    {
+        volScalarField::Internal rhoE
+        (
+            object("thetaRhoE"), mesh_, dimPressure, rhoE_
+        );
+        rhoE.write();
+    }
+}
+
+
+Foam::dictionary Foam::mpm::eulerianGas::state() const
+{
+    dictionary state;
+    state.add("limited", returnReduce(fixups_.limited, sumOp<label>()));
+    state.add("theta", returnReduce(fixups_.theta, sumOp<label>()));
+    state.add("isentropic", returnReduce(fixups_.isentropic, sumOp<label>()));
+    state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
+    return state;
+}
+
+
+void Foam::mpm::eulerianGas::setState(const dictionary& state)
+{
+    fixups_ = fixups();
+    if (Pstream::master())
+    {
+        fixups_.limited = required<label>(state, "limited");
+        fixups_.theta = required<label>(state, "theta");
+        fixups_.isentropic = required<label>(state, "isentropic");
+        fixups_.energy = required<scalar>(state, "energy");
+    }
+}
+
+// ************************************************************************* //

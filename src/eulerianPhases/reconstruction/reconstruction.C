@@ -1,0 +1,473 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "reconstruction.H"
+#include "selector.H"
+#include "surfaceFields.H"
+#include "surfaceInterpolationScheme.H"
+#include "NVDTVD.H"
+#include "NVDVTVDV.H"
+#include "vanLeer.H"
+#include "vanAlbada.H"
+#include "Minmod.H"
+#include "SuperBee.H"
+#include "StringStream.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::reconstruction::readSchemes()
+{
+    const dictionary& dict =
+        requiredDict(mesh_.schemesDict(), "interpolationSchemes");
+
+    const wordList fields({"rho", "U", "p"});
+    forAll(fields, i)
+    {
+        word key("reconstruct(" + fields[i] + ")");
+        if (i == 2 && !dict.found(key) && dict.found("reconstruct(T)"))
+        {
+            key = "reconstruct(T)";
+        }
+        if (!dict.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << key << " is missing in " << dict.name()
+                << ". The gas needs, for example," << nl
+                << "    reconstruct(rho) vanLeer;" << nl
+                << "    reconstruct(U)   vanLeerV;" << nl
+                << "    reconstruct(p)   vanLeer;" << nl
+                << "or upwind for all three (first order); reconstruct(T) may"
+                << " stand for reconstruct(p)." << exit(FatalIOError);
+        }
+
+        string text;
+        for (const token& t : dict.lookupEntry(key, keyType::REGEX).stream())
+        {
+            OStringStream os;
+            os << t;
+            text += (text.size() ? " " : "") + os.str();
+        }
+        scheme_[i] = text;
+    }
+
+    upwind_ =
+        scheme_[0] == "upwind" && scheme_[1] == "upwind"
+     && scheme_[2] == "upwind";
+
+    const dictionary& grad = requiredDict(mesh_.schemesDict(), "gradSchemes");
+    bool gaussLinear = true;
+    for (const entry& e : grad)
+    {
+        if (e.isStream())
+        {
+            OStringStream os;
+            os << e.stream();
+            gaussLinear = gaussLinear && os.str() == "Gauss linear";
+        }
+    }
+
+    own_.clear();
+    for (const word name : {"vanLeer", "vanAlbada", "Minmod", "SuperBee"})
+    {
+        if
+        (
+            gaussLinear && scheme_[0] == name && scheme_[2] == name
+         && scheme_[1] == name + "V"
+        )
+        {
+            own_ = name;
+        }
+    }
+}
+
+
+void Foam::mpm::reconstruction::gradient
+(
+    const UList<gasState>& W,
+    const UList<gasState>& Wb
+)
+{
+    const vectorField& S = mesh_.faceAreas();
+    const scalarField& w = mesh_.weights();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const label nInternal = mesh_.nInternalFaces();
+
+    grad_ = gradients{Zero, Zero, Zero};
+
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const gasState& P = W[own[f]];
+        const gasState& N = W[nei[f]];
+        const scalar wf = w[f];
+        const vector rho((wf*P.rho + (1 - wf)*N.rho)*S[f]);
+        const vector p((wf*P.p + (1 - wf)*N.p)*S[f]);
+        const tensor u(S[f]*(wf*P.u + (1 - wf)*N.u));
+        gradients& gP = grad_[own[f]];
+        gradients& gN = grad_[nei[f]];
+        gP.rho += rho;
+        gP.p += p;
+        gP.u += u;
+        gN.rho -= rho;
+        gN.p -= p;
+        gN.u -= u;
+    }
+    for (const label f : boundary_)
+    {
+        const gasState& B = Wb[f - nInternal];
+        gradients& g = grad_[own[f]];
+        g.rho += B.rho*S[f];
+        g.p += B.p*S[f];
+        g.u += S[f]*B.u;
+    }
+    for (const label f : coupledList_)
+    {
+        const label patchi = mesh_.boundaryMesh().whichPatch(f);
+        const scalar wf =
+            mesh_.weights().boundaryField()[patchi]
+            [f - mesh_.boundaryMesh()[patchi].start()];
+        const gasState& P = W[own[f]];
+        const gasState& N = Wb[f - nInternal];
+        gradients& g = grad_[own[f]];
+        g.rho += (wf*P.rho + (1 - wf)*N.rho)*S[f];
+        g.p += (wf*P.p + (1 - wf)*N.p)*S[f];
+        g.u += S[f]*(wf*P.u + (1 - wf)*N.u);
+    }
+
+    const scalarField& V = mesh_.V();
+    forAll(grad_, c)
+    {
+        const scalar iV = 1/V[c];
+        grad_[c].rho *= iV;
+        grad_[c].p *= iV;
+        grad_[c].u *= iV;
+    }
+}
+
+
+template<template<class> class Limiter, class Scalar, class Vector>
+void Foam::mpm::reconstruction::limited
+(
+    const UList<gasState>& W,
+    const UList<gasState>& Wb
+)
+{
+    IStringStream none("");
+    const Limiter<Scalar> limit(none);
+    const Limiter<Vector> limitV(none);
+
+    const vectorField& C = mesh_.cellCentres();
+    const scalarField& w = mesh_.weights();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const label nInternal = mesh_.nInternalFaces();
+
+    // Of the side of P: W_P + limiter (1 - w) (W_N - W_P)
+    const auto side = [&]
+    (
+        const gasState& P,
+        const gasState& N,
+        const gradients& g,
+        const scalar wf,
+        const vector& d
+    ) -> gasState
+    {
+        gasState r;
+        const scalar v = 1 - wf;
+        r.rho = P.rho + v*limit.limiter(wf, 1, P.rho, N.rho, g.rho, g.rho, d)
+           *(N.rho - P.rho);
+        r.p = P.p + v*limit.limiter(wf, 1, P.p, N.p, g.p, g.p, d)*(N.p - P.p);
+        r.u = P.u + v*limitV.limiter(wf, 1, P.u, N.u, g.u, g.u, d)*(N.u - P.u);
+        return r;
+    };
+
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const label P = own[f], N = nei[f];
+        const vector d(C[N] - C[P]);
+        faces_[f].own = side(W[P], W[N], grad_[P], w[f], d);
+        faces_[f].nei = side(W[N], W[P], grad_[N], 1 - w[f], -d);
+    }
+    for (const label f : coupledList_)
+    {
+        const label patchi = mesh_.boundaryMesh().whichPatch(f);
+        const label i = f - mesh_.boundaryMesh()[patchi].start();
+        const label P = own[f];
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        faces_[f].own = side
+        (
+            W[P], Wb[f - nInternal], grad_[P], patch.weights()[i],
+            patch.delta()()[i]
+        );
+    }
+}
+
+
+void Foam::mpm::reconstruction::interpolated
+(
+    const volScalarField& rho,
+    const volVectorField& U,
+    const volScalarField& p
+)
+{
+    const auto flux = [&](const scalar sign)
+    {
+        return surfaceScalarField
+        (
+            IOobject("direction", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar("sign", dimless, sign)
+        );
+    };
+
+    for (const bool owner : {true, false})
+    {
+        const surfaceScalarField direction(flux(owner ? 1 : -1));
+        const auto rho_f =
+            surfaceInterpolationScheme<scalar>::New
+            (mesh_, direction, IStringStream(scheme_[0])())->interpolate(rho);
+        const auto U_f =
+            surfaceInterpolationScheme<vector>::New
+            (mesh_, direction, IStringStream(scheme_[1])())->interpolate(U);
+        const auto p_f =
+            surfaceInterpolationScheme<scalar>::New
+            (mesh_, direction, IStringStream(scheme_[2])())->interpolate(p);
+
+        const auto set = [&](const label f, const gasState& s)
+        {
+            (owner ? faces_[f].own : faces_[f].nei) = s;
+        };
+        for (label f = 0; f < mesh_.nInternalFaces(); ++f)
+        {
+            set(f, {rho_f()[f], U_f()[f], p_f()[f]});
+        }
+        for (const label f : coupledList_)
+        {
+            const label patchi = mesh_.boundaryMesh().whichPatch(f);
+            const label i = f - mesh_.boundaryMesh()[patchi].start();
+            set
+            (
+                f,
+                {
+                    rho_f().boundaryField()[patchi][i],
+                    U_f().boundaryField()[patchi][i],
+                    p_f().boundaryField()[patchi][i]
+                }
+            );
+        }
+    }
+}
+
+
+void Foam::mpm::reconstruction::predict
+(
+    const scalar dt,
+    const scalar gamma,
+    const UList<gasState>& W,
+    const UList<gasState>& Wb,
+    const boolUList* nearSolid
+)
+{
+    const vectorField& S = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const label nInternal = mesh_.nInternalFaces();
+
+    const label nCells = W.size();
+    const auto isNear = [&](const label f)
+    {
+        return
+            nearSolid
+         && (
+                (*nearSolid)[own[f]]
+             || (*nearSolid)[f < nInternal ? nei[f] : nCells + f - nInternal]
+            );
+    };
+    if (nearSolid)
+    {
+        for (label f = 0; f < nInternal; ++f)
+        {
+            if (isNear(f))
+            {
+                faces_[f].own = W[own[f]];
+                faces_[f].nei = W[nei[f]];
+            }
+        }
+        for (const label f : coupledList_)
+        {
+            if (isNear(f))
+            {
+                faces_[f].own = W[own[f]];
+            }
+        }
+    }
+
+    rates_ = rates{0, 0, 0, Zero, Zero};
+    const auto add = [&]
+    (
+        const label c,
+        const gasState& w,
+        const vector& s
+    )
+    {
+        const gasState& W0 = W[c];
+        rates& r = rates_[c];
+        const scalar us = W0.u & s;
+        const vector du(w.u - W0.u);
+        const scalar dp = w.p - W0.p;
+        r.div += du & s;
+        r.rho += us*(w.rho - W0.rho);
+        r.p += us*dp;
+        r.u += us*du;
+        r.gradP += dp*s;
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        add(own[f], faces_[f].own, S[f]);
+        add(nei[f], faces_[f].nei, -S[f]);
+    }
+    for (const label f : coupledList_)
+    {
+        add(own[f], faces_[f].own, S[f]);
+    }
+    for (const label f : boundary_)
+    {
+        add(own[f], Wb[f - nInternal], S[f]);
+    }
+
+    // Now the change of the state
+    const scalarField& V = mesh_.V();
+    forAll(rates_, c)
+    {
+        rates& r = rates_[c];
+        const gasState& w = W[c];
+        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5*dt/V[c];
+        r.rho = h*(r.rho + w.rho*r.div);
+        r.u = h*(r.u + r.gradP/w.rho);
+        r.p = h*(r.p + gamma*w.p*r.div);
+    }
+
+    const auto ahead = [&](const label c, gasState& s)
+    {
+        const rates& r = rates_[c];
+        const gasState& w = W[c];
+        s.rho += r.rho;
+        s.u += r.u;
+        s.p += r.p;
+        if (s.rho < 0.1*w.rho || s.p < 0.1*w.p)
+        {
+            s = w;
+        }
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        if (!isNear(f))
+        {
+            ahead(own[f], faces_[f].own);
+            ahead(nei[f], faces_[f].nei);
+        }
+    }
+    for (const label f : boundary_)
+    {
+        faces_[f].own = W[own[f]];
+        ahead(own[f], faces_[f].own);
+        faces_[f].nei = Wb[f - nInternal];
+    }
+    if (!coupled_.empty())
+    {
+        for (const label f : coupledList_)
+        {
+            if (!isNear(f))
+            {
+                ahead(own[f], faces_[f].own);
+            }
+            swap_[f - nInternal] = faces_[f].own;
+        }
+        coupled_.swap(swap_);
+        for (const label f : coupledList_)
+        {
+            faces_[f].nei = swap_[f - nInternal];
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::reconstruction::reconstruction
+(
+    const fvMesh& mesh,
+    const coupledFaces& coupled,
+    const labelList& boundaryFaces,
+    const labelList& coupledFaceList
+)
+:
+    mesh_(mesh),
+    coupled_(coupled),
+    boundary_(boundaryFaces),
+    coupledList_(coupledFaceList)
+{
+    readSchemes();
+
+    if (!upwind_)
+    {
+        faces_.setSize(mesh.nFaces());
+        grad_.setSize(own_.size() ? mesh.nCells() : 0);
+        rates_.setSize(mesh.nCells());
+        swap_.setSize(mesh.nFaces() - mesh.nInternalFaces());
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::mpm::reconstruction::description() const
+{
+    return
+        "rho " + scheme_[0] + ", U " + scheme_[1] + ", p " + scheme_[2];
+}
+
+
+void Foam::mpm::reconstruction::update
+(
+    const scalar dt,
+    const scalar gamma,
+    const UList<gasState>& W,
+    const UList<gasState>& Wb,
+    const volScalarField& rho,
+    const volVectorField& U,
+    const volScalarField& p,
+    const boolUList* nearSolid
+)
+{
+    if (own_.empty())
+    {
+        interpolated(rho, U, p);
+    }
+    else
+    {
+        gradient(W, Wb);
+        if (own_ == "vanLeer")
+        {
+            limited<vanLeerLimiter, NVDTVD, NVDVTVDV>(W, Wb);
+        }
+        else if (own_ == "vanAlbada")
+        {
+            limited<vanAlbadaLimiter, NVDTVD, NVDVTVDV>(W, Wb);
+        }
+        else if (own_ == "Minmod")
+        {
+            limited<MinmodLimiter, NVDTVD, NVDVTVDV>(W, Wb);
+        }
+        else
+        {
+            limited<SuperBeeLimiter, NVDTVD, NVDVTVDV>(W, Wb);
+        }
+    }
+    predict(dt, gamma, W, Wb, nearSolid);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,65 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseNames.H"
+#include "selector.H"
+#include "ListOps.H"
+#include "DynamicList.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::mpm::phaseNames
+(
+    const dictionary& dict,
+    const wordList& types
+)
+{
+    requireKeyword(dict, "phases");
+    const wordList names(dict.get<wordList>("phases"));
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are no phases; list at least one in phases (...);"
+            << exit(FatalIOError);
+    }
+    forAll(names, i)
+    {
+        if (names.find(names[i]) != i)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Phase " << names[i] << " is listed twice."
+                << exit(FatalIOError);
+        }
+    }
+    wordList valid(names);
+    valid.append("phases");
+    valid.append("FoamFile");
+    checkKeywords(dict, valid);
+
+    DynamicList<word> found;
+    for (const word& name : names)
+    {
+        const word kind
+        (
+            oneOfOrDefault
+            (
+                requiredDict(dict, name),
+                "type",
+                "materialPoints",
+                {"materialPoints", "rigid", "gas"}
+            )
+        );
+        if (types.found(kind))
+        {
+            found.append(name);
+        }
+    }
+    return wordList(std::move(found));
+}
+
+// ************************************************************************* //
