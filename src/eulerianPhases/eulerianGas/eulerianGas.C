@@ -254,6 +254,17 @@ void Foam::mpm::eulerianGas::boundaryStates()
         {
             coupled_.swap(thetaB_);
         }
+        forAll(patches, patchi)
+        {
+            const polyPatch& pp = patches[patchi];
+            for (label i = 0; pp.coupled() && i < pp.size(); ++i)
+            {
+                const gasState& w = Wb_[pp.start() - nInternal + i];
+                rho0_.boundaryFieldRef()[patchi][i] = w.rho;
+                U_.boundaryFieldRef()[patchi][i] = w.u;
+                p_.boundaryFieldRef()[patchi][i] = w.p;
+            }
+        }
     }
 }
 
@@ -419,6 +430,13 @@ bool Foam::mpm::eulerianGas::setTheta(const UList<scalar>& theta)
     primitives();
     boundaryStates();
     return false;
+}
+
+
+void Foam::mpm::eulerianGas::refresh()
+{
+    primitives();
+    boundaryStates();
 }
 
 

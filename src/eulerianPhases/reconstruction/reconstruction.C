@@ -18,6 +18,28 @@ License
 #include "SuperBee.H"
 #include "StringStream.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Tokens of an entry with a space between
+string words(const UList<token>& tokens)
+{
+    string text;
+    for (const token& t : tokens)
+    {
+        OStringStream os;
+        os << t;
+        text += (text.size() ? " " : "") + os.str();
+    }
+    return text;
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::reconstruction::readSchemes()
@@ -45,14 +67,7 @@ void Foam::mpm::reconstruction::readSchemes()
                 << " stand for reconstruct(p)." << exit(FatalIOError);
         }
 
-        string text;
-        for (const token& t : dict.lookupEntry(key, keyType::REGEX).stream())
-        {
-            OStringStream os;
-            os << t;
-            text += (text.size() ? " " : "") + os.str();
-        }
-        scheme_[i] = text;
+        scheme_[i] = words(dict.lookupEntry(key, keyType::REGEX).stream());
     }
 
     upwind_ =
@@ -65,9 +80,7 @@ void Foam::mpm::reconstruction::readSchemes()
     {
         if (e.isStream())
         {
-            OStringStream os;
-            os << e.stream();
-            gaussLinear = gaussLinear && os.str() == "Gauss linear";
+            gaussLinear = gaussLinear && words(e.stream()) == "Gauss linear";
         }
     }
 
@@ -427,7 +440,8 @@ Foam::mpm::reconstruction::reconstruction
 Foam::string Foam::mpm::reconstruction::description() const
 {
     return
-        "rho " + scheme_[0] + ", U " + scheme_[1] + ", p " + scheme_[2];
+        "rho " + scheme_[0] + ", U " + scheme_[1] + ", p " + scheme_[2]
+      + (upwind_ || own_.size() ? "" : " (by OpenFOAM's general schemes)");
 }
 
 
