@@ -112,6 +112,11 @@ void readPhases
 )
 {
     const wordList names(materialPointPhase::names(dict));
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "No phase has the type materialPoints." << exit(FatalIOError);
+    }
 
     phases.setSize(names.size());
     forAll(names, i)

@@ -25,19 +25,16 @@ void Foam::mpm::eulerianGas::stop(const label celli)
     if (teller == Pstream::myProcNo())
     {
         const gasState& w = W_[celli];
-        const bool density = !(w.rho > 0 && w.rho < GREAT);
-        os  << "Gas " << name_ << " in cell " << celli << " at "
-            << mesh_.cellCentres()[celli] << ", time "
-            << mesh_.time().timeName() << ": "
-            << (density ? "density " : "pressure ")
-            << (density ? w.rho : w.p) << " (density " << w.rho
-            << ", pressure " << w.p << ", velocity " << w.u << ", theta "
-            << theta_[celli];
+        os  << "Gas " << name_ << " has density " << w.rho << " kg/m3 and"
+            << " pressure " << w.p << " Pa";
         if (T_)
         {
-            os  << ", temperature " << w.p/(w.rho*thermo_.R());
+            os  << ", temperature " << w.p/(w.rho*thermo_.R()) << " K";
         }
-        os  << ").";
+        os  << ", which must be positive, in cell " << celli << " at "
+            << mesh_.cellCentres()[celli] << ", time "
+            << mesh_.time().timeName() << " (velocity " << w.u << ", theta "
+            << theta_[celli] << ").";
     }
     string text(os.str());
     List<string> texts(Pstream::nProcs());

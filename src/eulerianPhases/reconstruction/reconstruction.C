@@ -67,6 +67,7 @@ void Foam::mpm::reconstruction::readSchemes()
                 << " stand for reconstruct(p)." << exit(FatalIOError);
         }
 
+        key_[i] = key;
         scheme_[i] = words(dict.lookupEntry(key, keyType::REGEX).stream());
     }
 
@@ -221,6 +222,37 @@ void Foam::mpm::reconstruction::limited
 }
 
 
+Foam::surfaceScalarField Foam::mpm::reconstruction::direction
+(
+    const scalar sign
+) const
+{
+    return surfaceScalarField
+    (
+        IOobject("direction", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("sign", dimless, sign)
+    );
+}
+
+
+template<class Type>
+Foam::tmp<Foam::surfaceInterpolationScheme<Type>>
+Foam::mpm::reconstruction::scheme
+(
+    const label i,
+    const surfaceScalarField& direction
+) const
+{
+    return surfaceInterpolationScheme<Type>::New
+    (
+        mesh_,
+        direction,
+        mesh_.schemesDict().subDict("interpolationSchemes").lookup(key_[i])
+    );
+}
+
+
 void Foam::mpm::reconstruction::interpolated
 (
     const volScalarField& rho,
@@ -228,28 +260,12 @@ void Foam::mpm::reconstruction::interpolated
     const volScalarField& p
 )
 {
-    const auto flux = [&](const scalar sign)
-    {
-        return surfaceScalarField
-        (
-            IOobject("direction", mesh_.time().timeName(), mesh_),
-            mesh_,
-            dimensionedScalar("sign", dimless, sign)
-        );
-    };
-
     for (const bool owner : {true, false})
     {
-        const surfaceScalarField direction(flux(owner ? 1 : -1));
-        const auto rho_f =
-            surfaceInterpolationScheme<scalar>::New
-            (mesh_, direction, IStringStream(scheme_[0])())->interpolate(rho);
-        const auto U_f =
-            surfaceInterpolationScheme<vector>::New
-            (mesh_, direction, IStringStream(scheme_[1])())->interpolate(U);
-        const auto p_f =
-            surfaceInterpolationScheme<scalar>::New
-            (mesh_, direction, IStringStream(scheme_[2])())->interpolate(p);
+        const surfaceScalarField to(direction(owner ? 1 : -1));
+        const auto rho_f = scheme<scalar>(0, to)->interpolate(rho);
+        const auto U_f = scheme<vector>(1, to)->interpolate(U);
+        const auto p_f = scheme<scalar>(2, to)->interpolate(p);
 
         const auto set = [&](const label f, const gasState& s)
         {
@@ -432,6 +448,14 @@ Foam::mpm::reconstruction::reconstruction
         grad_.setSize(own_.size() ? mesh.nCells() : 0);
         rates_.setSize(mesh.nCells());
         swap_.setSize(mesh.nFaces() - mesh.nInternalFaces());
+    }
+    if (!upwind_ && own_.empty())
+    {
+        // A wrong name is fatal now, not in the first step
+        const surfaceScalarField to(direction(1));
+        scheme<scalar>(0, to);
+        scheme<vector>(1, to);
+        scheme<scalar>(2, to);
     }
 }
 
