@@ -404,21 +404,12 @@ void Foam::mpm::gasCoupling::arrive(const scalar dt)
     sumPoints(true);
     prepareFaces(dt);
     face_.swap(faceNew_);
-
-    for (const label c : dragged_)
-    {
-        gas_.rhoU()[c] += J_[c];
-        gas_.rhoE()[c] += Q_[c];
-    }
 }
 
 
 void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
 {
-    if (returnReduce(dragged_.size(), sumOp<label>()))
-    {
-        gas_.refresh();
-    }
+    gas_.addSources(dragged_, J_, Q_);
     gas_.faceFlux(dt, &pores_);
     gas_.advance(dt, &pores_);
 }

@@ -434,9 +434,20 @@ bool Foam::mpm::eulerianGas::setTheta(const UList<scalar>& theta)
 }
 
 
-void Foam::mpm::eulerianGas::refresh()
+void Foam::mpm::eulerianGas::addSources
+(
+    const UList<label>& cells,
+    const UList<vector>& momentum,
+    const UList<scalar>& energy
+)
 {
-    primitives();
+    for (const label c : cells)
+    {
+        rhoU_[c] += momentum[c];
+        rhoE_[c] += energy[c];
+        W_[c].u = rhoU_[c]/rho_[c];
+        U_[c] = W_[c].u;
+    }
     updateBoundaryStates();
 }
 

@@ -446,8 +446,8 @@ ROWS = [
     ("unknown phase of region", SET, replace(REGIONS, "phase  +block", "phase brick"),
      inRegion + ["brick", VALID, "base", "block"]),
     ("unknown type of phase", SOLVE,
-     replace(PHASES, "velocityField", "type gas; velocityField"),
-     [line("phaseProperties"), "gas", VALID, "materialPoints"]),
+     replace(PHASES, "velocityField", "type liquid; velocityField"),
+     [line("phaseProperties"), "liquid", VALID, "materialPoints"]),
     ("phase listed twice", SOLVE, replace(PHASES, "base block", "base block base"),
      [line("phaseProperties"), "base is listed twice"]),
 
