@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+"""Material points and a gas in the same cells.
+
+Translation: points and gas move together with 100 m/s through cyclic sides; the
+pressure must stay uniform whatever the points do (dP/P 1e-12 in 1D, 1e-10 in 2D
+and 3D) and the fractions must add up to 1 (1e-3). Rest against walls: velocities
+1e-11 m/s, dP/P 1e-13. A shock hits a moving block in a periodic box: momentum of
+gas and points 1e-12 of the block's and of the impulse, mass of the gas 1e-12,
+residual of the energy at most 1 % of what is exchanged and falling with the time
+step. One processor against two and four, restart bit by bit.
+"""
+
+import os
+import shutil
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from blockInGas import P0, blockInGas, figures
+from foamCase import RunFailed, VERIFY
+from report import Report
+
+STICK, NONE = None, {"type": "none"}
+H = 1e-4
+
+
+def box(low, high):
+    return {"type": "box", "min": [H*x for x in low], "max": [H*x for x in high]}
+
+
+def rotatedBox(case):
+    """constant/triSurface/rotated.stl: a box of 15 cells, turned by 30 degrees."""
+    c, s = 15*H*np.cos(np.pi/6), 15*H*np.sin(np.pi/6)
+    corners = np.array([[14*H + i*c - j*s, 6*H + i*s + j*c, k*4*H - 1.5*H]
+                        for k in (0, 1) for j in (0, 1) for i in (0, 1)])
+    path = case.file("constant", "triSurface")
+    os.makedirs(path, exist_ok=True)
+    with open(os.path.join(path, "rotated.stl"), "w") as f:
+        f.write("solid box\n")
+        for quad in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3),
+                     (0, 4, 6, 2), (1, 3, 7, 5)):
+            for t in ((0, 1, 2), (0, 2, 3)):
+                f.write("facet normal 0 0 0\nouter loop\n" + "".join(
+                    "vertex {} {} {}\n".format(*map(float, corners[quad[i]])) for i in t)
+                    + "endloop\nendfacet\n")
+        f.write("endsolid box\n")
+
+
+# Dimension, cells, region, velocity [m/s], crossings of a cell, points per cell, further
+MOVING = {
+    "1D, 2 points": (1, 60, box((20.3, 0, 0), (40.3, 1, 1)), (100, 0, 0), 50, 2, {}),
+    "1D, 4 points": (1, 60, box((20.3, 0, 0), (40.3, 1, 1)), (100, 0, 0), 50, 4, {}),
+    "1D, no drag": (1, 60, box((20.3, 0, 0), (40.3, 1, 1)), (100, 0, 0), 50, 4,
+                    {"drag": NONE}),
+    "1D, porous 0.6": (1, 60, {**box((20.3, 0, 0), (40.3, 1, 1)), "volumeFraction": 0.6},
+                       (100, 0, 0), 50, 4, {}),
+    "2D, block": (2, 30, box((5.2, 7.2, -1), (20.3, 20.3, 2)), (80, 60, 0), 20, 2, {}),
+    "2D, block, B-spline": (2, 30, box((5.2, 7.2, -1), (20.3, 20.3, 2)), (80, 60, 0), 20, 2,
+                            {"numerics": {"shapeFunction": "quadraticBSpline",
+                                          "transfer": "FLIP", "PICfraction": 0.01}}),
+    "2D, block at 30 degrees": (2, 36, {"type": "surface", "surface": {
+        "type": "triSurfaceMesh", "file": '"rotated.stl"'}}, (80, 60, 0), 20, 2, {}),
+    "2D, disc, 3 points": (2, 30, {"type": "cylinder", "point1": [15.2*H, 14.9*H, -H],
+                                   "point2": [15.2*H, 14.9*H, 2*H], "radius": 10*H},
+                           (80, 60, 0), 20, 3, {}),
+    "3D, block": (3, 12, box((3.2, 2.2, 4.1), (8.3, 7.3, 9.2)), (80, 60, -30),
+                  20 if VERIFY else 4, 2, {}),
+}
+
+
+def moving(table, label):
+    nDim, n, region, v, crossings, points, more = MOVING[label]
+    speed = np.linalg.norm(v)
+    Co = 0.4
+    steps = int(crossings/(Co*max(np.abs(v))/(np.sqrt(70e9/2700) + max(np.abs(v))))
+                * max(np.abs(v))/speed)
+    case = blockInGas("gasCoupling", label.replace(" ", "").replace(",", "-"), nDim, n,
+                      region, v, steps, pointsPerCell=points,
+                      prepare=rotatedBox, **more)
+    case.run("materialPointFoam", limit=300)
+    f = figures(case)
+    limit = 1e-12 if nDim == 1 else 1e-10
+    table.row(f"translation {label}, {crossings} cells: max dP/P", 0,
+              np.max(abs(f["p"]/P0 - 1)), limit, "atMost")
+    table.row(f"translation {label}: max |Theta - 1|", 0, np.max(abs(f["Theta"] - 1)), 1e-3,
+              "atMost")
+    table.row(f"translation {label}: fix-ups", 0, np.sum(f["fixups"][-1]), 0, "atMost")
+
+
+def resting(table, label, nDim, n, region, steps):
+    case = blockInGas("gasCoupling", "rest-" + label, nDim, n, region, steps=steps,
+                      pointsPerCell=2, walls=True)
+    case.run("materialPointFoam", limit=300)
+    f = figures(case)
+    u = np.max(abs(case.points(case.times()[-1], "block")["U"]))
+    table.row(f"rest {label}, {steps} steps: velocity of points", 0, u, 1e-11, "atMost")
+    g = np.max(abs(f["gasMomentum"]/f["gasMass"][:, None]))
+    table.row(f"rest {label}: mean velocity of the gas", 0, g, 1e-11, "atMost")
+    table.row(f"rest {label}: max dP/P", 0, np.max(abs(f["p"]/P0 - 1)), 1e-13, "atMost")
+
+
+def shocked(name, drag, Co, steps, **more):
+    pressure = np.full((40, 40), P0)
+    pressure[:, :8] = 4*P0
+    case = blockInGas(
+        "gasCoupling", name, 2, 40, {"type": "box", "min": (12.2e-3, 6.2e-3, -1),
+                                     "max": (22.3e-3, 16.3e-3, 1)},
+        (50, -30, 0), steps, h=1e-3, E=7e9, Co=Co, drag=drag, gasVelocity=(0, 0, 0),
+        pressure=pressure.ravel(), reports=steps, **more)
+    return case
+
+
+def shock(table):
+    for label, drag in (("sticking", STICK), ("no drag", NONE)):
+        residual = []
+        for Co, steps in ((0.4, 600), (0.2, 1200)):
+            case = shocked(f"shock-{label.replace(' ', '')}-{Co}", drag, Co, steps)
+            case.run("materialPointFoam", limit=300)
+            f = figures(case)
+            total = f["momentum"] + f["gasMomentum"]
+            drift = np.max(abs(total - total[0]))
+            energy = f["energy"] + f["gasEnergy"]
+            residual.append((energy[-1] - energy[0])
+                            / np.max(abs(f["gasEnergy"] - f["gasEnergy"][0])))
+        table.row(f"shock on a moving block, {label}: momentum of all, over the block's", 0,
+                  drift/np.max(abs(f["momentum"][0])), 1e-12, "atMost")
+        table.row(f"shock, {label}: mass of the gas", f["gasMass"][0],
+                  f["gasMass"][-1], 1e-12, "relative")
+        table.row(f"shock, {label}: energy residual over exchanged, CFL 0.4", 0,
+                  residual[0], 0.01)
+        table.check(f"shock, {label}: it falls with the time step",
+                    abs(residual[1]) < 0.75*abs(residual[0]),
+                    f"{residual[0]:.2e}, {residual[1]:.2e}")
+
+
+def processors(table):
+    one = shocked("one", STICK, 0.4, 200)
+    one.run("materialPointFoam")
+    end = one.times()[-1]
+    for n in ((2, 1, 1), (2, 2, 1)):
+        several = shocked(f"processors-{n[0]*n[1]}", STICK, 0.4, 200)
+        several.decompose(n)
+        several.runParallel()
+        table.row(f"{n[0]*n[1]} processors against one: points", 0,
+                  one.largestDifference(several, end, ["block"], ("x", "U", "sigma", "V")),
+                  1e-10, "atMost")
+        a, b = figures(one)["p"], figures(several)["p"]
+        table.row(f"{n[0]*n[1]} processors against one: pressure", 0,
+                  np.max(abs(a - b))/np.max(a), 1e-10, "atMost")
+
+    straight, again = (shocked(name, STICK, 0.4, 200) for name in ("straight", "again"))
+    for case in (straight, again):
+        case.change("system/controlDict", "^writeInterval.*?;",
+                    f"writeInterval {float(end)/2!r};")
+    straight.run("materialPointFoam")
+    half = straight.times()[1]
+    again.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+    shutil.copytree(straight.file(half), again.file(half))
+    again.run("materialPointFoam")
+    table.row("restart at half time: points", 0, straight.largestDifference(
+        again, straight.times()[-1], ["block"], ("x", "U", "sigma", "V")), 0, "atMost")
+    files = [open(c.file(straight.times()[-1], "thetaRhoE.air"), "rb").read()
+             for c in (straight, again)]
+    table.check("restart at half time: gas bit by bit", files[0] == files[1])
+
+
+def main():
+    table = Report("gasCoupling")
+    parts = [(lambda label=label: moving(table, label)) for label in MOVING]
+    parts += [lambda: resting(table, "1D", 1, 60, box((20.3, 0, 0), (40.3, 1, 1)),
+                              100000 if VERIFY else 10000),
+              lambda: resting(table, "2D-wall", 2, 20, box((0, 0, -1), (10, 10.3, 2)),
+                              10000 if VERIFY else 1000),
+              lambda: shock(table), lambda: processors(table)]
+    for part in parts:
+        try:
+            part()
+        except RunFailed as e:
+            table.check("runs", False, e)
+    return table.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
