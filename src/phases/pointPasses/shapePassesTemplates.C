@@ -388,6 +388,7 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
     moveResult result{0, 0, -1, false, 0, Zero, 0};
     T travel = {}, rate = {}, work = {}, momentum[DIM] = {}, body = {};
     const scalar* mass = cloud.mass()[0];
+    const scalar lane[] = {0, 1, 2, 3, 4, 5, 6, 7};
     movers.clear();
 
     forGroups
@@ -401,10 +402,10 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
             weightsType S;
             shape_.evaluate(s, X, L, S);
 
-            T dX[DIM];
+            T dX[DIM], du[DIM];
             if (rule.kind == transfer::FLIP)
             {
-                T uL[DIM], du[DIM];
+                T uL[DIM];
                 shapeType::template gather<DIM, 2*P>(S, s.nodes, u, uL);
                 shapeType::template gather<DIM, 2*P>(S, s.nodes, u + P, du);
                 for (int d = 0; d < DIM; ++d)
@@ -434,30 +435,27 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
 
             if (rule.energy)
             {
-                T du[DIM], m = load<W>(mass + p);
-                for (int l = n; l < W; ++l)
+                if (rule.kind != transfer::FLIP)
                 {
-                    m[l] = 0;
+                    shapeType::template gather<DIM, 2*P>
+                    (
+                        S, s.nodes, u + P, du
+                    );
                 }
-                shapeType::template gather<DIM, 2*P>(S, s.nodes, u + P, du);
+                // Lanes beyond n may hold anything
+                const auto own = load<W>(lane) < broadcast<W>(n);
+                const T none = {};
+                const T m = select(own, load<W>(mass + p), none);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    // Lanes beyond n may hold anything
-                    T w = load<W>(U[d] + p) + 0.5*du[d];
-                    for (int l = n; l < W; ++l)
-                    {
-                        w[l] = du[d][l] = 0;
-                    }
-                    work += m*w*du[d];
-                    momentum[d] += m*w;
+                    const T w =
+                        m*select(own, load<W>(U[d] + p) + 0.5*du[d], none);
+                    work += w*select(own, du[d], none);
+                    momentum[d] += w;
                     if (rule.bodyForce)
                     {
-                        T b = load<W>((*rule.bodyForce)[d] + p);
-                        for (int l = n; l < W; ++l)
-                        {
-                            b[l] = 0;
-                        }
-                        body += m*w*b;
+                        const T b = load<W>((*rule.bodyForce)[d] + p);
+                        body += w*select(own, b, none);
                     }
                 }
             }
