@@ -56,8 +56,12 @@ def twoDisks(label, numerics, cells):
     case.run("setMaterialPoints")
     seconds = case.run("materialPointFoam", limit=1200)
     e = Energies(case.path)
-    worst = e.errorCentred[np.argmax(np.abs(e.errorCentred))]
-    return case, worst, seconds, {"kinetic left %": 100*e.kinetic[-1]/e.start}
+    # Without USAVG a row's velocities are those of the middle of the step before
+    energy = e.total if numerics.get("stressUpdate") == "USAVG" \
+        else e.total[:-1] + np.diff(e.kinetic)/2
+    error = 100*(energy/e.start - 1)
+    return case, error[np.argmax(np.abs(error))], seconds, {
+        "kinetic left %": 100*e.kinetic[-1]/e.start}
 
 
 #: name: (measure, what the error is, resolutions, errors of the summary)

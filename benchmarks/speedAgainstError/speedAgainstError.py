@@ -27,7 +27,10 @@ TRANSFERS = {
     "FLIP + 1 % PIC": {"transfer": "FLIP", "PICfraction": 0.01},
     "FMPM 1": {"transfer": "FMPM", "order": 1},
     "FMPM 2": {"transfer": "FMPM", "order": 2},
-    "FMPM 4": {"transfer": "FMPM", "order": 4}}
+    "FMPM 4": {"transfer": "FMPM", "order": 4},
+    "XPIC 2": {"transfer": "XPIC", "order": 2},
+    "APIC": {"transfer": "APIC"},
+    "FLIP USAVG": {"transfer": "FLIP", "PICfraction": 0, "stressUpdate": "USAVG"}}
 
 SCHEMES = {f"{shape} {name}": {"shapeFunction": shape, **transfer}
            for shape in SHAPES for name, transfer in TRANSFERS.items()}

@@ -42,6 +42,9 @@ SCHEMES = {
     "GIMP FMPM 2": {"shapeFunction": "GIMP", "transfer": "FMPM", "order": 2},
     "quadraticBSpline FMPM 4": {"shapeFunction": "quadraticBSpline",
                                 "transfer": "FMPM", "order": 4},
+    "GIMP XPIC 2": {"shapeFunction": "GIMP", "transfer": "XPIC", "order": 2},
+    "GIMP APIC": {"shapeFunction": "GIMP", "transfer": "APIC"},
+    "GIMP FLIP USAVG": {"shapeFunction": "GIMP", **FLIP, "stressUpdate": "USAVG"},
     "linear FLIP": {"shapeFunction": "linear", **FLIP}}
 
 MOVING = {"type": "timeVaryingUniformFixedValue", "file": '"<case>/table"',
