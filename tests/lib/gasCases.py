@@ -67,9 +67,9 @@ def writeVolField(case, name, values, patches):
 def gasCase(folder, name, cells, high, initial, endTime, low=(0, 0, 0), ends=OPEN,
             sides=None, reconstruct=VAN_LEER, maxCoGas=0.4, solver="materialPointFoam",
             thermo=None, writeInterval=None, writeFormat="binary", control=None,
-            patches=None):
+            patches=None, conditions=None):
     """A box; ends: conditions of p, T, U at x- and x+, sides: at y- and y+ (and
-    z-, z+ in 3D), where there is more than one cell."""
+    z-, z+ in 3D), where there is more than one cell; conditions: of other patches."""
     case = FoamCase(folder, name)
     nDim = sum(n > 1 for n in cells)
     empty = [s for d, s in enumerate(("x", "y", "z")) if d >= nDim for s in (s + "-", s + "+")]
@@ -83,8 +83,9 @@ def gasCase(folder, name, cells, high, initial, endTime, low=(0, 0, 0), ends=OPE
         patches["frontAndBack"] = ("empty", empty)
     case.write("system/blockMeshDict", boxMesh(low, high, cells, patches))
 
-    given = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3}
-    def conditions(i):
+    given = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3,
+             **(conditions or {})}
+    def conditionsOf(i):
         return {n: given[n][i] if n in given else kind for n, (kind, _) in patches.items()}
 
     x, y, z = boxCentres(low, high, cells)
@@ -93,10 +94,10 @@ def gasCase(folder, name, cells, high, initial, endTime, low=(0, 0, 0), ends=OPE
         u = np.column_stack([u, 0*u, 0*u])
     own = solver == "materialPointFoam"
     suffix = ".air" if own else ""
-    writeVolField(case, "p", p, conditions(0))
+    writeVolField(case, "p", p, conditionsOf(0))
     if not thermo or thermo["thermo"] == "perfectGas":
-        writeVolField(case, "T" + suffix, p/rho, conditions(1))
-    writeVolField(case, "U" + suffix, u, conditions(2))
+        writeVolField(case, "T" + suffix, p/rho, conditionsOf(1))
+    writeVolField(case, "U" + suffix, u, conditionsOf(2))
 
     case.write("system/fvSchemes", schemes(reconstruct, solver))
     case.write("system/fvSolution", {} if own else {

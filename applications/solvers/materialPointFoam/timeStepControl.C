@@ -263,7 +263,9 @@ Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
     scalar dt = GREAT;
     if (points_)
     {
-        dt = bounded(dict, "maxCo", 1e-6, 1)/points_->courantRate();
+        // The rate of a rigid body at rest is 0
+        dt = bounded(dict, "maxCo", 1e-6, 1)
+           /max(points_->courantRate(), VSMALL);
     }
     if (gas_)
     {
