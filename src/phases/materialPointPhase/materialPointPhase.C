@@ -8,6 +8,7 @@ License
 
 #include "materialPointPhase.H"
 #include "selector.H"
+#include "noTraps.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -286,6 +287,7 @@ Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
     {
         return 0;
     }
+    const noTraps guard;
     const pointBlock b(const_cast<materialPointPhase&>(*this).block());
     return returnReduce(law_->strainEnergy(b), sumOp<scalar>());
 }
