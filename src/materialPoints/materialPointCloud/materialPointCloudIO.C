@@ -531,10 +531,10 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
                     check
                     (
                         p,
-                        std::isfinite(h[i][p]),
+                        std::isfinite(sqr(h[i][p])),
                         h.name(),
                         Foam::name(h[i][p]),
-                        "finite"
+                        "finite, and its square as well"
                     );
                 }
             }

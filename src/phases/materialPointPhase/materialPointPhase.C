@@ -9,6 +9,7 @@ License
 #include "materialPointPhase.H"
 #include "selector.H"
 #include "phaseNames.H"
+#include "noTraps.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -265,6 +266,7 @@ Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
     {
         return 0;
     }
+    const noTraps guard;
     const pointBlock b(const_cast<materialPointPhase&>(*this).block());
     return returnReduce(law_->strainEnergy(b), sumOp<scalar>());
 }

@@ -112,6 +112,8 @@ HARMLESS = [
      "fewer fields to look at, the same run", SAME),
     (CONTROL, r"functions\.\w+\.libs", ".*",
      "another function object loads the library", SAME),
+    (CONTROL, "", "truncated to .*",
+     "cut between two entries: a complete file without function objects", SAME),
     (CONTROL, "writeControl|writeInterval", ".*", "OpenFOAM's own: other output"),
     (CONTROL, "endTime", "zero|negative|tiny",
      "the start is the end: no step is to be made"),
@@ -277,6 +279,11 @@ def names(change, text):
                    for k in change.entry.split(".") if k)
             or re.search(r"[Mm]aterial point \d+ of \w+", text)
             or (change.entry.endswith("velocityField") and "/0/U." in text)
+            # What is wrong shows in the next step: a phase that lost its region, a
+            # step that follows from the points
+            or (change.file == REGIONS and "has no material points" in text)
+            or ("/lagrangian/" in change.file
+                and "velocities of the points" in text)
             or ("/U." in change.file and "0/U.<velocityField>" in text)
             or ("blockMeshDict" in change.file
                 and re.search(r"[mM]esh|Cell \d+|[Pp]atch|0/U\.", text)))
