@@ -64,6 +64,16 @@ def writeVolField(case, name, values, patches):
                             "boundaryField": boundary}))
 
 
+def uniformGas(case, p, T, patches):
+    """p, T.air, U.air of air at rest; patches: name: conditions of p, T, U."""
+    for i, (name, value) in enumerate((("p", p), ("T.air", T), ("U.air", (0, 0, 0)))):
+        case.write("0/" + name,
+                   {"dimensions": DIMENSIONS[name[0]],
+                    "internalField": "uniform " + foamText(value),
+                    "boundaryField": {n: {"type": c[i]} for n, c in patches.items()}},
+                   "volVectorField" if name[0] == "U" else "volScalarField")
+
+
 def gasCase(folder, name, cells, high, initial, endTime, low=(0, 0, 0), ends=OPEN,
             sides=None, reconstruct=VAN_LEER, maxCoGas=0.4, solver="materialPointFoam",
             thermo=None, writeInterval=None, writeFormat="binary", control=None,

@@ -2,7 +2,8 @@
 
 2D, the normal of the plates is y, target 0..3.8 mm, flyer above it. nu = 0, so
 a strip of a few cells with slip sides is the same as wide plates. Both phases
-have one velocity field, as in tutorials/spall.
+have one velocity field, as in tutorials/spall. With air around them and in their
+pores the ends are cyclic, so that the sum of solid and gas is conserved.
 """
 
 import math
@@ -11,13 +12,18 @@ import numpy as np
 
 import plateImpactExact as exact
 from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, velocityFile)
+from gasCases import UPWIND, WALL, schemes, uniformGas
+
+#: Air at the start: pressure [Pa], density [kg/m3], gas constant [J/kg/K]
+P_AIR, RHO_AIR, R_AIR = 1e5, 1.2, 287.0
 
 
 def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxCo,
               strength=None, pointsPerCell=2, width=4, probes=(),
-              writeFormat="binary"):
+              writeFormat="binary", air=None):
     """Write, mesh and fill a case; not run yet. Probes: phase, name, fields,
-    y from, y to (of the start), operation."""
+    y from, y to (of the start), operation. air: entries of the gas and, of the
+    plates, volumeFraction (1) and drag (stick); None is vacuum."""
     h = exact.H/cellsPerFlyer
     # The target's outer face moves on with 100 m/s from 0.75 us
     margin = max(4, math.ceil(exact.V*(endTime - 0.7e-6)/h) + 3)
@@ -28,24 +34,44 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
                                  "E": exact.E, "nu": 0}}
     if strength:
         law["failureModel"] = {"type": "maxPrincipalStress", "strength": strength}
+    ends = {"ends": ("patch", ("y-", "y+"))}
+    fill = {"pointsPerCell": pointsPerCell}
+    phases = {"target": law, "flyer": law}
+    if air is not None:
+        air = dict(air)
+        ends = {"low": ("cyclic; neighbourPatch high", ("y-",)),
+                "high": ("cyclic; neighbourPatch low", ("y+",))}
+        fill.update(stress="ambient", pressure=P_AIR,
+                    volumeFraction=air.pop("volumeFraction", 1))
+        law["drag"] = {"type": air.pop("drag", "stick")}
+        if strength:
+            law["failureModel"]["ambientPressure"] = P_AIR
+        phases["air"] = {"type": "gas", "thermo": "perfectGas", "R": R_AIR,
+                         "gamma": 1.4, **air}
 
     case = FoamCase(group, name)
     case.write("constant/phaseProperties",
-               {"phases": ["target", "flyer"], "target": law, "flyer": law})
+               {"phases": list(phases), **phases})
     case.write("system/blockMeshDict", boxMesh(
         (0, low, 0), (w, high, h), (width, 3*cellsPerFlyer + 2*margin, 1),
-        {"ends": ("patch", ("y-", "y+")), "sides": ("patch", ("x-", "x+")),
+        {**ends, "sides": ("patch", ("x-", "x+")),
          "frontAndBack": ("empty", ("z-", "z+"))}))
-    velocityFile(case, "plates", {"ends": "calculated", "sides": "slip",
-                                  "frontAndBack": "empty"})
+    conditions = {name: "calculated" if air is None else "cyclic" for name in ends}
+    conditions["frontAndBack"] = "empty"
+    velocityFile(case, "plates", {"sides": "slip", **conditions})
     case.write("system/setMaterialPointsDict", {"regions": {
         "target": {"phase": "target", "type": "box", "min": (0, 0, 0),
-                   "max": (w, 2*exact.H, h), "pointsPerCell": pointsPerCell},
+                   "max": (w, 2*exact.H, h), **fill},
         "flyer": {"phase": "flyer", "type": "box", "min": (0, 2*exact.H, 0),
-                  "max": (w, 3*exact.H, h), "pointsPerCell": pointsPerCell,
+                  "max": (w, 3*exact.H, h), **fill,
                   "velocity": (0, -exact.V, 0)}}})
     case.write("system/fvSolution", {"materialPoints": numerics})
-    noSchemes(case)
+    if air is None:
+        noSchemes(case)
+    else:
+        case.write("system/fvSchemes", schemes(UPWIND))
+        uniformGas(case, P_AIR, P_AIR/(RHO_AIR*R_AIR),
+                   {"sides": WALL, **{name: (c,)*3 for name, c in conditions.items()}})
 
     functions = {}
     for phase, label, fields, y0, y1, operation in probes:
