@@ -133,7 +133,6 @@ def failing(table):
         case = run(f"{name}-failing", air, 400e6)
         gas = gasRows(table, label, case)
         here, first = failed(case)
-        # Failed rows lie as deep in the plate: porous points are the same
         table.check(f"{label}: points fail", here.any(), f"{here.sum()} of {len(here)}")
         table.row(f"{label}: failed points other than in vacuum ({where.sum()} there)", 0,
                   np.sum(here != where), 0)
