@@ -248,7 +248,7 @@ def prism(case, name, corners):
 WEDGE_TIP = 0.2
 
 
-def flowOverWedge(angle, beta, cells, height, end=1.5, name="", drag=None, **options):
+def flowOverWedge(angle, beta, cells, height, end=3.0, name="", drag=None, **options):
     """Case, x, y and p of Mach 2 (p and rho 1) over a half wedge on a plane of
     symmetry."""
     tip = WEDGE_TIP
