@@ -100,6 +100,10 @@ HARMLESS = [
     (CONTROL, "application|startTime|purgeWrite|writePrecision|writeCompression"
      "|timeFormat|timePrecision|runTimeModifiable|writeFormat|startFrom|stopAt",
      ".*", "OpenFOAM's own word: its default, or a word for another start"),
+    ("system/decomposeParDict", ".*", ".*",
+     "OpenFOAM's own, read by decomposePar: the same run on one processor", SAME),
+    (CONTROL, "adjustTimeStep", "number for word",
+     "OpenFOAM takes a number for a switch", SAME),
     (CONTROL, "deltaT", ".*", "adjustTimeStep sets the time step", SAME),
     (CONTROL, r"functions(\..*)?", ".*",
      "OpenFOAM leaves the function object out, and warns", SAME,
