@@ -55,6 +55,7 @@ Usage
         velocity       | [m/s]                          | no       | (0 0 0)
         stress         | (xx xy xz yy yz zz) [Pa] or ambient | no  | 0
         pressure       | only with stress ambient [Pa]  | no       |
+        temperature    | [K]; of phases with heatTransfer | yes    |
         volumeFraction | factor of the volume, (0, 1]   | no       | 1
         density        | for the mass [kg/m3]           | no       | rho of law
         overlap        | allow or forbid                | no       | forbid
@@ -200,6 +201,7 @@ void readRegions
                 }
             }
         }
+        region.checkTemperature(phase.cloud().temperature());
         region.create(phase.rho());
 
         for (label j = 0; j < i; ++j)

@@ -38,6 +38,16 @@ void Foam::mpm::gasCoupling::updateVolume
 {
     const scalar* v = cloud.volume()[0];
     scalar* to = (*cloud.gasVolume())[0];
+    if (points_.phases()[phasei].grains())
+    {
+        const scalar rho = points_.phases()[phasei].rho();
+        const scalar* m = cloud.mass()[0];
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            to[p] = m[p]/rho;
+        }
+        return;
+    }
     std::copy(v, v + cloud.size(), to);
     if (const column* damage = cloud.damage())
     {
@@ -60,31 +70,53 @@ void Foam::mpm::gasCoupling::sumPoints(const bool withDilation)
     {
         materialPointCloud& cloud = points_.phases()[phasei].cloud();
         updateVolume(cloud, phasei);
+        const bool pushes = granular_.set(phasei);
+        if (pushes)
+        {
+            grainFace_[phasei] = 0;
+            grainCell_[phasei] = 0;
+        }
+        scalarList& face = pushes ? grainFace_[phasei] : faceNew_;
+        scalarList& cell = pushes ? grainCell_[phasei] : cell_;
         kernels_->arrive
         (
             cloud,
             withDilation ? oldVolume_[phasei].cdata() : nullptr,
-            faceNew_.data(),
-            cell_.data()
+            face.data(),
+            cell.data()
         );
+        if (pushes)
+        {
+            faceNew_ += face;
+            cell_ += cell;
+            sumFaces(face);
+            sums_.sum(cell.data(), pointKernels::cellStride);
+        }
     }
+    sumFaces(faceNew_);
+    sums_.sum(cell_.data(), pointKernels::cellStride);
+    updateWaveRate();
+}
+
+
+void Foam::mpm::gasCoupling::sumFaces(scalarList& face) const
+{
     const int D = sums_.grid().nDim();
     for (int d = 0; d < D; ++d)
     {
         sums_.sum
         (
-            faceNew_.data() + pointKernels::faceStride*sums_.nPlaces()*d,
+            face.data() + pointKernels::faceStride*sums_.nPlaces()*d,
             pointKernels::faceStride
         );
     }
-    sums_.sum(cell_.data(), pointKernels::cellStride);
 
     // The solid is mirrored at walls
     for (const label facei : sums_.walls())
     {
         const label at =
             sums_.nPlaces()*sums_.direction(facei) + sums_.facePlace(facei);
-        scalar* q = faceNew_.data() + pointKernels::faceStride*at;
+        scalar* q = face.data() + pointKernels::faceStride*at;
         q[pointKernels::volume] *= 2;
         q[pointKernels::mass] *= 2;
         q[pointKernels::flux] = 0;
@@ -202,7 +234,19 @@ Foam::mpm::gasCoupling::gasCoupling
             requiredDict(properties, gas.name()), "mu", 0, 0, GREAT
         )
     ),
+    Pr_
+    (
+        boundedOrDefault
+        (
+            requiredDict(properties, gas.name()), "Pr", 0, 0, GREAT
+        )
+    ),
     drag_(points.phases().size()),
+    heat_(points.phases().size()),
+    granular_(points.phases().size()),
+    grainFace_(points.phases().size()),
+    grainCell_(points.phases().size()),
+    waveRate_(0),
     face_(pointKernels::faceStride*sums_.nPlaces()*points.grid().nDim(), scalar(0)),
     faceNew_(face_.size(), scalar(0)),
     cell_(pointKernels::cellStride*sums_.nPlaces(), scalar(0)),
@@ -245,6 +289,8 @@ Foam::mpm::gasCoupling::gasCoupling
                 << " of the gas: add mu [Pa s] to phase " << gas_.name() << "."
                 << exit(FatalIOError);
         }
+        readHeat(phasei, dict);
+        readGranular(phasei, dict);
         phase.cloud().needGas();
         phase.cloud().allocateGas();
     }
@@ -350,14 +396,28 @@ void Foam::mpm::gasCoupling::force()
         sums_.sum(G_.data() + sums_.nPlaces()*d, 1);
     }
 
-    for (materialPointPhase& phase : points_.phases())
+    forAll(points_.phases(), phasei)
     {
+        materialPointPhase& phase = points_.phases()[phasei];
         if (phase.motion())
         {
             continue;
         }
         materialPointCloud& cloud = phase.cloud();
-        kernels_->gather(cloud, P_.cdata(), G_.cdata());
+        kernels_->gather
+        (
+            cloud,
+            P_.cdata(),
+            granular_.set(phasei) ? grainJumps(phasei).cdata() : G_.cdata()
+        );
+
+        // Grains have all of the gas' pressure in gasForce
+        if (phase.grains())
+        {
+            scalar* pressure = (*cloud.gasPressure())[0];
+            std::fill(pressure, pressure + cloud.size(), scalar(0));
+            continue;
+        }
 
         // Dry points hold sigma + P
         if (const column* damage = cloud.damage())
@@ -412,6 +472,7 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
     gas_.addSources(dragged_, J_, Q_);
     gas_.faceFlux(dt, &pores_);
     gas_.advance(dt, &pores_);
+    exchangeHeat(dt);
 }
 
 
@@ -431,6 +492,7 @@ void Foam::mpm::gasCoupling::report() const
     reduce(least, minOp<scalar>());
     reduce(most, maxOp<scalar>());
     Info<< "Theta: min " << least << ", max " << most << endl;
+    reportHeat();
 }
 
 

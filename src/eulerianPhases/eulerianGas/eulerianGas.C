@@ -332,7 +332,7 @@ Foam::mpm::eulerianGas::eulerianGas
 {
     wordList valid(gasThermo::keywords);
     valid.append("type");
-    valid.append(wordList({"mu", "poreFloor", "faceDrag"}));
+    valid.append(wordList({"mu", "Pr", "poreFloor", "faceDrag"}));
     checkKeywords(dict, valid);
     checkDimensions(p_, dimPressure);
     checkDimensions(U_, dimVelocity);
@@ -449,6 +449,19 @@ void Foam::mpm::eulerianGas::addSources
         U_[c] = W_[c].u;
     }
     updateBoundaryStates();
+}
+
+
+void Foam::mpm::eulerianGas::addHeat
+(
+    const UList<label>& cells,
+    const UList<scalar>& energy
+)
+{
+    forAll(cells, i)
+    {
+        rhoE_[cells[i]] += energy[i];
+    }
 }
 
 

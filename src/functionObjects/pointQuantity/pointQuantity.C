@@ -22,7 +22,7 @@ using namespace Foam::mpm;
 enum quantities
 {
     VELOCITY, POSITION, DISPLACEMENT, STRESS, PRESSURE, EQUIVALENT, LARGEST,
-    DAMAGE, VOLUME, MASS, DENSITY, JACOBIAN, HISTORY
+    DAMAGE, VOLUME, MASS, DENSITY, JACOBIAN, TEMPERATURE, HISTORY
 };
 
 const struct
@@ -44,8 +44,19 @@ known[] =
     {"V", 1, "[m3]"},
     {"m", 1, "[kg]"},
     {"rho", 1, "[kg/m3]"},
-    {"J", 1, "[-]"}
+    {"J", 1, "[-]"},
+    {"T", 1, "[K]"}
 };
+
+
+//- Clouds have damage and a temperature only where asked for
+bool has(const materialPointCloud& cloud, const int quantity)
+{
+    return
+        quantity == DAMAGE ? bool(cloud.damage())
+      : quantity == TEMPERATURE ? bool(cloud.temperature())
+      : true;
+}
 
 
 const char* const* componentNames(const int rank)
@@ -118,8 +129,7 @@ Foam::mpm::pointQuantity::pointQuantity
     {
         for (int i = 0; i < HISTORY; ++i)
         {
-            const bool there = i != DAMAGE || phase.cloud().damage();
-            if (there && asked == known[i].name)
+            if (has(phase.cloud(), i) && asked == known[i].name)
             {
                 quantity_ = i;
                 rank_ = known[i].rank;
@@ -178,7 +188,7 @@ Foam::wordList Foam::mpm::pointQuantity::names(const materialPointPhase& phase)
     DynamicList<word> result;
     for (int i = 0; i < HISTORY; ++i)
     {
-        if (i != DAMAGE || phase.cloud().damage())
+        if (has(phase.cloud(), i))
         {
             result.append(known[i].name);
         }
@@ -295,6 +305,10 @@ void Foam::mpm::pointQuantity::get
 
         case JACOBIAN:
             values[0] = cloud.volume()[0][p]/start_->V()[first];
+            break;
+
+        case TEMPERATURE:
+            values[0] = (*cloud.temperature())[0][p];
             break;
 
         default:

@@ -251,6 +251,12 @@ void Foam::mpm::materialPointCloud::needReference()
 }
 
 
+void Foam::mpm::materialPointCloud::needTemperature()
+{
+    temperature_.reset(new column("T", column::scalars, grid_.nDim()));
+}
+
+
 void Foam::mpm::materialPointCloud::needAffine()
 {
     affine_.reset(new column("C", column::tensors, grid_.nDim()));
@@ -412,6 +418,10 @@ void Foam::mpm::materialPointCloud::add(const UList<newPoint>& points)
         }
         mass_[0][p] = from.mass;
         volume_[0][p] = from.volume;
+        if (temperature_)
+        {
+            (*temperature_)[0][p] = from.T;
+        }
         id_[0][p] = nextId_++;
 
         setSigma(p, from.sigma);

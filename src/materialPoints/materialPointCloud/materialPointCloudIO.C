@@ -483,6 +483,27 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
             std::copy(f.begin(), f.end(), (*damage_)[0]);
         }
 
+        if (temperature_)
+        {
+            if (!present("T"))
+            {
+                FatalErrorInFunction
+                    << "Phase " << this->name() << " has heatTransfer, but"
+                    << " its points of time " << time().timeName()
+                    << " have no column T (temperature)." << nl
+                    << "Run setMaterialPoints, with the entry temperature in"
+                    << " its regions." << exit(FatalError);
+            }
+            positiveField
+            (
+                readField<scalar>(*this, "T", n)(),
+                "T (temperature)",
+                1e9,
+                "greater than 0 and less than 1e9 K",
+                *temperature_
+            );
+        }
+
         for (const column* own : ownColumns())
         {
             column& h = const_cast<column&>(*own);
@@ -645,6 +666,11 @@ void Foam::mpm::materialPointCloud::writePoints() const
     {
         writeField<scalar>
         (*this, "damage", n_, [&](label p) { return (*damage_)[0][p]; });
+    }
+    if (temperature_)
+    {
+        writeField<scalar>
+        (*this, "T", n_, [&](label p) { return (*temperature_)[0][p]; });
     }
     for (const column* own : ownColumns())
     {

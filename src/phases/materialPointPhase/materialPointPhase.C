@@ -27,6 +27,8 @@ Foam::mpm::materialPointPhase::materialPointPhase
     velocityField_(dict.getOrDefault<word>("velocityField", name)),
     rho_(0),
     largestMass_(0),
+    grains_(false),
+    Cv_(0),
     cloud_(grid, name),
     nFailed_(0),
     nFailedKept_(0)
@@ -43,7 +45,14 @@ Foam::mpm::materialPointPhase::materialPointPhase
     );
     if (type == "rigid")
     {
-        checkKeywords(dict, {"type", "rho", "motion", "velocityField", "drag"});
+        checkKeywords
+        (
+            dict,
+            {
+                "type", "rho", "motion", "velocityField", "drag",
+                "heatTransfer", "Cv"
+            }
+        );
         rho_ = positive(dict, "rho");
         motion_ = rigidMotion::New(dict, grid);
         cloud_.needReference();
@@ -55,10 +64,12 @@ Foam::mpm::materialPointPhase::materialPointPhase
             dict,
             {
                 "type", "constitutiveModel", "failureModel", "bodyForce",
-                "velocityField", "drag"
+                "velocityField", "volumeModel", "drag", "granularPressure",
+                "heatTransfer", "Cv"
             }
         );
         law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
+        readVolumeModel(dict);
     }
     if (dict.found("failureModel"))
     {
@@ -75,6 +86,18 @@ Foam::mpm::materialPointPhase::materialPointPhase
         {
             cloud_.needReference();
         }
+    }
+
+    if (dict.found("heatTransfer"))
+    {
+        Cv_ = positive(dict, "Cv");
+        cloud_.needTemperature();
+    }
+    else if (dict.found("Cv"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry Cv only goes with heatTransfer; phase " << name
+            << " has none." << exit(FatalIOError);
     }
 
     if (needHalfSize)
@@ -107,6 +130,38 @@ Foam::mpm::materialPointPhase::materialPointPhase
           : h.kind == historyColumn::stresses ? column::stresses
           : column::tensors
         );
+    }
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::materialPointPhase::readVolumeModel(const dictionary& dict)
+{
+    grains_ =
+        oneOfOrDefault
+        (
+            dict, "volumeModel", "ownStress", {"ownStress", "grains"}
+        ) == "grains";
+
+    if (!law_->hasStress() && !grains_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The law " << law_->type() << " of " << name_ << " needs"
+            << "  volumeModel grains;  without a stress a point cannot stand"
+            << " against the pressure around it." << exit(FatalIOError);
+    }
+    if (!law_->hasStress() && dict.found("failureModel"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Phase " << name_ << " has a failureModel, but points of the"
+            << " law " << law_->type() << " have no stress to fail by."
+            << exit(FatalIOError);
+    }
+    if (!grains_ && dict.found("granularPressure"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry granularPressure of " << name_ << " only goes with"
+            << "  volumeModel grains;" << exit(FatalIOError);
     }
 }
 
@@ -170,7 +225,11 @@ void Foam::mpm::materialPointPhase::read()
     }
     reduce(stressed, orOp<bool>());
     reduce(history, orOp<bool>());
-    if (stressed && !history && cloud_.history().size())
+    if
+    (
+        stressed && !history
+     && (cloud_.history().size() || !law_->hasStress())
+    )
     {
         law_->initialise(b);
     }

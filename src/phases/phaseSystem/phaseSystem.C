@@ -890,7 +890,7 @@ void Foam::mpm::pointPhaseSystem::correctStress
     forAll(phases_, phasei)
     {
         materialPointPhase& phase = phases_[phasei];
-        if (phase.motion())
+        if (phase.motion() || !phase.law().hasStress())
         {
             continue;
         }

@@ -435,6 +435,7 @@ void Foam::mpm::pointPhaseSystem::writePoints()
         alpha_.setSize(phases_.size());
         Umean_.setSize(phases_.size());
         sigmaMean_.setSize(phases_.size());
+        Tmean_.setSize(phases_.size());
         forAll(phases_, phasei)
         {
             const auto object = [&](const word& name)
@@ -470,6 +471,19 @@ void Foam::mpm::pointPhaseSystem::writePoints()
                     dimensionedSymmTensor(dimPressure, Zero)
                 )
             );
+            if (phases_[phasei].cloud().temperature())
+            {
+                Tmean_.set
+                (
+                    phasei,
+                    new volScalarField
+                    (
+                        object("Tmean"),
+                        mesh_,
+                        dimensionedScalar(dimTemperature, Zero)
+                    )
+                );
+            }
         }
     }
 
@@ -500,6 +514,20 @@ void Foam::mpm::pointPhaseSystem::writePoints()
             alpha_[phasei][celli] = v/mesh_.V()[celli];
             Umean_[phasei][celli] = mU/m;
             sigmaMean_[phasei][celli] = vSigma/v;
+        }
+        if (const column* T = cloud.temperature())
+        {
+            Tmean_[phasei] = dimensionedScalar(dimTemperature, Zero);
+            forAll(cloud.cells(), k)
+            {
+                scalar m = 0, mT = 0;
+                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+                {
+                    m += cloud.mass()[0][p];
+                    mT += cloud.mass()[0][p]*(*T)[0][p];
+                }
+                Tmean_[phasei][cloud.cells()[k]] = mT/m;
+            }
         }
     }
 }

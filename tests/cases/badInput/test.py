@@ -335,6 +335,46 @@ def bodyForce(entries):
     return replace(PHASES, r"\$base;", "$base; bodyForce { " + entries + " }")
 
 
+def inGas(entries, air="", region=""):
+    """The block as grains in a gas, with entries of the phase, the gas and the
+    region."""
+    def fields(case):
+        for name, kind, dimensions, value, ground in (
+                ("p", "volScalarField", "[1 -1 -2 0 0 0 0]", "1e5", "zeroGradient"),
+                ("T.air", "volScalarField", "[0 0 0 1 0 0 0]", "300", "zeroGradient"),
+                ("U.air", "volVectorField", "[0 1 -1 0 0 0 0]", "(0 0 0)", "slip")):
+            case.write("0/" + name, "FoamFile { version 2.0; format ascii; class "
+                       f"{kind}; object {name}; }}\ndimensions {dimensions};\n"
+                       f"internalField uniform {value};\nboundaryField\n{{\n"
+                       "outside { type zeroGradient; }\n"
+                       f"ground {{ type {ground}; }}\nfrontAndBack {{ type empty; }}\n}}\n")
+        case.write("system/fvSchemes", """FoamFile
+{ version 2.0; format ascii; class dictionary; object fvSchemes; }
+ddtSchemes { default Euler; }
+gradSchemes { default Gauss linear; }
+divSchemes { default none; }
+laplacianSchemes { default Gauss linear corrected; }
+snGradSchemes { default corrected; }
+interpolationSchemes
+{
+    default linear;
+    "reconstruct.*" upwind;
+}
+""")
+    return several(
+        fields,
+        replace(PHASES, r"base block", "air base block"),
+        replace(PHASES, r"(base\s*\{)",
+                f"air {{ type gas; thermo perfectGas; R 287; gamma 1.4; {air} }}\n\\1"),
+        replace(PHASES, r"\$base;", "velocityField body; " + entries),
+        replace(REGIONS, r"(velocity +\(0 -1 0\);)", r"\1 " + region))
+
+
+NO_STRESS = "constitutiveModel { type noStress; rho 2500; } "
+GRAINS = "volumeModel grains; " + NO_STRESS
+HEAT = GRAINS + "Cv 800; heatTransfer { type constant; value 10; } "
+
+
 def nanLaw(n):
     return several(
         replace(CONTROL, "application", 'libs ("../nanLaw/libnanLaw.so");\n'
@@ -515,6 +555,67 @@ ROWS = [
              withPoints(replace(REGIONS, "velocity",
                                 "stress ambient; pressure 1e6; velocity"))),
      ["neoHookean cannot start with the stress", r"above \S+ Pa"]),
+
+    #- grains in a gas and heat
+    ("allowed: grains", SOLVE, withPoints(inGas(GRAINS)), None),
+    ("allowed: grains with heat and granular pressure", SOLVE, withPoints(inGas(
+        HEAT + "granularPressure { type JohnsonJackson; alphaMin 0.5; alphaMax 0.65; }",
+        region="temperature 300; volumeFraction 0.5;")), None, {"has": "Heat of block"}),
+    ("unknown volumeModel", SOLVE, inGas("volumeModel sand; " + NO_STRESS),
+     inPhases + ["sand", VALID, "ownStress", "grains"]),
+    ("noStress without grains", SOLVE, inGas(NO_STRESS),
+     inPhases + ["noStress", "volumeModel grains"]),
+    ("noStress without grains", SET, inGas(NO_STRESS),
+     inPhases + ["noStress", "volumeModel grains"]),
+    ("keyword of noStress", SOLVE,
+     inGas("volumeModel grains; constitutiveModel { type noStress; rho 1; E 2; }"),
+     inLaw + ["E", VALID]),
+    ("failureModel of noStress", SOLVE,
+     inGas(GRAINS + "failureModel { type maxPrincipalStress; strength 1; }"),
+     inPhases + ["failureModel", "no stress"]),
+    ("stress of noStress", SOLVE,
+     withPoints(inGas(GRAINS, region="stress ambient; pressure 1e5;")),
+     ["law noStress has no state for points that start with a stress"]),
+    ("granularPressure without grains", SOLVE,
+     inGas("$base; granularPressure { type JohnsonJackson; }"),
+     inPhases + ["granularPressure", "volumeModel grains"]),
+    ("unknown granularPressure", SOLVE,
+     withPoints(inGas(GRAINS + "granularPressure { type Lun; alphaMin 0.5; alphaMax 0.6; }")),
+     inPhases + ["Lun", VALID, "JohnsonJackson"]),
+    ("alphaMax below alphaMin", SOLVE, withPoints(inGas(
+        GRAINS + "granularPressure { type JohnsonJackson; alphaMin 0.5; alphaMax 0.4; }")),
+     inPhases + ["alphaMax is 0.4"]),
+    ("keyword of granularPressure", SOLVE, withPoints(inGas(
+        GRAINS + "granularPressure { type JohnsonJackson; alphaMin 0.5; alphaMax 0.6;"
+        " p 5; }")), inPhases + ["p", VALID]),
+    ("heatTransfer without Cv", SOLVE,
+     inGas(GRAINS + "heatTransfer { type constant; value 1; }"), inPhases + ["Cv"]),
+    ("Cv without heatTransfer", SOLVE, inGas(GRAINS + "Cv 800;"),
+     inPhases + ["Cv", "heatTransfer"]),
+    ("region without temperature", SET, inGas(HEAT), inRegion + ["temperature"]),
+    ("temperature without heatTransfer", SET, inGas(GRAINS, region="temperature 300;"),
+     inRegion + ["temperature", "heatTransfer"]),
+    ("temperature -3", SET, inGas(HEAT, region="temperature -3;"),
+     inRegion + ["temperature is -3"]),
+    ("points without T", SOLVE, several(
+        withPoints(inGas(HEAT, region="temperature 300;")), remove(BLOCK + "T")),
+     ["block has heatTransfer", "column T", "setMaterialPoints"]),
+    ("T of a point 0", SOLVE, several(
+        withPoints(inGas(HEAT, region="temperature 300;")),
+        setValue(BLOCK + "T", 3, "0")), [POINT, "T \\(temperature\\) is 0"]),
+    ("unknown heatTransfer", SOLVE, withPoints(inGas(
+        GRAINS + "Cv 800; heatTransfer { type warm; }", region="temperature 300;")),
+     inPhases + ["warm", "constant", "Gunn", "RanzMarshall"]),
+    ("keyword of heatTransfer", SOLVE, withPoints(inGas(
+        GRAINS + "Cv 800; heatTransfer { type Gunn; d 1e-4; Nu 2; }",
+        region="temperature 300;")), inPhases + ["Nu", VALID]),
+    ("heatTransfer without Pr", SOLVE, withPoints(inGas(
+        GRAINS + "Cv 800; heatTransfer { type Gunn; d 1e-4; }", air="mu 1.8e-5;",
+        region="temperature 300;")), inPhases + ["Pr", "air"]),
+    ("heatTransfer with an isentropic gas", SOLVE, several(
+        withPoints(inGas(HEAT, region="temperature 300;")),
+        replace(PHASES, "perfectGas; R 287;", "isentropic; p0 1e5; rho0 1.2;")),
+     inPhases + ["isentropic"]),
 
     #- missing files
     ("no U of field", SOLVE, remove("0/U.body"), ["cannot find file", r"0/U\.body"]),

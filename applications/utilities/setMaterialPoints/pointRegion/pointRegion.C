@@ -110,6 +110,7 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         p.x = map.position(xi);
         p.U = U_;
         p.sigma = sigma_;
+        p.T = T_;
         p.volume =
             grid_.mesh().cellVolumes()[celli]*part[sub]*volumeFraction_
            *(scalar(nInside)/nSamples_);
@@ -147,6 +148,10 @@ Foam::mpm::pointRegion::pointRegion
     (
         boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)
     ),
+    T_
+    (
+        dict.found("temperature") ? positive(dict, "temperature") : 0
+    ),
     mayOverlap_
     (
         oneOfOrDefault(dict, "overlap", "forbid", {"allow", "forbid"})
@@ -164,6 +169,22 @@ Foam::mpm::pointRegion::pointRegion
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::pointRegion::checkTemperature(const bool hasTemperature) const
+{
+    if (hasTemperature)
+    {
+        requireKeyword(dict_, "temperature");
+    }
+    else if (T_ > 0)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry temperature in region " << name_ << ": phase " << phase_
+            << " has no heatTransfer in constant/phaseProperties and so no"
+            << " temperature." << exit(FatalIOError);
+    }
+}
+
 
 void Foam::mpm::pointRegion::create(const scalar rho)
 {

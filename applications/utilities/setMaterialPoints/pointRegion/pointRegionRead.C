@@ -17,7 +17,7 @@ void Foam::mpm::pointRegion::checkEntries() const
     wordList valid
     ({
         "phase", "type", "pointsPerCell", "samples", "velocity", "stress",
-        "pressure", "volumeFraction", "density", "overlap"
+        "pressure", "temperature", "volumeFraction", "density", "overlap"
     });
     valid.append(shape_->keywords());
     checkKeywords(dict_, valid);

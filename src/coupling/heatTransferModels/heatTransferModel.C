@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "heatTransferModel.H"
+#include "selector.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+
+defineTypeNameAndDebug(heatTransferModel, 0);
+defineRunTimeSelectionTable(heatTransferModel, dictionary);
+
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+namespace heatTransferModels
+{
+
+class constant
+:
+    public heatTransferModel
+{
+    const scalar value_;
+
+public:
+
+    TypeName("constant");
+
+    explicit constant(const dictionary& dict)
+    :
+        value_(positive(dict, "value"))
+    {
+        checkKeywords(dict, {"type", "value"});
+    }
+
+    scalar H(const state& s) const override
+    {
+        return s.thetaS*s.thetaG*value_;
+    }
+
+    bool needsConductivity() const override
+    {
+        return false;
+    }
+};
+
+
+//- Spheres of one diameter
+class spheres
+:
+    public heatTransferModel
+{
+protected:
+
+    const scalar d_;
+
+    explicit spheres(const dictionary& dict)
+    :
+        d_(positive(dict, "d"))
+    {
+        checkKeywords(dict, {"type", "d"});
+    }
+
+    virtual scalar Nu(const state& s) const = 0;
+
+public:
+
+    scalar H(const state& s) const override
+    {
+        return 6*s.thetaS*s.mu*s.Cp/s.Pr*Nu(s)/sqr(d_);
+    }
+};
+
+
+class RanzMarshall
+:
+    public spheres
+{
+    scalar Nu(const state& s) const override
+    {
+        return 2 + 0.6*std::sqrt(s.rho*s.U*d_/s.mu)*std::cbrt(s.Pr);
+    }
+
+public:
+
+    TypeName("RanzMarshall");
+
+    explicit RanzMarshall(const dictionary& dict)
+    :
+        spheres(dict)
+    {}
+};
+
+
+class Gunn
+:
+    public spheres
+{
+    scalar Nu(const state& s) const override
+    {
+        const scalar e = s.thetaG, Re = e*s.rho*s.U*d_/s.mu;
+        const scalar Pr3 = std::cbrt(s.Pr);
+        return
+            (7 + e*(5*e - 10))*(1 + 0.7*std::pow(Re, 0.2)*Pr3)
+          + (1.33 + e*(1.2*e - 2.4))*std::pow(Re, 0.7)*Pr3;
+    }
+
+public:
+
+    TypeName("Gunn");
+
+    explicit Gunn(const dictionary& dict)
+    :
+        spheres(dict)
+    {}
+};
+
+
+defineTypeNameAndDebug(constant, 0);
+defineTypeNameAndDebug(RanzMarshall, 0);
+defineTypeNameAndDebug(Gunn, 0);
+addToRunTimeSelectionTable(heatTransferModel, constant, dictionary);
+addToRunTimeSelectionTable(heatTransferModel, RanzMarshall, dictionary);
+addToRunTimeSelectionTable(heatTransferModel, Gunn, dictionary);
+
+} // End namespace heatTransferModels
+
+} // End namespace mpm
+} // End namespace Foam
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::mpm::heatTransferModel> Foam::mpm::heatTransferModel::New
+(
+    const dictionary& dict
+)
+{
+    return selectFromTable<heatTransferModel>
+    (
+        dict,
+        dictionaryConstructorTablePtr_,
+        dict
+    );
+}
+
+// ************************************************************************* //

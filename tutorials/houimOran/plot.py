@@ -1,0 +1,126 @@
+"""Figures of README.md's table, and pictures: profiles beside the curves of Houim and
+Oran (2016)."""
+
+import re
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+ATM = 101298.0
+RHO_DILUTE = 1.30632931             # density of the gas on the right, 270.19 K
+
+
+def field(path):
+    """Inner values of an ascii field on cells: n, or n x 3."""
+    with open(path) as f:
+        text = f.read()
+    head = re.search(r"internalField\s+nonuniform List<(\w+)>\s*(\d+)\s*\(", text)
+    end = re.compile(r"\)\s*;").search(text, head.end()).start()
+    values = np.array(text[head.end():end].translate({40: None, 41: None}).split(), float)
+    return values.reshape(-1, 3) if head[1] == "vector" else values
+
+
+def curve(name):
+    return np.loadtxt(f"data/{name}.csv", delimiter=",").T
+
+
+def front(x, values, level):
+    """Last place where values fall through a level."""
+    i = np.max(np.nonzero(values > level)[0])
+    return x[i] + (x[i + 1] - x[i])*(values[i] - level)/(values[i] - values[i + 1])
+
+
+def mean(x, values, low, high):
+    return values[(x > low) & (x < high)].mean()
+
+
+def panel(ax, title, published, x, values, label="this case", color="C0"):
+    ax.plot(x, values, color=color, label=label)
+    ax.plot(*published, "k.", ms=4, label="Houim & Oran")
+    ax.set_title(title, fontsize=10)
+    ax.grid(alpha=0.3)
+
+
+def row(what, published, own):
+    print(f"{what}: published {published:.5g}, this case {own:.5g}"
+          f" ({100*(own/published - 1):+.1f} %)")
+
+
+# Dilute
+n, L, time = 400, 0.258, "dilute/0.0002/"
+x = (np.arange(n) + 0.5)*L/n
+p = field(time + "p")/ATM
+gas = field(time + "theta.air")*field(time + "rho.air")/RHO_DILUTE
+dust = field(time + "alpha.dust")*2500/RHO_DILUTE
+pP, rhoP = curve("dilute_p"), curve("dilute_rho")
+at = pP[0] > 0.2
+row("dilute, place of the shock [m]", front(pP[0][at], pP[1][at], 1.66),
+    front(x, p, 1.66))
+row("dilute, pressure at 0.14 to 0.17 m [atm]", mean(*pP, 0.14, 0.17),
+    mean(x, p, 0.14, 0.17))
+gasP = rhoP[:, rhoP[1] > 2]
+gasP = gasP[:, np.argsort(gasP[0])]
+at = gasP[0] > 0.15
+row("dilute, place of the contact [m]", front(gasP[0][at], gasP[1][at], 3.5),
+    front(x, gas, 3.5))
+row("dilute, density of the gas at 0.135 to 0.155 m", mean(*gasP, 0.135, 0.155),
+    mean(x, gas, 0.135, 0.155))
+
+figure, axes = plt.subplots(1, 2, figsize=(10, 3.8), constrained_layout=True)
+panel(axes[0], "pressure [atm]", pP, x, p)
+panel(axes[1], "density over that of the gas on the right", rhoP, x, gas, "gas")
+axes[1].plot(x, dust, "C3", label="dust, mass per volume")
+for ax in axes:
+    ax.set_xlabel("x [m]")
+    ax.legend(fontsize=8)
+figure.suptitle("Few grains of 10 um, 10 atm on 1 atm, 200 us")
+figure.savefig("dilute.png", dpi=130)
+
+# Dense
+n, L, time = 288, 0.24, "dense/0.0001/"
+x = (np.arange(n) + 0.5)*L/n
+theta = field(time + "theta.air")
+p = theta*field(time + "p")/ATM
+gas = theta*field(time + "rho.air")
+dust = field(time + "alpha.dust")*1470
+there = dust > 0.5*588
+uG, uS = field(time + "U.air")[:, 0], field(time + "Umean.dust")[:, 0]
+TG, TS = field(time + "T.air"), field(time + "Tmean.dust")
+published = {q: curve("dense_" + q) for q in ("p_g", "rho_g", "rho_p", "U_g", "U_p", "T_g", "T_p")}
+u = published["U_p"][:, np.argsort(published["U_p"][0])]
+u = u[:, u[0] > 0.046]
+row("dense, place of the compaction front [m]", front(*u, 17), front(x, uS, 17))
+row("dense, place of the bed's edge [m]",
+    np.median(published["rho_p"][0][published["rho_p"][0] < 0.0373]), x[np.argmax(dust > 400)])
+for what, q, values, low, high in (
+        ("density of the grains [kg/m3]", "rho_p", dust, 0.039, 0.045),
+        ("velocity of the grains [m/s]", "U_p", uS, 0.039, 0.045),
+        ("velocity of the gas before the bed [m/s]", "U_g", uG, 0.015, 0.034),
+        ("partial pressure of the gas before the bed [atm]", "p_g", p, 0.015, 0.034),
+        ("partial pressure of the gas in the bed [atm]", "p_g", p, 0.0405, 0.0455),
+        ("temperature of the gas before the bed [K]", "T_g", TG, 0.015, 0.034),
+        ("temperature of the gas in the bed [K]", "T_g", TG, 0.0405, 0.045),
+        ("temperature of the grains [K]", "T_p", TS, 0.039, 0.045)):
+    row("dense, " + what, mean(*published[q], low, high), mean(x, values, low, high))
+print(f"dense, largest fraction of the grains {dust.max()/1470:.4f}")
+
+figure, axes = plt.subplots(2, 2, figsize=(10, 7), constrained_layout=True)
+panel(axes[0, 0], "partial pressure of the gas [atm]", published["p_g"], x, p)
+panel(axes[0, 1], "mass per volume [kg/m3]", published["rho_p"], x, dust, "grains", "C3")
+panel(axes[0, 1], "mass per volume [kg/m3]", published["rho_g"], x, gas, "gas")
+panel(axes[1, 0], "velocity [m/s]", published["U_p"], x[there], uS[there], "grains", "C3")
+panel(axes[1, 0], "velocity [m/s]", published["U_g"], x, uG, "gas")
+panel(axes[1, 1], "temperature [K]", published["T_p"], x[there], TS[there], "grains", "C3")
+panel(axes[1, 1], "temperature [K]", published["T_g"], x, TG, "gas")
+for ax in axes.flat:
+    ax.set_xlim(0, 0.06)
+    ax.set_xlabel("x [m]")
+    handles, labels = ax.get_legend_handles_labels()
+    unique = dict(zip(labels, handles))
+    ax.legend(unique.values(), unique.keys(), fontsize=8)
+axes[1, 0].set_ylim(-5, 110)
+axes[1, 1].set_ylim(265, 325)
+figure.suptitle("Bed of 0.4 by volume, grains of 5 um, 100 atm on 1 atm, 100 us")
+figure.savefig("dense.png", dpi=130)
