@@ -85,7 +85,7 @@ TEST_CASE("heat: constant")
 
 TEST_CASE("granular pressure: Johnson-Jackson")
 {
-    IStringStream is("type JohnsonJackson; alphaMin 0.5; alphaMax 0.65; delta 0.01;");
+    IStringStream is("type JohnsonJackson; alphaMin 0.5; alphaMax 0.65;");
     const granularPressure law{dictionary(is)};
     CHECK(law.p(0.5) == 0);
     CHECK(law.slope(0.45) == 0);

@@ -89,9 +89,9 @@ there = dust > 0.5*588
 uG, uS = field(time + "U.air")[:, 0], field(time + "Umean.dust")[:, 0]
 TG, TS = field(time + "T.air"), field(time + "Tmean.dust")
 published = {q: curve("dense_" + q) for q in ("p_g", "rho_g", "rho_p", "U_g", "U_p", "T_g", "T_p")}
-u = published["U_p"][:, np.argsort(published["U_p"][0])]
-u = u[:, u[0] > 0.046]
-row("dense, place of the compaction front [m]", front(*u, 17), front(x, uS, 17))
+u = published["U_p"]
+at = (u[1] > 8) & (u[1] < 40)
+row("dense, place of the compaction front [m]", np.median(u[0][at]), front(x, uS, 24))
 row("dense, place of the bed's edge [m]",
     np.median(published["rho_p"][0][published["rho_p"][0] < 0.0373]), x[np.argmax(dust > 400)])
 for what, q, values, low, high in (

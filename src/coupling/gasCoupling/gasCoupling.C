@@ -87,15 +87,20 @@ void Foam::mpm::gasCoupling::sumPoints(const bool withDilation)
         );
         if (pushes)
         {
-            faceNew_ += face;
-            cell_ += cell;
+            forAll(face, i)
+            {
+                faceNew_[i] += face[i];
+            }
+            forAll(cell, i)
+            {
+                cell_[i] += cell[i];
+            }
             sumFaces(face);
             sums_.sum(cell.data(), pointKernels::cellStride);
         }
     }
     sumFaces(faceNew_);
     sums_.sum(cell_.data(), pointKernels::cellStride);
-    updateWaveRate();
 }
 
 

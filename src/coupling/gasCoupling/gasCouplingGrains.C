@@ -31,42 +31,22 @@ void Foam::mpm::gasCoupling::readGranular
     grainFace_[phasei].setSize(face_.size(), scalar(0));
     grainCell_[phasei].setSize(cell_.size(), scalar(0));
     pGrains_.setSize(mesh_.nCells());
-}
 
-
-void Foam::mpm::gasCoupling::updateWaveRate()
-{
-    // c^2 = (dp_s/da)/rho of the fastest cell
+    // The stiffest packing sets the time step from the start: a step may
+    // close a bed
+    const scalar c = std::sqrt
+    (
+        granular_[phasei].slope(1)/points_.phases()[phasei].rho()
+    );
     scalar rate = 0;
-    bool some = false;
-    forAll(granular_, phasei)
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
     {
-        if (!granular_.set(phasei))
+        for (int d = 0; d < sums_.grid().nDim(); ++d)
         {
-            continue;
-        }
-        some = true;
-        const scalarList& cell = grainCell_[phasei];
-        const scalar rho = points_.phases()[phasei].rho();
-        forAll(pGrains_, c)
-        {
-            const label at = pointKernels::cellStride*sums_.place(c);
-            const scalar slope = granular_[phasei].slope
-            (
-                cell[at + pointKernels::fraction]/mesh_.V()[c]
-            );
-            if (slope > 0)
-            {
-                scalar h = GREAT;
-                for (int d = 0; d < sums_.grid().nDim(); ++d)
-                {
-                    h = min(h, sums_.grid().width(c, d));
-                }
-                rate = max(rate, std::sqrt(slope/rho)/h);
-            }
+            rate = max(rate, c/sums_.grid().width(celli, d));
         }
     }
-    waveRate_ = some ? returnReduce(rate, maxOp<scalar>()) : 0;
+    waveRate_ = max(waveRate_, returnReduce(rate, maxOp<scalar>()));
 }
 
 

@@ -25,7 +25,7 @@ Foam::mpm::granularPressure::granularPressure(const dictionary& dict)
     Fr_(boundedOrDefault(dict, "Fr", 0.1, VSMALL, GREAT)),
     eta_(boundedOrDefault(dict, "eta", 2, 1, 10)),
     n_(boundedOrDefault(dict, "n", 5, 0, 10)),
-    delta_(boundedOrDefault(dict, "delta", 0.005, 1e-6, 0.9*(max_ - min_)))
+    delta_(boundedOrDefault(dict, "delta", 0.01, 1e-6, 0.9*(max_ - min_)))
 {
     oneOf(dict, "type", {"JohnsonJackson"});
     checkKeywords
