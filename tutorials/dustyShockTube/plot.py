@@ -48,9 +48,9 @@ def exactPressure(x, t, star):
     p, u, speed = star
     c = np.sqrt(GAS*P_LEFT/(10*RHO_RIGHT))
     xi = (x - X0)/t
-    fan = P_LEFT*(2/(GAS + 1) - (GAS - 1)/(GAS + 1)*xi/c)**(2*GAS/(GAS - 1))
-    return np.where(xi < -c, P_LEFT, np.where(xi < speed, np.maximum(np.minimum(fan, P_LEFT), p),
-                                              P_RIGHT))
+    cFan = np.clip(2/(GAS + 1) - (GAS - 1)/(GAS + 1)*xi/c, 0, 1)
+    fan = np.maximum(P_LEFT*cFan**(2*GAS/(GAS - 1)), p)
+    return np.where(xi < speed, fan, P_RIGHT)
 
 
 frozen, equilibrium = starState(*FROZEN), starState(*EQUILIBRIUM)

@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 ATM = 101298.0
-RHO_DILUTE = 1.30632931             # density of the gas on the right, 270.19 K
+RHO_DILUTE = 1.293                 # density of the gas on the right [kg/m3]
 
 
 def field(path):
@@ -49,12 +49,20 @@ def row(what, published, own):
 
 
 # Dilute
-n, L, time = 400, 0.258, "dilute/0.0002/"
+n, L, time = 400, 0.258, "dilute/0.0001842/"
 x = (np.arange(n) + 0.5)*L/n
 p = field(time + "p")/ATM
 gas = field(time + "theta.air")*field(time + "rho.air")/RHO_DILUTE
-dust = field(time + "alpha.dust")*2500/RHO_DILUTE
+dust = (1 - field(time + "theta.air"))*2500/RHO_DILUTE
 pP, rhoP = curve("dilute_p"), curve("dilute_rho")
+
+# The expansion fan is in gas alone: u - c = (x - x0)/t, u + 5 c = 5 c0
+fan = (pP[1] > 4) & (pP[1] < 9) & (pP[0] < 0.115)
+ratio = (pP[1][fan]/pP[1][pP[1] > 9.9].mean())**(1/7)
+ct = np.median((0.129 - pP[0][fan])/(ratio - 5*(1 - ratio)))
+l = 4/3*1e-5*2500/RHO_DILUTE
+print(f"dilute, time of the published fan {ct/(np.sqrt(1.4)*l):.3f} l/u,"
+      f" l {l:.6f} m, l/u {l/np.sqrt(ATM/RHO_DILUTE)*1e6:.2f} us")
 at = pP[0] > 0.2
 row("dilute, place of the shock [m]", front(pP[0][at], pP[1][at], 1.66),
     front(x, p, 1.66))
@@ -75,17 +83,17 @@ axes[1].plot(x, dust, "C3", label="dust, mass per volume")
 for ax in axes:
     ax.set_xlabel("x [m]")
     ax.legend(fontsize=8)
-figure.suptitle("Few grains of 10 um, 10 atm on 1 atm, 200 us")
+figure.suptitle("Few grains of 10 um, 10 atm on 1 atm, 184 us")
 figure.savefig("dilute.png", dpi=130)
 
 # Dense
-n, L, time = 288, 0.24, "dense/0.0001/"
+n, L, time = 576, 0.12, "dense/0.0001/"
 x = (np.arange(n) + 0.5)*L/n
 theta = field(time + "theta.air")
-p = theta*field(time + "p")/ATM
+p = field(time + "p")/ATM
 gas = theta*field(time + "rho.air")
-dust = field(time + "alpha.dust")*1470
-there = dust > 0.5*588
+dust = (1 - theta)*1470
+there = field(time + "alpha.dust") > 0
 uG, uS = field(time + "U.air")[:, 0], field(time + "Umean.dust")[:, 0]
 TG, TS = field(time + "T.air"), field(time + "Tmean.dust")
 published = {q: curve("dense_" + q) for q in ("p_g", "rho_g", "rho_p", "U_g", "U_p", "T_g", "T_p")}
@@ -98,16 +106,18 @@ for what, q, values, low, high in (
         ("density of the grains [kg/m3]", "rho_p", dust, 0.039, 0.045),
         ("velocity of the grains [m/s]", "U_p", uS, 0.039, 0.045),
         ("velocity of the gas before the bed [m/s]", "U_g", uG, 0.015, 0.034),
-        ("partial pressure of the gas before the bed [atm]", "p_g", p, 0.015, 0.034),
-        ("partial pressure of the gas in the bed [atm]", "p_g", p, 0.0405, 0.0455),
+        ("pressure of the gas before the bed [atm]", "p_g", p, 0.015, 0.034),
+        ("pressure of the gas in the bed [atm]", "p_g", p, 0.043, 0.0465),
         ("temperature of the gas before the bed [K]", "T_g", TG, 0.015, 0.034),
-        ("temperature of the gas in the bed [K]", "T_g", TG, 0.0405, 0.045),
+        ("temperature of the gas in the bed [K]", "T_g", TG, 0.043, 0.047),
         ("temperature of the grains [K]", "T_p", TS, 0.039, 0.045)):
     row("dense, " + what, mean(*published[q], low, high), mean(x, values, low, high))
-print(f"dense, largest fraction of the grains {dust.max()/1470:.4f}")
+half = (published["p_g"][1] > 33) & (published["p_g"][1] < 41)
+row("dense, half of the pressure at [m]", np.median(published["p_g"][0][half]),
+    front(x, p, 37))
 
 figure, axes = plt.subplots(2, 2, figsize=(10, 7), constrained_layout=True)
-panel(axes[0, 0], "partial pressure of the gas [atm]", published["p_g"], x, p)
+panel(axes[0, 0], "pressure of the gas [atm]", published["p_g"], x, p)
 panel(axes[0, 1], "mass per volume [kg/m3]", published["rho_p"], x, dust, "grains", "C3")
 panel(axes[0, 1], "mass per volume [kg/m3]", published["rho_g"], x, gas, "gas")
 panel(axes[1, 0], "velocity [m/s]", published["U_p"], x[there], uS[there], "grains", "C3")

@@ -392,7 +392,7 @@ def dense(table):
                                           "alphaMax": 0.65})},
         {"dust": {"type": "box", "min": (x0, -1, -1), "max": (L, 1, 1),
                   "volumeFraction": alpha, "temperature": R*T}},
-        gas={"mu": 1.81e-5, "Pr": 0.71, "poreFloor": 1e-3}, ends=WALL, ppc=4,
+        gas={"mu": 1.81e-5, "Pr": 0.71, "poreFloor": 1e-3}, ends=OPEN, ppc=4,
         numerics={"PICfraction": 0.1}, control={"reportInterval": 20})
     case.run("materialPointFoam", limit=300)
     time = case.timeName(end)
