@@ -20,8 +20,8 @@ Foam::scalar Foam::mpm::granularPressure::formula(const scalar a) const
 
 Foam::mpm::granularPressure::granularPressure(const dictionary& dict)
 :
-    min_(bounded(dict, "alphaMin", 0, 1)),
-    max_(bounded(dict, "alphaMax", min_ + 1e-3, 1)),
+    min_(bounded(dict, "alphaMin", 0, 0.98)),
+    max_(bounded(dict, "alphaMax", min_ + 0.02, 1)),
     Fr_(boundedOrDefault(dict, "Fr", 0.1, VSMALL, GREAT)),
     eta_(boundedOrDefault(dict, "eta", 2, 1, 10)),
     n_(boundedOrDefault(dict, "n", 5, 0, 10)),
