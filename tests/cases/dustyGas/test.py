@@ -2,7 +2,9 @@
 """Grains in a gas (volumeModel grains): exact values, published curves.
 
 move       grains that go with the gas: uniform pressure
+push       a packed disc that its granular pressure drives apart: momentum
 sound      speed of sound in equilibrium, oblique wave in 2D
+skeleton   grains with an elastic law: standing wave of skeleton and gas
 wall       mixture into a wall at 100 m/s: equilibrium shock of a Noble-Abel gas
 heat       heat exchange in a closed box: energy, relaxation
 miura      Miura & Glass' shock tube: frozen shock at first, equilibrium late
@@ -98,6 +100,29 @@ def move(table):
                   max(g["ThetaMax"].max() - 1, 1 - g["ThetaMin"].min()), 1e-3, "atMost")
 
 
+# --- push --------------------------------------------------------------------
+
+def push(table):
+    n, h, U = 30, 1e-2, np.array([10.0, 5.0, 0.0])
+    case = coupledCase(
+        "dustyGas", "push", (n, n, 1), (n*h, n*h, h),
+        lambda x, y, z: (RHO0 + 0*x, np.tile(U, (len(x), 1)), P0 + 0*x), 5e-3,
+        {"dust": grains(2500.0, drag={"type": "stick"}, granularPressure={
+            "type": "JohnsonJackson", "alphaMin": 0.5, "alphaMax": 0.65})},
+        {"dust": {"type": "cylinder", "point1": (0.15, 0.15, -1),
+                  "point2": (0.15, 0.15, 1), "radius": 0.08, "volumeFraction": 0.638,
+                  "velocity": U}}, patches={**PERIODIC, **PERIODIC_Y}, control=EVERY)
+    case.run("materialPointFoam")
+    g = gasLog(case)
+    total = (g["momentum"] + g["pointMomentum"])[:, :2]
+    gained = g["kinetic"][-1]/(0.5*np.linalg.norm(g["pointMomentum"][0])
+                               *np.linalg.norm(U))
+    table.row("disc under granular pressure: change of momentum of all over the dust's", 0,
+              np.max(abs(total - total[0]))/np.max(abs(g["pointMomentum"])), 1e-12, "atMost")
+    table.row("disc under granular pressure: its kinetic energy over that at the start",
+              1, gained, 1.05, "atLeast")
+
+
 # --- sound -------------------------------------------------------------------
 
 SHARE, RHO_S = 1e-2, 2700.0
@@ -143,6 +168,37 @@ def sound(table):
     for two, m in ((False, 50), (True, 25)):
         table.row(f"speed of sound, order, {m} to {2*m} cells{', 2D' if two else ''}", 1,
                   np.log2(abs(errors[two, m]/errors[two, 2*m])), 1, "atLeast")
+
+
+# --- skeleton ----------------------------------------------------------------
+
+def skeleton(table):
+    """The law's stress acts beside the pressure of the gas, which the grains squeeze
+    as if they were incompressible: rho_m c^2 = theta_s E + gamma P/theta_g. A standing
+    wave that starts with u = U sin(kx) has u ~ cos(wt), p ~ -sin(wt) cos(kx)."""
+    share, rhoS, E, n, k = 0.5, 1000.0, 4e5, 100, 2*np.pi
+    thetaG = 1 - (1 - EPS)*share
+    c = np.sqrt((share*E + GAMMA*P0/thetaG)/(share*rhoS + thetaG*RHO0))
+    amplitude = 1e-4*c
+
+    def u(x, y):
+        return amplitude*np.sin(k*x)[:, None]*np.array([1.0, 0, 0])
+    case = coupledCase(
+        "dustyGas", "skeleton", (n, 1, 1), (1, 0.01, 0.01),
+        lambda x, y, z: (RHO0 + 0*x, u(x, y), P0 + 0*x), 1/c,
+        {"dust": {"volumeModel": "grains", "drag": {"type": "stick"},
+                  "constitutiveModel": {"type": "linearElastic", "rho": rhoS, "E": E,
+                                        "nu": 0}}},
+        {"dust": {"type": "cells", "volumeFraction": share}}, patches=PERIODIC)
+    setVelocity(case, u)
+    case.run("materialPointFoam")
+    time = case.timeName(1/c)
+    x = (np.arange(n) + 0.5)/n
+    v = np.mean(volField(case, time, "U.air")[:, 0]*np.sin(k*x))/amplitude
+    p = np.mean((volField(case, time, "p") - P0)*np.cos(k*x))
+    p /= -GAMMA*P0/thetaG*amplitude/c
+    table.row("skeleton of grains and gas, 100 cells: speed of sound [m/s]", c,
+              c*(1 + np.arctan2(p, v)/(2*np.pi)), 5e-3, "relative")
 
 
 # --- wall --------------------------------------------------------------------
@@ -491,7 +547,7 @@ def ranks(table):
 
 def main():
     table = Report("dustyGas")
-    for part in (move, sound, wall, heat, miura, dilute, dense, ranks):
+    for part in (move, push, sound, skeleton, wall, heat, miura, dilute, dense, ranks):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
