@@ -103,7 +103,7 @@ def move(table):
 # --- push --------------------------------------------------------------------
 
 def push(table):
-    n, h, U = 30, 1e-2, np.array([10.0, 5.0, 0.0])
+    n, h, U = 30, 1e-2, np.array([1.0, 0.5, 0.0])
     case = coupledCase(
         "dustyGas", "push", (n, n, 1), (n*h, n*h, h),
         lambda x, y, z: (RHO0 + 0*x, np.tile(U, (len(x), 1)), P0 + 0*x), 5e-3,
