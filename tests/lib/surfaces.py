@@ -2,8 +2,6 @@
 
 import os
 
-import numpy as np
-
 
 def prisms(case, name, polygons, low=-1.0, high=2.0):
     """constant/triSurface/<name>: convex polygons, corners (x, y) anticlockwise,
@@ -32,9 +30,3 @@ def surfaceRegion(name, **more):
     return {"type": "surface", "surface": {"type": "triSurfaceMesh", "file": f'"{name}"'},
             **more}
 
-
-def box(x, y, angle, centre):
-    """Corners of a rectangle of the sides x and y, turned by an angle [degrees]."""
-    c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
-    return [(centre[0] + c*a - s*b, centre[1] + s*a + c*b)
-            for a, b in ((-x/2, -y/2), (x/2, -y/2), (x/2, y/2), (-x/2, y/2))]

@@ -8,7 +8,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from mode import B, RHO, SPEED, T, W, shape
+from mode import B, C0, L, RHO, RHO0, SPEED, T, W, firstOrderLoss, shape
 
 NUMBER = r"([-+\d.e]+)"
 AREA = 1e-4
@@ -57,8 +57,12 @@ for case, label in CASES:
     points = log(case, "^Energy: kinetic .* total N").ravel()
     all_ = gas + points
     kinetic = 0.5*RHO*B*AREA*MEAN**2
+    steps = log(case, "^deltaT = N").size
+    with open(os.path.join(case, "system/blockMeshDict")) as f:
+        n = int(re.search(r"^n\s+(\d+);", f.read(), re.M)[1])
+    first = firstOrderLoss(n, t[-1]/steps, 4*T)
     print(f"{label:26s} period {100*(period(t, u)/T - 1):+.4f} %, kinetic energy lost in four"
-          f" periods {100*(1 - left(t, u)**2):6.2f} %, energy of all"
+          f" periods {100*(1 - left(t, u)**2):5.2f} % (first order {100*first:5.2f}), energy of all"
           f" {(all_[-1] - all_[0])/kinetic:+.1e} of it, mass {abs(mass/mass[0] - 1).max():.0e}")
 
 figure, axes = plt.subplots(2, 1, figsize=(8.5, 6.5), sharex=True, constrained_layout=True)
@@ -71,7 +75,6 @@ axes[0].legend(fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1), ncol=4)
 probe = np.loadtxt("postProcessing/walls/0/p")
 axes[1].plot(probe[:, 0]/T, (probe[:, 1] - 1e5)*1e-3, "C0-", lw=1, label="left wall")
 axes[1].plot(probe[:, 0]/T, (probe[:, 2] - 1e5)*1e-3, "C1-", lw=1, label="right wall")
-from mode import C0, L, RHO0  # noqa: E402
 wall = RHO0*C0*SPEED/np.sin(W*L/C0)*np.sin(W*probe[:, 0])
 axes[1].plot(probe[:, 0]/T, -wall*1e-3, "k:", lw=1, label="exact")
 axes[1].plot(probe[:, 0]/T, wall*1e-3, "k:", lw=1)
