@@ -5,8 +5,9 @@
 
 Air of 1e5 Pa and 1.2 kg/m3; linear elastic points (nu 0) that start with the
 pressure of the air; sides cyclic or walls with slip; the time step is fixed by the
-Courant number of the points; prepare(case) may add files. figures(case) reads pressures, Theta, fix-ups, masses,
-momenta and energies of every report from the log.
+Courant number of the points; prepare(case) may add files. figures(case) reads Theta,
+fix-ups, masses, momenta and energies of every report from the log, and of every step
+the least and largest pressure and the largest speed of the gas.
 """
 
 import re
@@ -80,7 +81,11 @@ def blockInGas(group, name, nDim, n, region, velocity=(0, 0, 0), steps=500, h=1e
         "shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.01}})
     dt = Co*h/(np.sqrt(E/rho) + np.max(abs(v)))
     case.write("system/controlDict", {
-        **controlDict(steps*dt, steps*dt, deltaT=dt),
+        **controlDict(steps*dt, steps*dt, deltaT=dt, functions={
+            name: {"type": "fieldMinMax", "libs": "(fieldFunctionObjects)",
+                   "fields": [field], "location": False, "log": False,
+                   "writeControl": "timeStep", "writeInterval": 1}
+            for name, field in (("pressure", "p"), ("speed", "U.air"))}),
         "reportInterval": max(1, steps//reports)})
     if prepare:
         prepare(case)
@@ -101,7 +106,8 @@ def figures(case):
 
     number = r"([-\d.e+]+)"
     return {
-        "p": numbers(rf"^    p {number} to {number},"),
+        "p": case.series("pressure", "fieldMinMax.dat")[:, 1:],
+        "speed": case.series("speed", "fieldMinMax.dat")[:, 2],
         "Theta": numbers(rf"^Theta: min {number}, max {number}"),
         "fixups": numbers(r"limited (\d+), theta kept (\d+), isentropic (\d+)"),
         "gasMass": numbers(rf"^Gas air: mass {number}"),

@@ -143,10 +143,10 @@ void Foam::mpm::gasCoupling::limitFaceDrag()
     const labelUList& nei = mesh_.faceNeighbour();
     forAll(thetaS_, f)
     {
-        largest[own[f]] = max(largest[own[f]], thetaS_[f]);
+        largest[own[f]] = max(largest[own[f]], dragLimit_[f]);
         if (f < nei.size())
         {
-            largest[nei[f]] = max(largest[nei[f]], thetaS_[f]);
+            largest[nei[f]] = max(largest[nei[f]], dragLimit_[f]);
         }
     }
     scalarField behind(mesh_.nFaces() - mesh_.nInternalFaces());
@@ -186,14 +186,16 @@ void Foam::mpm::gasCoupling::prepareFaces(const scalar dt)
         if (sumOld <= 0 && sumNow <= 0)
         {
             thetaS0_[f] = thetaS_[f] = phiS_[f] = uS_[f] = 0;
+            dragLimit_[f] = 0;
             continue;
         }
 
         const scalar V = mesh_.V()[mesh_.faceOwner()[f]];
         const scalar S = mag(mesh_.faceAreas()[f]);
         const scalar mean = 0.5*(1 - eps_)*(sumOld + sumNow)/V;
-        thetaS0_[f] = min((1 - eps_)*sumOld/V, 1 - eps_);
-        thetaS_[f] = min(mean, 1 - eps_);
+        thetaS0_[f] = min((1 - eps_)*sumOld/V, 1 - 0.5*eps_);
+        thetaS_[f] = min(mean, 1 - 0.5*eps_);
+        dragLimit_[f] = mean;
 
         // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
         // adds up in the gas fraction
@@ -360,7 +362,7 @@ void Foam::mpm::gasCoupling::force()
         if (theta > 0)
         {
             const int d = sums_.direction(f);
-            const scalar clip = min(scalar(1), (1 - eps_)/theta);
+            const scalar clip = min(scalar(1), (1 - 0.5*eps_)/theta);
             G_[sums_.nPlaces()*d + sums_.facePlace(f)] =
                 (1 - eps_)*clip*sums_.sign(f)*(pN - pO)
                *mag(mesh_.faceAreas()[f])/mesh_.V()[mesh_.faceOwner()[f]];

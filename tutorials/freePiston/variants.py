@@ -1,0 +1,63 @@
+"""The same on other meshes, without drag, with other forms of it, in variants/."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+#: cells, drag, faceDrag, scheme of the gas(, poreFloor)
+VARIANTS = {
+    "none50": (50, "type none;", 3, "upwind"), "none100": (100, "type none;", 3, "upwind"),
+    "none200": (200, "type none;", 3, "upwind"),
+    "none100vanLeer": (100, "type none;", 3, "vanLeer"),
+    "none100pores": (100, "type none;", 3, "vanLeer", 0.001),
+    "stick50": (50, "type stick;", 3, "upwind"), "stick200": (200, "type stick;", 3, "upwind"),
+    "stick100face1": (100, "type stick;", 1, "upwind"),
+    "stick100face0": (100, "type stick;", 0, "upwind"),
+    "stick100vanLeer": (100, "type stick;", 3, "vanLeer"),
+    "weak100": (100, "type constant; value 1e4;", 3, "upwind"),
+    "middle100": (100, "type constant; value 1e6;", 3, "upwind")}
+
+
+def replace(path, pattern, text):
+    with open(path) as f:
+        old = f.read()
+    new, count = re.subn(pattern, text, old, flags=re.M)
+    if not count:
+        sys.exit(f"variants.py: '{pattern}' is not in {path}")
+    with open(path, "w") as f:
+        f.write(new)
+
+
+def run(case, *command):
+    with open(os.path.join(case, "log." + os.path.basename(command[0])), "w") as log:
+        if subprocess.run(command, cwd=case, stdout=log, stderr=subprocess.STDOUT).returncode:
+            sys.exit(f"variants.py: {command[0]} failed, see {log.name}")
+
+
+for name, (cells, drag, face, scheme, *pores) in VARIANTS.items():
+    case = os.path.join("variants", name)
+    shutil.rmtree(case, ignore_errors=True)
+    os.makedirs(os.path.join(case, "0"))
+    for folder in ("constant", "system"):
+        shutil.copytree(folder, os.path.join(case, folder),
+                        ignore=shutil.ignore_patterns("polyMesh"))
+    for field in ("p", "T.air", "U.slab"):
+        shutil.copy(os.path.join("0", field), os.path.join(case, "0"))
+    replace(os.path.join(case, "system/blockMeshDict"), r"^n .*", f"n           {cells};")
+    replace(os.path.join(case, "constant/phaseProperties"), r"drag .*", f"drag {{ {drag} }}")
+    replace(os.path.join(case, "constant/phaseProperties"), r"faceDrag .*",
+            f"faceDrag {face};")
+    if pores:
+        replace(os.path.join(case, "constant/phaseProperties"), r"poreFloor .*",
+                f"poreFloor {pores[0]};")
+    if scheme != "upwind":
+        for field, vector in (("rho", ""), ("U", "V"), ("p", "")):
+            replace(os.path.join(case, "system/fvSchemes"), rf"reconstruct\({field}\).*",
+                    f"reconstruct({field}) {scheme}{vector};")
+    print(f"Running {case}", flush=True)
+    run(case, "blockMesh")
+    run(case, "setMaterialPoints")
+    subprocess.run([sys.executable, "initialVelocity.py", case], check=True)
+    run(case, "materialPointFoam")

@@ -1,0 +1,105 @@
+"""Figures of README.md's table; pictures of the shock on the slab and the disc."""
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+import fields
+
+GAMMA, R, P1, T1, MS = 1.4, 287, 1e5, 290, 2
+C1 = np.sqrt(GAMMA*R*T1)
+RHO1 = P1/(R*T1)
+
+
+def behindShock():
+    """p, rho and u behind the shock, p and speed of the one that a wall sends back."""
+    g = GAMMA
+    p2 = P1*(1 + 2*g/(g + 1)*(MS**2 - 1))
+    rho2 = RHO1*(g + 1)*MS**2/((g - 1)*MS**2 + 2)
+    u2 = 2*C1/(g + 1)*(MS - 1/MS)
+    pr = p2*((3*g - 1)*p2 - (g - 1)*P1)/((g - 1)*p2 + (g + 1)*P1)
+    return p2, rho2, u2, pr, (pr - p2)/(rho2*u2) - u2
+
+
+P2, RHO2, U2, PR, W = behindShock()
+
+# --- slab: 1D
+n, face = 400, 0.80075
+arrival = face/(MS*C1)
+x = (np.arange(n) + 0.5)/n
+last = fields.times("slab")[-1]
+p = fields.cells("slab", last, "p", n, 1)
+back = W*(float(last) - arrival)         # way of the reflected shock
+window = (x > face - 0.8*back) & (x < face - 0.02)
+middle = np.nonzero(p > 0.5*(P2 + PR))[0][0]
+found = x[middle - 1] + (0.5*(P2 + PR) - p[middle - 1])/(p[middle] - p[middle - 1])/n
+largest = fields.log("slab", "^    p N to N,")[:, 1].max()
+Theta = fields.log("slab", "^Theta: min N, max N")
+print(f"slab: reflected pressure {p[window].mean()*1e-5:.4f} bar, exact {PR*1e-5:.4f}"
+      f" ({100*(p[window].mean()/PR - 1):+.3f} %)")
+print(f"slab: largest pressure ever {100*(largest/PR - 1):+.2f} % of it")
+print(f"slab: speed of the reflected shock {(face - found)/(float(last) - arrival):.1f} m/s,"
+      f" exact {W:.1f}")
+print(f"slab: fix-ups {fields.fixups('slab'):.0f}, Theta {Theta.min():.6f} to"
+      f" {Theta.max():.6f}")
+figure, axes = plt.subplots(1, 2, figsize=(12, 4.5), constrained_layout=True)
+for time, color in zip([t for t in fields.times("slab") if float(t) in
+                        (0.6e-3, 1.0e-3, 1.4e-3, 1.8e-3)], ("C0", "C1", "C2", "C3")):
+    t = float(time)
+    line = fields.cells("slab", time, "p", n, 1)*1e-5
+    gas = x < face
+    axes[0].plot(x[gas], line[gas], color, lw=1.5, label=f"{t*1e3:.1f} ms")
+    if t < arrival:
+        s = MS*C1*t
+        axes[0].plot([0, s, s, face], np.array([P2, P2, P1, P1])*1e-5, "k:", lw=1)
+    else:
+        s = face - W*(t - arrival)
+        axes[0].plot([0, s, s, face], np.array([P2, P2, PR, PR])*1e-5, "k:", lw=1)
+axes[0].axvspan(face, 1, color="0.85")
+axes[0].text(0.5*(face + 1), 8, "slab", ha="center")
+axes[0].set_xlabel("x [m]")
+axes[0].set_ylabel("pressure of the air [bar]; dotted: exact")
+axes[0].legend(fontsize=8)
+probe = np.loadtxt("slab/postProcessing/front/0/p")
+for column, place in ((1, 0.65), (2, 0.75), (3, 0.798)):
+    axes[1].plot(probe[:, 0]*1e3, probe[:, column]*1e-5, lw=1, label=f"x = {place} m")
+axes[1].axhline(PR*1e-5, color="k", ls=":", lw=1)
+axes[1].set_xlabel("time [ms]")
+axes[1].set_ylabel("pressure of the air [bar]")
+axes[1].legend(fontsize=8)
+figure.savefig("slab.png", dpi=130)
+
+# --- disc: 2D
+nx, ny = 160, 120
+p = fields.cells("cylinder", fields.times("cylinder")[-1], "p", nx, ny)
+v = fields.cells("cylinder", fields.times("cylinder")[-1], "U.air", nx, ny)
+print(f"disc: |p - p mirrored|/p2 {np.abs(p - p[::-1]).max()/P2:.1e}, |v + v mirrored|/u2"
+      f" {np.abs(v[..., 1] + v[::-1, :, 1]).max()/U2:.1e}")
+extremes = fields.log("cylinder", "^    p N to N,")
+print(f"disc: least pressure {extremes[:, 0].min()/P1:.3f} p1, largest"
+      f" {extremes[:, 1].max()/PR:.3f} of the pressure at a plane wall; fix-ups"
+      f" {fields.fixups('cylinder'):.0f}")
+nose = np.loadtxt("cylinder/postProcessing/nose/0/p")
+print(f"disc: 2.5 mm before the nose at most {nose[:, 1].max()*1e-5:.2f} bar")
+
+figure, axes = plt.subplots(2, 2, figsize=(11.5, 8.6), sharex=True, sharey=True,
+                            constrained_layout=True)
+edges = np.arange(nx + 1), np.arange(ny + 1)
+angle = np.linspace(0, 2*np.pi, 200)
+for ax, wanted in zip(axes.ravel(), (0.08e-3, 0.12e-3, 0.16e-3, 0.2e-3)):
+    time = min(fields.times("cylinder"), key=lambda t: abs(float(t) - wanted))
+    image = ax.pcolormesh(*edges, fields.cells("cylinder", time, "p", nx, ny)*1e-5,
+                          cmap="turbo", vmin=1, vmax=12, rasterized=True)
+    ax.fill(60 + 20*np.cos(angle), 60 + 20*np.sin(angle), "0.7", ec="k", lw=0.6)
+    ax.axvline(MS*C1*float(time)*1e3, color="w", ls=":", lw=1)
+    ax.set_title(f"{float(time)*1e3:.2f} ms", fontsize=10)
+    ax.set_aspect("equal")
+    ax.set_xlim(0, nx)
+for ax in axes[-1]:
+    ax.set_xlabel("x [mm]")
+for ax in axes[:, 0]:
+    ax.set_ylabel("y [mm]")
+figure.colorbar(image, ax=axes, label="pressure of the air [bar]; dotted: place of the free"
+                " shock", pad=0.01)
+figure.savefig("cylinder.png", dpi=130)
