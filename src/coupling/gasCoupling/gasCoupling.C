@@ -13,6 +13,7 @@ License
 #include "coupledPolyPatch.H"
 #include "syncTools.H"
 #include <algorithm>
+#include <numeric>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -220,6 +221,9 @@ Foam::mpm::gasCoupling::gasCoupling
     J_(mesh_.nCells(), Zero),
     Q_(mesh_.nCells(), 0),
     Kc_(mesh_.nCells(), 0),
+    push_(points.phases().size(), Zero),
+    books_(false),
+    rigidWork_(0),
     seconds_(0)
 {
     bool normalOnly = false;
@@ -288,6 +292,12 @@ Foam::mpm::gasCoupling::gasCoupling
         );
     }
     gas_.setTheta(theta);
+    if (points_.booksEnergy())
+    {
+        // The points began before the gas was there
+        needEnergy();
+        book();
+    }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -350,14 +360,22 @@ void Foam::mpm::gasCoupling::force()
         sums_.sum(G_.data() + sums_.nPlaces()*d, 1);
     }
 
-    for (materialPointPhase& phase : points_.phases())
+    forAll(points_.phases(), phasei)
     {
-        if (phase.motion())
-        {
-            continue;
-        }
+        materialPointPhase& phase = points_.phases()[phasei];
         materialPointCloud& cloud = phase.cloud();
         kernels_->gather(cloud, P_.cdata(), G_.cdata());
+        if (phase.motion())
+        {
+            push_[phasei] = Zero;
+            for (int d = 0; d < D; ++d)
+            {
+                const scalar* F = (*cloud.gasForce())[d];
+                push_[phasei][sums_.grid().direction(d)] =
+                    std::accumulate(F, F + cloud.size(), scalar(0));
+            }
+            continue;
+        }
 
         // Dry points hold sigma + P
         if (const column* damage = cloud.damage())
@@ -383,6 +401,10 @@ void Foam::mpm::gasCoupling::depart()
     {
         kernels_->depart(phase.cloud(), faceNew_.data());
     }
+    if (books_)
+    {
+        bookRigid();
+    }
 }
 
 
@@ -404,6 +426,11 @@ void Foam::mpm::gasCoupling::arrive(const scalar dt)
     sumPoints(true);
     prepareFaces(dt);
     face_.swap(faceNew_);
+    if (books_)
+    {
+        bookDry();
+        budget_.rigid += rigidWork_;
+    }
 }
 
 

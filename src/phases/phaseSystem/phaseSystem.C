@@ -9,6 +9,7 @@ License
 #include "phaseSystem.H"
 #include "selector.H"
 #include "fatalMessages.H"
+#include "bookedFailure.H"
 #include "noTraps.H"
 #include "uniformDimensionedFields.H"
 #include "Time.H"
@@ -303,6 +304,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     rate_(0),
     waveRate_(0),
     nRedone_(0),
+    failed_(0),
+    failedBefore_(0),
     dt_(0),
     tentative_(false),
     warned_(false),
@@ -779,6 +782,7 @@ void Foam::mpm::pointPhaseSystem::reject()
         {
             phase.restoreStress();
         }
+        failed_ = failedBefore_;
     }
     tentative_ = false;
 }
@@ -894,13 +898,24 @@ void Foam::mpm::pointPhaseSystem::correctStress
         {
             continue;
         }
+        autoPtr<bookedFailure> booked;
+        if (budget_.active && phase.failure())
+        {
+            booked.reset
+            (
+                new bookedFailure
+                (
+                    *phase.failure(), phase.law(), grid_.nDim()
+                )
+            );
+        }
         const pointPasses::stressResult result
         (
             passes_->correctStress
             (
                 phase.cloud(),
                 phase.law(),
-                phase.failure(),
+                booked ? booked.get() : phase.failure(),
                 dt,
                 fields_[fieldOf_[phasei]].Ustrain(),
                 withForce && !coupling_
@@ -927,6 +942,7 @@ void Foam::mpm::pointPhaseSystem::correctStress
                 << exit(FatalError);
         }
         phase.nFailed() += result.nFailed;
+        failed_ += booked ? booked->gained() : 0;
     }
     if (withForce && !coupling_)
     {
@@ -946,14 +962,6 @@ void Foam::mpm::pointPhaseSystem::couple(pointCoupling& coupling)
             << " a gas, which has to act on the stress of the start of the"
             << " step." << nl << "Valid choice: MUSL" << exit(FatalIOError);
     }
-    if (budget_.active)
-    {
-        FatalIOErrorInFunction
-        (
-            mesh_.solutionDict().subDict("materialPoints")
-        )   << "energyBudget is that of points without a gas; remove it."
-            << exit(FatalIOError);
-    }
     coupling_ = &coupling;
 }
 
@@ -966,12 +974,17 @@ void Foam::mpm::pointPhaseSystem::addImpulse
 {
     gridState& field = fields_[fieldi];
     field.sumColumn(impulse);
-    field.addImpulse(impulse);
+    const scalar work = field.addImpulse(impulse, budget_.active);
+    if (budget_.active)
+    {
+        budget_.step.boundary += returnReduce(work, sumOp<scalar>());
+    }
 }
 
 
 bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
 {
+    failedBefore_ = failed_;
     if (stressUpdate_->early())
     {
         for (materialPointPhase& phase : phases_)

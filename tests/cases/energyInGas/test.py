@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""Energy, momentum and mass of points and gas together, and what a gas does to
+bodies that are held.
+
+budget   residual of the energy of points and gas over what was exchanged (largest
+         change of the energy of the gas, of the points' kinetic and of their stored
+         energy): at most 1 % and falling with the time step, for the plates of
+         spall in air with failure, a shock on a moving block, a free piston
+restart  the budget goes on through a restart
+load     a shock on a body held fixed, one that turns, and a block that flies
+         against it: momentum of gas and points less the impulse of walls and bodies,
+         to rounding; two processors
+"""
+
+import os
+import shutil
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+import plateImpactExact as exact
+from blockInGas import P0, blockInGas
+from coupledCases import TRANSFER, ambient, coupledCase
+from foamCase import RunFailed
+from gasCases import WALL
+from plates import plateCase
+from report import Report
+
+EACH = {"libs": "(mpmFunctionObjects)", "writeControl": "timeStep", "writeInterval": 1}
+BOOKS = {"energy": {"type": "materialPointEnergy", **EACH},
+         "balance": {"type": "materialPointBalance", **EACH}}
+BOOKED = {**TRANSFER, "energyBudget": True}
+
+#: Columns of energy.dat after the time
+KINETIC, STRAIN, TOTAL, TRANSFERRED, BOUNDARY, EXTERNAL, RESIDUAL, FAILURE, GAS, GAINED, \
+    GAS_BOUNDARY, GAS_EXTERNAL, GAS_RIGID, GAS_DRY, GAS_FIXUPS = range(1, 16)
+
+
+def books(case):
+    """Function objects of the balances in a case that is there."""
+    from foamCase import foamText
+    with open(case.file("system/controlDict"), "a") as f:
+        f.write("functions\n{\n" + foamText(BOOKS, 4) + "}\n")
+
+
+def exchanged(e):
+    """Largest change of the energy of gas, motion or strain."""
+    return max(np.max(abs(e[:, GAINED])), np.max(abs(e[:, KINETIC] - e[0, KINETIC])),
+               np.max(abs(e[:, STRAIN] - e[0, STRAIN])))
+
+
+def figures(case, label):
+    e = case.series("energy", "energy.dat")
+    size = exchanged(e)
+    end = e[-1]
+    print(f"{label}: exchanged {size:.4g} J; of it gas {end[GAINED]/size:+.4f}, kinetic "
+          f"{(end[KINETIC] - e[0, KINETIC])/size:+.4f}, strain "
+          f"{(end[STRAIN] - e[0, STRAIN])/size:+.4f}, transfer "
+          f"{end[TRANSFERRED]/size:+.5f}, failure {end[FAILURE]/size:+.5f}, dry "
+          f"{end[GAS_DRY]/size:+.2e}, boundary {end[BOUNDARY]/size:+.2e} "
+          f"{end[GAS_BOUNDARY]/size:+.2e}, rigid {end[GAS_RIGID]/size:+.2e}, fix-ups "
+          f"{end[GAS_FIXUPS]/size:+.2e}; residual {end[RESIDUAL]/size:+.5f}, largest "
+          f"{np.max(abs(e[:, RESIDUAL]))/size:.5f}", flush=True)
+    return np.max(abs(e[:, RESIDUAL]))/size
+
+
+def falling(table, label, runs):
+    """runs: Courant number: largest residual."""
+    steps = sorted(runs, reverse=True)
+    table.row(f"{label}: largest energy residual over exchanged, Courant number"
+              f" {steps[0]}", 0, runs[steps[0]], 1e-2, "atMost")
+    table.check(f"{label}: it falls with the time step",
+                runs[steps[-1]] < 0.75*runs[steps[0]],
+                ", ".join(f"{c}: {runs[c]:.2e}" for c in steps))
+
+
+def spall(table):
+    for label, strength in (("spall in air, elastic", None),
+                            ("spall in air, 400 MPa", 400e6)):
+        runs = {}
+        for Co in (0.4, 0.2):
+            case = plateCase(
+                "energyInGas", f"spall-{strength is not None}-{Co}", 15, BOOKED,
+                3e-6 if strength else 1.2e-6, 3e-6, Co, strength=strength,
+                air={"poreFloor": 1e-2})
+            case.change("system/controlDict", r"^functions\s*\{\s*\}", "")
+            books(case)
+            case.run("materialPointFoam", limit=300)
+            runs[Co] = figures(case, f"{label}, Courant number {Co}")
+        falling(table, label, runs)
+
+
+def block(name, drag, Co, steps, region=None, **more):
+    pressure = np.full((40, 40), P0)
+    pressure[:, :8] = 4*P0
+    case = blockInGas(
+        "energyInGas", name, 2, 40, region or {
+            "type": "box", "min": (12.2e-3, 6.2e-3, -1), "max": (22.3e-3, 16.3e-3, 1)},
+        (50, -30, 0), steps, h=1e-3, E=7e9, Co=Co, drag=drag, gasVelocity=(0, 0, 0),
+        pressure=pressure.ravel(), numerics=BOOKED, **more)
+    case.change("system/controlDict", r"^functions\s*\{\s*\}", "")
+    books(case)
+    return case
+
+
+def shock(table):
+    for label, drag in (("sticking", None), ("no drag", {"type": "none"})):
+        runs = {}
+        for Co, steps in ((0.4, 600), (0.2, 1200)):
+            case = block(f"shock-{label[:2]}-{Co}", drag, Co, steps)
+            case.run("materialPointFoam", limit=300)
+            runs[Co] = figures(case, f"shock on a block, {label}, Courant number {Co}")
+        falling(table, f"shock on a moving block, {label}", runs)
+        mixtureRows(table, f"shock on a moving block, {label}", case)
+
+
+def mixtureRows(table, label, case):
+    m = case.series("balance", "mixture.dat")
+    size = max(np.max(abs(m[:, 3:6])), np.max(abs(m[:, 6:9])))
+    table.row(f"{label}: momentum of all less impulses, over the largest", 0,
+              np.max(abs(m[:, 9:12]))/size, 1e-12, "atMost")
+    table.row(f"{label}: mass of all less what came in", 0,
+              np.max(abs(m[:, 2]))/m[0, 1], 1e-12, "atMost")
+
+
+def piston(table):
+    L, width, rho, E = 0.45, 0.1, 27.0, 7e7
+    for drag in ("none", "stick"):
+        runs = {}
+        for Co in (0.4, 0.2):
+            case = coupledCase(
+                "energyInGas", f"piston-{drag}-{Co}", (100, 1, 1), (1, 0.01, 0.01),
+                lambda x, y, z: (1.2 + 0*x, 0*x, 1e5 + 0*x), 5e-3,
+                {"slab": {"drag": {"type": drag}, "constitutiveModel": {
+                    "type": "linearElastic", "rho": rho, "E": E, "nu": 0}}},
+                {"slab": {"type": "box", "min": (L, 0, 0), "max": (L + width, 1, 1),
+                          "velocity": (5, 0, 0), "stress": ambient(1e5)}},
+                ends=WALL, ppc=4, maxCo=Co, numerics={"energyBudget": True},
+                maxCoGas=Co)
+            case.change("system/controlDict", r"^functions\s*\{\s*\}", "")
+            books(case)
+            case.run("materialPointFoam", limit=300)
+            runs[Co] = figures(case, f"piston, drag {drag}, Courant number {Co}")
+        falling(table, f"free piston, drag {drag}", runs)
+        mixtureRows(table, f"free piston, drag {drag}", case)
+
+
+def main():
+    table = Report("energyInGas")
+    parts = [spall, shock, piston]
+    words = sys.argv[1:]
+    for part in parts:
+        if words and part.__name__ not in words:
+            continue
+        try:
+            part(table)
+        except RunFailed as e:
+            table.check(f"{part.__name__} runs", False, e)
+    return table.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
