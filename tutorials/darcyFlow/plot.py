@@ -20,7 +20,8 @@ LENGTH, AREA = 0.2, 1e-4
 def field(time, name):
     with open(f"{time}/{name}") as f:
         text = f.read()
-    inner = text[text.index("internalField"):]
+    inner = text[re.search("internalField|value", text[text.index("dimensions"):]).start()
+                 + text.index("dimensions"):]
     count = re.search(r"List<\w+>\s*(\d+)\s*\(", inner)
     body = inner[count.end():]
     values = body[:re.search(r"\)\s*;", body).start()].translate(str.maketrans("()", "  "))
@@ -31,36 +32,41 @@ def exact(x, x2, p2, G):
     return np.sqrt(p2**2 + 2*MU*G*R*T/K*(x2 - x))
 
 
-if __name__ == "__main__":
+def results():
     with open("log.materialPointFoam") as f:
         log = f.read()
-    time = "0.04"
-    p = field(time, "p")
-    G = field(time, "thetaRhoU.air")[:, 0]
+    p, u = field("0.04", "p"), field("0.04", "U.air")[:, 0]
     n = len(p)
     x = -0.1 + 0.4*(np.arange(n) + 0.5)/n
 
-    # Between the first and the last cell that lie in the block with their neighbours
+    # What flows outside the block, and the first and the last cell that lie in it
+    # with their neighbours
+    G = p/(R*T)*u
+    flux, behind = G[x < -0.02].mean(), G[x > LENGTH + 0.02].mean()
     inside = np.nonzero((x > 0.4/n) & (x < LENGTH - 0.4/n))[0]
     a, b = inside[0], inside[-1]
-    flux = np.mean(G[inside])
-    drop = p[a] - p[b]
-    expected = exact(x[a], x[b], p[b], flux) - p[b]
-    print(f"mass flux {flux:.5f} kg/m2/s, of the inlet {p[0]/(R*T)*10:.5f}, in the block"
-          f" within {np.ptp(G[inside])/flux:.1e}")
-    print(f"pressure drop between the block's cells {drop:.1f} Pa, Darcy {expected:.1f} Pa:"
-          f" {100*(drop/expected - 1):+.2f} %")
-    linear = MU/K*flux*R*T/p[b]*(x[b] - x[a])
+    force = float(re.findall(r"Load on block: force \(([^ ]+)", log)[-1])
+    pressures = (p[0] - p[-1])*AREA
+    return {"x": x, "p": p, "a": a, "b": b, "flux": flux, "fluxBehind": behind,
+            "drop": p[a] - p[b], "expected": exact(x[a], x[b], p[b], flux) - p[b],
+            "linear": MU/K*flux*R*T/p[b]*(x[b] - x[a]), "force": force,
+            "pressures": pressures,
+            "exactForce": pressures - flux**2*R*T*(1/p[-1] - 1/p[0])*AREA}
+
+
+if __name__ == "__main__":
+    r = results()
+    x, p, a, b = r["x"], r["p"], r["a"], r["b"]
+    flux, linear = r["flux"], r["linear"]
+    print(f"mass flux {flux:.5f} kg/m2/s, behind the block {r['fluxBehind']/flux - 1:+.1e}")
+    print(f"pressure drop between the block's cells {r['drop']:.1f} Pa, Darcy"
+          f" {r['expected']:.1f} Pa: {100*(r['drop']/r['expected'] - 1):+.2f} %")
     print(f"  (constant density would give {linear:.1f} Pa)")
     whole = exact(0, LENGTH, 1e5, flux) - 1e5
-    ends = np.interp(0, x[x < 0][-2:], p[x < 0][-2:]), p[-1]
-    print(f"pressure before less behind the block {ends[0] - ends[1]:.1f} Pa, Darcy with"
-          f" 1e5 Pa behind it {whole:.1f} Pa: {100*((ends[0] - ends[1])/whole - 1):+.2f} %")
-    force = float(re.findall(r"Load on block: force \(([^ ]+)", log)[-1])
-    momentum = flux**2*R*T*(1/p[-1] - 1/p[0])*AREA
-    print(f"load on the block {force:.5f} N; pressure difference times area"
-          f" {(p[0] - p[-1])*AREA:.5f} N, less the gas' change of momentum"
-          f" {(p[0] - p[-1])*AREA - momentum:.5f} N")
+    print(f"pressure before less behind the block {p[0] - p[-1]:.1f} Pa, Darcy {whole:.1f} Pa:"
+          f" {100*((p[0] - p[-1])/whole - 1):+.2f} %")
+    print(f"load on the block {r['force']:.6f} N; pressures {r['pressures']:.6f} N, less the"
+          f" gas' change of momentum {r['exactForce']:.6f} N")
 
     figure, axes = plt.subplots(2, 1, figsize=(8, 6.5), sharex=True,
                                 constrained_layout=True)
@@ -74,9 +80,8 @@ if __name__ == "__main__":
                  label="Darcy, constant density")
     axes[0].set_ylabel("p [kPa]")
     axes[0].legend()
-    axes[1].plot(x, G, "C0.", label=r"$\theta\rho u$ of the cells")
-    axes[1].set_ylim(0, 1.3*G.max())
-    axes[1].set_ylabel("mass flux [kg/m2/s]")
+    axes[1].plot(x, field("0.04", "U.air")[:, 0], "C0.")
+    axes[1].set_ylim(0, None)
+    axes[1].set_ylabel("velocity of the air [m/s]")
     axes[1].set_xlabel("x [m]; the block is grey")
-    axes[1].legend()
     figure.savefig("darcy.png", dpi=130)

@@ -905,7 +905,7 @@ void Foam::mpm::pointPhaseSystem::correctStress
             (
                 new bookedFailure
                 (
-                    *phase.failure(), phase.law(), grid_.nDim()
+                    *phase.failure(), phase.law(), grid_.nDim(), coupling_
                 )
             );
         }
@@ -985,6 +985,8 @@ void Foam::mpm::pointPhaseSystem::addImpulse
 bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
 {
     failedBefore_ = failed_;
+    const scalar stored =
+        budget_.active && coupling_ ? storedEnergy() : 0;
     if (stressUpdate_->early())
     {
         for (materialPointPhase& phase : phases_)
@@ -1029,6 +1031,10 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
     if (coupling_)
     {
         coupling_->arrive(dt);
+        if (budget_.active)
+        {
+            budget_.strainStep = storedEnergy() - stored;
+        }
     }
     checkOverlap();
 

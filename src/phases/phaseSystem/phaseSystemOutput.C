@@ -273,6 +273,17 @@ void Foam::mpm::pointPhaseSystem::reportBalance() const
 }
 
 
+Foam::scalar Foam::mpm::pointPhaseSystem::storedEnergy() const
+{
+    scalar stored = -returnReduce(failed_, sumOp<scalar>());
+    for (const materialPointPhase& phase : phases_)
+    {
+        stored += phase.motion() ? 0 : phase.strainEnergy();
+    }
+    return stored;
+}
+
+
 void Foam::mpm::pointPhaseSystem::updateBudget() const
 {
     budget_.kinetic = budget_.strain = 0;

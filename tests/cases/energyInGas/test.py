@@ -13,6 +13,7 @@ load     a shock on a body held fixed, one that turns, and a block that flies
 """
 
 import os
+import re
 import shutil
 import sys
 
@@ -22,7 +23,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import plateImpactExact as exact
 from blockInGas import P0, blockInGas
 from coupledCases import TRANSFER, ambient, coupledCase
-from foamCase import RunFailed
+from foamCase import RunFailed, foamText
 from gasCases import WALL
 from plates import plateCase
 from report import Report
@@ -39,7 +40,6 @@ KINETIC, STRAIN, TOTAL, TRANSFERRED, BOUNDARY, EXTERNAL, RESIDUAL, FAILURE, GAS,
 
 def books(case):
     """Function objects of the balances in a case that is there."""
-    from foamCase import foamText
     with open(case.file("system/controlDict"), "a") as f:
         f.write("functions\n{\n" + foamText(BOOKS, 4) + "}\n")
 
@@ -146,9 +146,96 @@ def piston(table):
         mixtureRows(table, f"free piston, drag {drag}", case)
 
 
+def struck(name, motion=None, withBlock=True, Co=0.4, steps=None):
+    """A shock and, if asked for, a block meet a disc that is held or turns."""
+    h, n = 1e-3, 40
+    phases = {"disc": {"type": "rigid", "rho": 7800, **({"motion": motion} if motion else {})}}
+    regions = {"disc": {"type": "cylinder", "point1": (25.1*h, 19.7*h, -1),
+                        "point2": (25.1*h, 19.7*h, 1), "radius": 7*h}}
+    if withBlock:
+        phases["block"] = {"constitutiveModel": {
+            "type": "linearElastic", "rho": 2700, "E": 7e9, "nu": 0}}
+        regions["block"] = {"type": "box", "min": (11.2*h, 14.2*h, -1),
+                            "max": (16.3*h, 26.1*h, 1), "velocity": (80, 5, 0),
+                            "stress": ambient(1e5)}
+    case = coupledCase(
+        "energyInGas", name, (n, n, 1), (n*h, n*h, h),
+        lambda x, y, z: (1.2 + 2.4*(x < 8*h), 0*x, 1e5 + 3e5*(x < 8*h)), 8e-5, phases,
+        regions, ends=WALL, maxCo=Co, maxCoGas=Co, numerics={"energyBudget": True})
+    case.change("system/controlDict", r"^functions\s*\{\s*\}", "")
+    books(case)
+    return case
+
+
+def load(table):
+    turning = {"type": "rotation", "origin": (0.0251, 0.0197, 0), "axis": (0, 0, 1),
+               "omega": 3000}
+    ends = {}
+    for label, motion, withBlock in (("disc held in a shock", None, False),
+                                     ("disc held, shock and block", None, True),
+                                     ("turning disc, shock and block", turning, True)):
+        name = f"load-{len(ends)}"
+        case = struck(name, motion, withBlock)
+        case.run("materialPointFoam", limit=300)
+        mixtureRows(table, label, case)
+        figures(case, label)
+        ends[label] = case
+        impulse = np.array(re.findall(r"Load on disc: .* impulse \(([^)]*)\)",
+                                      case.log())[-1].split(), float)
+        gas = case.series("balance", "air.dat")[-1]
+        if not withBlock:
+            table.row(f"{label}: impulse on it against what gas and walls miss [N s]",
+                      gas[7] - gas[2], impulse[0],
+                      1e-11*abs(impulse[0]))
+    for Co in (0.2,):
+        runs = {0.4: energyResidual(ends["turning disc, shock and block"])}
+        case = struck("load-step", turning, True, Co)
+        case.run("materialPointFoam", limit=300)
+        figures(case, "half the step")
+        runs[Co] = energyResidual(case)
+        falling(table, "turning disc, shock and block", runs)
+    several = struck("load-parallel", turning, True)
+    several.decompose((2, 1, 1))
+    several.runParallel()
+    label = "turning disc, shock and block, two processors"
+    mixtureRows(table, label, several)
+    one, two = (c.series("energy", "energy.dat") for c in
+                (ends["turning disc, shock and block"], several))
+    table.row(f"{label}: terms of the budget against one", 0,
+              np.max(abs(one - two))/exchanged(one) if one.shape == two.shape else np.inf,
+              1e-9, "atMost")
+
+
+def energyResidual(case):
+    e = case.series("energy", "energy.dat")
+    return np.max(abs(e[:, RESIDUAL]))/exchanged(e)
+
+
+def restart(table):
+    straight, again = (block(name, None, 0.4, 100) for name in ("straight", "again"))
+    for case in (straight, again):
+        case.change("system/controlDict", "^writeInterval.*?;",
+                    f"writeInterval {50*float(value(case, 'deltaT'))!r};")
+    straight.run("materialPointFoam")
+    half = straight.times()[1]
+    again.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+    shutil.copytree(straight.file(half), again.file(half))
+    again.run("materialPointFoam")
+    a = straight.series("energy", "energy.dat")[-1]
+    b = again.series("energy", "energy.dat", half)[-1]
+    size = exchanged(straight.series("energy", "energy.dat"))
+    table.row("restart: terms of the budget against the run without", 0,
+              np.max(abs(a - b))/size, 1e-12, "atMost")
+
+
+def value(case, keyword):
+    with open(case.file("system/controlDict")) as f:
+        return re.search(rf"^{keyword}\s+(\S+);", f.read(), re.M)[1]
+
+
 def main():
     table = Report("energyInGas")
-    parts = [spall, shock, piston]
+    parts = [spall, shock, piston, load, restart]
     words = sys.argv[1:]
     for part in parts:
         if words and part.__name__ not in words:
