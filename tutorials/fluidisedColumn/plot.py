@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-MU, D, RHO_S, G, SHARE, H, R, T = 1.8e-5, 2e-3, 2500.0, 9.81, 0.55, 0.1, 287.0, 300.0
+MU, D, RHO_S, G, SHARE, H, R, T = 1.8e-5, 1e-3, 2500.0, 9.81, 0.55, 0.4, 287.0, 300.0
 AREA, E = 1e-4, 1 - 0.55
 
 
@@ -39,9 +39,9 @@ def results():
     p = table("pressure", "p")
     t = p[:, 0]
     rho = 0.5*(p[:, 1] + p[:, 2])/(R*T)
-    U = np.interp(t, (0, 0.05, 0.4), (0, 1.18, 1.508))*p[:, 1]/(R*T)/rho
+    U = np.interp(t, (0, 0.05, 0.4), (0, 0.645, 0.825))*p[:, 1]/(R*T)/rho
     # Less what the air itself weighs, between the probes
-    drop = p[:, 1] - p[:, 2] - rho*G*0.195
+    drop = p[:, 1] - p[:, 2] - rho*G*0.595
     with open("log.materialPointFoam") as f:
         log = f.read()
     force = np.array(re.findall(r"Load on grid: force \(([^ ]+)", log), float)[:len(t)]
@@ -83,7 +83,7 @@ if __name__ == "__main__":
     figure, axes = plt.subplots(3, 1, figsize=(8, 8.5), sharex=True,
                                 constrained_layout=True)
     axes[0].plot(U, drop, "C0-", label="this case")
-    line = np.linspace(0.01, 1.55, 100)
+    line = np.linspace(0.01, 0.87, 100)
     axes[0].plot(line, ergun(line, rho[-1]), "k--", lw=1, label="Ergun, fixed bed")
     axes[0].plot(U, plateau, "k:", label="weight of the bed")
     axes[0].set_ylim(0, 1.2*plateau[0])
