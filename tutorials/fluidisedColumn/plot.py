@@ -39,7 +39,7 @@ def results():
     p = table("pressure", "p")
     t = p[:, 0]
     rho = 0.5*(p[:, 1] + p[:, 2])/(R*T)
-    U = np.interp(t, (0, 0.05, 0.4), (0, 0.645, 0.825))*p[:, 1]/(R*T)/rho
+    U = np.interp(t, (0, 0.05, 0.3), (0, 0.645, 0.79))*p[:, 1]/(R*T)/rho
     # Less what the air itself weighs, between the probes
     drop = p[:, 1] - p[:, 2] - rho*G*0.595
     with open("log.materialPointFoam") as f:
@@ -49,22 +49,24 @@ def results():
     return t, U, rho, drop, force, bed
 
 
-def crossing(x, y):
-    """Where a straight line through the points is zero."""
-    a, b = np.polyfit(x, y, 1)
-    return -b/a
+def smooth(t, y, width):
+    """Mean over a time."""
+    sums = np.concatenate([[0], np.cumsum(0.5*(y[1:] + y[:-1])*np.diff(t))])
+    low, high = (np.clip(t + w, t[0], t[-1]) for w in (-width/2, width/2))
+    return (np.interp(high, t, sums) - np.interp(low, t, sums))/(high - low)
 
 
 def figures():
     t, U, rho, drop, force, _ = results()
     plateau = SHARE*(RHO_S - rho)*G*H
-    Umf = minimum(np.interp(0.25, t, rho))
-    fixed = (t > 0.06) & (U < 0.97*Umf)
-    carried = (t > 0.06) & (U > 1.05*Umf)
+    Umf = minimum(np.interp(0.2, t, rho))
+    fixed = (t > 0.1) & (U < 0.97*Umf)
+    carried = t > 0.5
+    free = (t > 0.1) & (smooth(t, force, 0.02) >= 0)
     return {"Umf": Umf, "fixed": np.mean(drop[fixed]/ergun(U, rho)[fixed]),
             "carried": np.mean(drop[carried]/plateau[carried]),
             "reached": U[np.argmax((drop >= plateau) & (t > 0.05))],
-            "lifted": crossing(U[fixed]**2, force[fixed])**0.5}
+            "lifted": U[np.argmax(free)]}
 
 
 if __name__ == "__main__":
@@ -77,24 +79,30 @@ if __name__ == "__main__":
     print(f"minimum fluidisation velocity {Umf:.4f} m/s; the pressure drop reaches the weight at"
           f" {r['reached']:.4f} m/s ({100*(r['reached']/Umf - 1):+.2f} %)")
     print(f"  nothing lies on the grid from {r['lifted']:.4f} m/s"
-          f" ({100*(r['lifted']/Umf - 1):+.2f} %; line through the force below)")
+          f" ({100*(r['lifted']/Umf - 1):+.2f} %; mean of 20 ms)")
     weight = -SHARE*RHO_S*H*AREA*G
 
+    weight = -SHARE*RHO_S*H*AREA*G
     figure, axes = plt.subplots(3, 1, figsize=(8, 8.5), sharex=True,
                                 constrained_layout=True)
-    axes[0].plot(U, drop, "C0-", label="this case")
-    line = np.linspace(0.01, 0.87, 100)
-    axes[0].plot(line, ergun(line, rho[-1]), "k--", lw=1, label="Ergun, fixed bed")
-    axes[0].plot(U, plateau, "k:", label="weight of the bed")
-    axes[0].set_ylim(0, 1.2*plateau[0])
+    axes[0].plot(t, drop, "C0-", label="this case")
+    axes[0].plot(t, ergun(U, rho), "k--", lw=1, label="Ergun, bed that does not move")
+    axes[0].plot(t, plateau, "k:", label="weight of the bed")
+    axes[0].set_ylim(0, 1.25*plateau[0])
     axes[0].set_ylabel("pressure drop [Pa]")
     axes[0].legend()
-    axes[1].plot(U, force/weight, "C0-")
+    axes[1].plot(t, force/weight, "C0-")
     axes[1].axhline(0, color="k", lw=0.5)
+    axes[1].set_ylim(-0.2, 2)
     axes[1].set_ylabel("force on the grid / weight")
-    axes[2].plot(np.interp(bed[:, 0], t, U), 1e3*(bed[:, 1] - bed[0, 1]), "C0-")
-    axes[2].set_ylabel("first column of place [mm]")
-    axes[2].set_xlabel("superficial velocity in the bed [m/s]")
+    axes[2].plot(bed[:, 0], 1e3*(bed[:, 7] - bed[0, 7]), "C0-")
+    axes[2].set_ylabel("rise of the bed's centre [mm]")
+    axes[2].set_xlabel("time [s]")
+    above = axes[2].twinx()
+    above.plot(t, U, "C1-")
+    above.axhline(Umf, color="C1", lw=0.8, ls=":")
+    above.set_ylim(0, None)
+    above.set_ylabel("superficial velocity [m/s], orange\ndotted: minimum fluidisation")
     for ax in axes:
-        ax.axvline(Umf, color="0.5", lw=0.8)
+        ax.axvline(t[np.argmax(U >= Umf)], color="0.5", lw=0.8)
     figure.savefig("fluidised.png", dpi=130)
