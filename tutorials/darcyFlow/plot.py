@@ -1,7 +1,7 @@
 """Pressure along the channel against Darcy's law for a gas, and the load on the block.
 
 With the mass flux G [kg/m2/s], rho = p/(R T) and T constant (the block neither moves
-nor takes heat, Mach 0.03) grad p = -mu/k G/rho has the solution
+nor takes heat, Mach 0.01) grad p = -mu/k G/rho has the solution
 
     p^2 = p_2^2 + 2 mu G R T/k (x_2 - x)
 """
@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-K, MU, R, T = 2e-9, 1.8e-5, 287.0, 300.0
+K, MU, R, T = 4e-10, 1.8e-5, 287.0, 300.0
 LENGTH, AREA = 0.2, 1e-4
 
 
@@ -35,7 +35,7 @@ def exact(x, x2, p2, G):
 def results():
     with open("log.materialPointFoam") as f:
         log = f.read()
-    p, u = field("0.04", "p"), field("0.04", "U.air")[:, 0]
+    p, u = field("0.15", "p"), field("0.15", "U.air")[:, 0]
     n = len(p)
     x = -0.1 + 0.4*(np.arange(n) + 0.5)/n
 
@@ -80,7 +80,7 @@ if __name__ == "__main__":
                  label="Darcy, constant density")
     axes[0].set_ylabel("p [kPa]")
     axes[0].legend()
-    axes[1].plot(x, field("0.04", "U.air")[:, 0], "C0.")
+    axes[1].plot(x, field("0.15", "U.air")[:, 0], "C0.")
     axes[1].set_ylim(0, None)
     axes[1].set_ylabel("velocity of the air [m/s]")
     axes[1].set_xlabel("x [m]; the block is grey")

@@ -61,7 +61,7 @@ def figures():
     plateau = SHARE*(RHO_S - rho)*G*H
     Umf = minimum(np.interp(0.2, t, rho))
     fixed = (t > 0.1) & (U < 0.97*Umf)
-    carried = t > 0.5
+    carried = (t > 0.1) & (U >= Umf)
     free = (t > 0.1) & (smooth(t, force, 0.02) >= 0)
     return {"Umf": Umf, "fixed": np.mean(drop[fixed]/ergun(U, rho)[fixed]),
             "carried": np.mean(drop[carried]/plateau[carried]),
@@ -75,7 +75,9 @@ if __name__ == "__main__":
     r = figures()
     Umf = r["Umf"]
     print(f"fixed bed: pressure drop over Ergun {r['fixed']:.4f}")
-    print(f"fluidised: pressure drop over the weight {r['carried']:.4f}")
+    swing = drop[(t > 0.1) & (U >= Umf)]/plateau[0]
+    print(f"fluidised: pressure drop over the weight {r['carried']:.4f} in the mean,"
+          f" {swing.min():.3f} to {swing.max():.3f} while the bed rises and stops")
     print(f"minimum fluidisation velocity {Umf:.4f} m/s; the pressure drop reaches the weight at"
           f" {r['reached']:.4f} m/s ({100*(r['reached']/Umf - 1):+.2f} %)")
     print(f"  nothing lies on the grid from {r['lifted']:.4f} m/s"
