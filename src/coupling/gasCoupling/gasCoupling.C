@@ -13,6 +13,7 @@ License
 #include "coupledPolyPatch.H"
 #include "syncTools.H"
 #include <algorithm>
+#include <numeric>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -275,6 +276,9 @@ Foam::mpm::gasCoupling::gasCoupling
     J_(mesh_.nCells(), Zero),
     Q_(mesh_.nCells(), 0),
     Kc_(mesh_.nCells(), 0),
+    push_(points.phases().size(), Zero),
+    books_(false),
+    rigidWork_(0),
     normalOnly_(false)
 {
     forAll(points_.phases(), phasei)
@@ -338,6 +342,12 @@ Foam::mpm::gasCoupling::gasCoupling
         theta[c] = max(1 - solidFraction(c), eps_);
     }
     gas_.setTheta(theta);
+    if (points_.booksEnergy())
+    {
+        // The points began before the gas was there
+        needEnergy();
+        book();
+    }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -402,10 +412,6 @@ void Foam::mpm::gasCoupling::force()
     forAll(points_.phases(), phasei)
     {
         materialPointPhase& phase = points_.phases()[phasei];
-        if (phase.motion())
-        {
-            continue;
-        }
         materialPointCloud& cloud = phase.cloud();
         kernels_->gather
         (
@@ -413,6 +419,17 @@ void Foam::mpm::gasCoupling::force()
             P_.cdata(),
             granular_.set(phasei) ? grainJumps(phasei).cdata() : G_.cdata()
         );
+        if (phase.motion())
+        {
+            push_[phasei] = Zero;
+            for (int d = 0; d < D; ++d)
+            {
+                const scalar* F = (*cloud.gasForce())[d];
+                push_[phasei][sums_.grid().direction(d)] =
+                    std::accumulate(F, F + cloud.size(), scalar(0));
+            }
+            continue;
+        }
 
         // Grains have all of the gas' pressure in gasForce
         if (phase.grains())
@@ -446,6 +463,10 @@ void Foam::mpm::gasCoupling::depart()
     {
         kernels_->depart(phase.cloud(), faceNew_.data());
     }
+    if (books_)
+    {
+        bookRigid();
+    }
 }
 
 
@@ -467,6 +488,11 @@ void Foam::mpm::gasCoupling::arrive(const scalar dt)
     sumPoints(true);
     prepareFaces(dt);
     face_.swap(faceNew_);
+    if (books_)
+    {
+        bookDry();
+        budget_.rigid += rigidWork_;
+    }
 }
 
 

@@ -137,6 +137,7 @@ void Foam::mpm::gasCoupling::dragPhase(const label phasei, const scalar dt)
 void Foam::mpm::gasCoupling::dragRigid(const label phasei, const scalar dt)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
+    rigidNodes& rigid = points_.fields()[points_.fieldOf(phasei)].rigid();
     forAll(cloud.cells(), k)
     {
         scalar m = 0, v = 0;
@@ -148,15 +149,21 @@ void Foam::mpm::gasCoupling::dragRigid(const label phasei, const scalar dt)
             v += (*cloud.gasVolume())[0][p];
         }
         const label celli = cloud.cells()[k];
-        exchange
+        const vector J
         (
-            phasei,
-            celli,
-            GREAT,
-            mU/m,
-            min((1 - eps_)*v/mesh_.V()[celli], 1 - eps_),
-            dt
+            mesh_.V()[celli]
+           *exchange
+            (
+                phasei,
+                celli,
+                GREAT,
+                mU/m,
+                min((1 - eps_)*v/mesh_.V()[celli], 1 - eps_),
+                dt
+            )
         );
+        rigid.addLoad(phasei, -J);
+        rigidWork_ += J & mU/m;
     }
 }
 
@@ -173,6 +180,8 @@ void Foam::mpm::gasCoupling::drag(const scalar dt)
     }
     dragged_.clear();
     Kc_ = 0;
+    rigidWork_ = 0;
+    loadRigid(dt);
     if (normalOnly_)
     {
         updateNormals();

@@ -139,6 +139,7 @@ void Foam::mpm::eulerianGas::sortFaces()
 
 void Foam::mpm::eulerianGas::conserve()
 {
+    const noTraps guard;
     const scalar iGm1 = 1/(thermo_.gamma() - 1);
     forAll(rho_, c)
     {

@@ -33,6 +33,16 @@ Foam::scalar Foam::mpm::eulerianGas::newTheta
 }
 
 
+void Foam::mpm::eulerianGas::bookFixup(const scalar energy)
+{
+    fixups_.energy += energy;
+    if (flows_)
+    {
+        flows_->fixups += energy;
+    }
+}
+
+
 template<bool Porous, bool Energy>
 void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
 {
@@ -117,6 +127,7 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
     }
     for (const labelList* list : {&coupledList_, &boundary_})
     {
+        const bool books = flows_ && list == &boundary_;
         for (const label f : *list)
         {
             const label P = own[f];
@@ -131,7 +142,24 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
                   : (out ? sides[f].own : sides[f].nei)
                 )
             );
-            add(P, 1, s, f, Porous ? 1 - pores->thetaS0[f] : 1);
+            const scalar theta = Porous ? 1 - pores->thetaS0[f] : 1;
+            add(P, 1, s, f, theta);
+            if (books)
+            {
+                flows_->mass -= dt*s.rho;
+                flows_->impulse -=
+                    dt
+                   *(s.rhoU + (theta*pStar_[f] + (1 - theta)*W_[P].p)*S[f]);
+                flows_->energy -= dt*s.rhoE;
+            }
+        }
+    }
+    if (flows_ && mag(g_) > 0)
+    {
+        forAll(rho_, c)
+        {
+            flows_->gravityImpulse += dt*V[c]*rho_[c]*g_;
+            flows_->gravityWork += dt*V[c]*(rhoU_[c] & g_);
         }
     }
 
@@ -157,6 +185,7 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
             {
                 const scalar p = W_[c].p;
                 rhoE_[c] -= p*(theta_[c] - A - h*v.phi);
+                bookFixup(-p*(theta_[c] - (A + D))*V[c]);
 
                 if (near_[c])
                 {
@@ -168,7 +197,7 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
                     if (!(pNew >= 0.3*pIsentropic))
                     {
                         const scalar E = iGm1*theta_[c]*pIsentropic + kinetic;
-                        fixups_.energy += (E - rhoE_[c])*V[c];
+                        bookFixup((E - rhoE_[c])*V[c]);
                         rhoE_[c] = E;
                         ++fixups_.isentropic;
                     }

@@ -254,7 +254,10 @@ void Foam::mpm::eulerianGas::limitOutflow
     phiLimited_.setSize(phi_.size());
     for (label f = 0; f < nInternal; ++f)
     {
-        phiLimited_[f] = phi_[f]*out_[phi_[f] > 0 ? own[f] : nei[f]];
+        const label donor = phi_[f] > 0 ? own[f] : nei[f];
+        phiLimited_[f] = phi_[f]*out_[donor];
+        fixups_.heldBack +=
+            dt*mag(phi_[f] - phiLimited_[f])*W_[donor].rho;
     }
     for (const labelList* list : {&coupledList_, &boundary_})
     {
@@ -262,6 +265,13 @@ void Foam::mpm::eulerianGas::limitOutflow
         {
             phiLimited_[f] =
                 phi_[f]*(phi_[f] > 0 ? out_[own[f]] : behind[f - nInternal]);
+
+            // What comes in is counted where it leaves
+            if (phi_[f] > 0)
+            {
+                fixups_.heldBack +=
+                    dt*(phi_[f] - phiLimited_[f])*W_[own[f]].rho;
+            }
         }
     }
 }

@@ -55,23 +55,18 @@ void Foam::mpm::eulerianGas::stop(const label celli)
 
 void Foam::mpm::eulerianGas::report() const
 {
-    const scalarField& V = mesh_.V();
-    scalar energy = 0;
-    forAll(rhoE_, c)
-    {
-        energy += V[c]*rhoE_[c];
-    }
     scalar pMin = GREAT, pMax = -GREAT;
     for (const gasState& w : W_)
     {
         pMin = min(pMin, w.p);
         pMax = max(pMax, w.p);
     }
-    Info<< "Gas " << name_ << ": mass " << gSum(V*rho_) << ", momentum "
-        << gSum(V*rhoU_);
+    Info<< "Gas " << name_ << ": mass "
+        << returnReduce(mass(), sumOp<scalar>()) << ", momentum "
+        << returnReduce(momentum(), sumOp<vector>());
     if (!thermo_.isentropic())
     {
-        Info<< ", energy " << returnReduce(energy, sumOp<scalar>());
+        Info<< ", energy " << returnReduce(energy(), sumOp<scalar>());
     }
     Info<< nl << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
         << returnReduce(pMax, maxOp<scalar>()) << ", outflow limited "
@@ -79,7 +74,27 @@ void Foam::mpm::eulerianGas::report() const
         << returnReduce(fixups_.theta, sumOp<label>())
         << ", isentropic "
         << returnReduce(fixups_.isentropic, sumOp<label>()) << " (energy "
-        << returnReduce(fixups_.energy, sumOp<scalar>()) << ")" << endl;
+        << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
+        << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back)"
+        << endl;
+}
+
+
+Foam::scalar Foam::mpm::eulerianGas::mass() const
+{
+    return sum(mesh_.V().field()*rho_);
+}
+
+
+Foam::vector Foam::mpm::eulerianGas::momentum() const
+{
+    return sum(mesh_.V().field()*rhoU_);
+}
+
+
+Foam::scalar Foam::mpm::eulerianGas::energy() const
+{
+    return rhoE_.size() ? sum(mesh_.V().field()*rhoE_) : 0;
 }
 
 
@@ -145,6 +160,7 @@ Foam::dictionary Foam::mpm::eulerianGas::state() const
     state.add("theta", returnReduce(fixups_.theta, sumOp<label>()));
     state.add("isentropic", returnReduce(fixups_.isentropic, sumOp<label>()));
     state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
+    state.add("heldBack", returnReduce(fixups_.heldBack, sumOp<scalar>()));
     return state;
 }
 
@@ -158,6 +174,7 @@ void Foam::mpm::eulerianGas::setState(const dictionary& state)
         fixups_.theta = required<label>(state, "theta");
         fixups_.isentropic = required<label>(state, "isentropic");
         fixups_.energy = required<scalar>(state, "energy");
+        fixups_.heldBack = required<scalar>(state, "heldBack");
     }
 }
 

@@ -144,7 +144,131 @@ void Foam::functionObjects::materialPointBalance::prepare
             << "\tkinetic[J]\tstrain[J]\ttotal[J]\tnFailed";
         headers[i] = os.str();
     }
+    if (const mpm::pointCoupling* gas = points.coupling())
+    {
+        for (const word& key : wordList({"executeControl", "executeInterval"}))
+        {
+            if (dict_.found(key))
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "Remove " << key << ": in a gas " << type()
+                    << " must see each step; writeControl and writeInterval"
+                    << " say when it writes." << exit(FatalIOError);
+            }
+        }
+        mpm::pointPhaseSystem& system =
+            *mesh_.getObjectPtr<mpm::pointPhaseSystem>(points.name());
+        for (mpm::gridState& field : system.fields())
+        {
+            field.needReactions();
+        }
+        if (!points.booksEnergy())
+        {
+            points.coupling()->book();
+        }
+        first_ = true;
+        impulse_ = Zero;
+
+        files.append(gas->name());
+        headers.append
+        (
+            "Gas " + gas->name() + ", mass, impulse and energy through the"
+            " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
+            "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]"
+        );
+        files.append(word("mixture"));
+        headers.append
+        (
+            "Gas and all points, impulse of boundaries, gravity and rigid phases"
+            "\n\tmass[kg]\tmassRest[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
+            "\tJx[N.s]\tJy[N.s]\tJz[N.s]\trestx[N.s]\tresty[N.s]\trestz[N.s]"
+        );
+    }
     setFiles(files, headers);
+}
+
+
+bool Foam::functionObjects::materialPointBalance::execute()
+{
+    const mpm::pointPhaseSystem& points = system();
+    if (!points.coupling() || first_)
+    {
+        return true;
+    }
+    scalar mass = 0;
+    for (const mpm::materialPointPhase& phase : points.phases())
+    {
+        mass += phase.motion() ? 0 : phase.mass();
+    }
+    vector J(Zero);
+    for (const mpm::gridState& field : points.fields())
+    {
+        const mpm::nodeReactions& reactions = *field.reactions();
+        for (const mpm::nodeReactions::part& p : reactions.parts())
+        {
+            J += reactions.impulse(p);
+        }
+    }
+    reduce(J, sumOp<vector>());
+    impulse_ += J + mass*points.deltaT()*points.g();
+
+    return true;
+}
+
+
+void Foam::functionObjects::materialPointBalance::sampleGas
+(
+    const mpm::pointPhaseSystem& points
+)
+{
+    const mpm::gasBudget gas(points.coupling()->balance());
+    scalar mass = gas.mass;
+    vector P(gas.momentum);
+    vector J(gas.boundaryImpulse + gas.gravityImpulse + impulse_);
+    forAll(points.phases(), phasei)
+    {
+        const mpm::materialPointPhase& phase = points.phases()[phasei];
+        if (phase.motion())
+        {
+            J -= points.rigidImpulse(phasei);
+        }
+        else
+        {
+            mass += phase.mass();
+            P += phase.momentum();
+        }
+    }
+    if (first_)
+    {
+        first_ = false;
+        momentum0_ = P - J;
+        mass0_ = mass - gas.massIn;
+    }
+    if (Pstream::master())
+    {
+        const auto write = [](Ostream& os, const vector& v)
+        {
+            for (const scalar c : v)
+            {
+                os  << tab << c;
+            }
+        };
+        const label i = phases_.size() + 1;
+        {
+            Ostream& os = row(i);
+            os  << tab << gas.mass;
+            write(os, gas.momentum);
+            os  << tab << gas.energy << tab << gas.massIn;
+            write(os, gas.boundaryImpulse);
+            os  << tab << gas.boundary << endl;
+        }
+        Ostream& os = row(i + 1);
+        os  << tab << mass << tab << mass - gas.massIn - mass0_;
+        write(os, P);
+        write(os, J);
+        write(os, P - J - momentum0_);
+        os  << endl;
+    }
 }
 
 
@@ -167,6 +291,10 @@ void Foam::functionObjects::materialPointBalance::sample
     {
         total.write(row(phases_.size()));
     }
+    if (points.coupling())
+    {
+        sampleGas(points);
+    }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -179,7 +307,11 @@ Foam::functionObjects::materialPointBalance::materialPointBalance
 )
 :
     materialPointOutput(name, runTime, dict),
-    origin_(Zero)
+    origin_(Zero),
+    impulse_(Zero),
+    momentum0_(Zero),
+    mass0_(0),
+    first_(true)
 {
     read(dict);
 }

@@ -42,17 +42,19 @@ void Foam::functionObjects::materialPointEnergy::prepare
     {
         points.bookEnergy();
     }
-    setFiles
+    string header
     (
-        wordList(1, "energy"),
-        List<string>
-        (
-            1,
-            "Energy budget of all phases\n"
-            "\tkinetic[J]\tstrain[J]\ttotal[J]\ttransfer[J]\tboundary[J]"
-            "\texternal[J]\tresidual[J]"
-        )
+        "Energy budget of all phases\n"
+        "\tkinetic[J]\tstrain[J]\ttotal[J]\ttransfer[J]\tboundary[J]"
+        "\texternal[J]\tresidual[J]\tfailure[J]"
     );
+    if (points.coupling())
+    {
+        header +=
+            "\tgas[J]\tgasGained[J]\tgasBoundary[J]\tgasExternal[J]"
+            "\tgasRigid[J]\tgasDry[J]\tgasFixups[J]";
+    }
+    setFiles(wordList(1, "energy"), List<string>(1, header));
 }
 
 
@@ -63,11 +65,27 @@ void Foam::functionObjects::materialPointEnergy::sample
 {
     if (const mpm::energyBudget* b = points.budget())
     {
-        row(0)
-            << tab << b->kinetic << tab << b->strain
+        Ostream& os = row(0);
+        os  << tab << b->kinetic << tab << b->strain
             << tab << b->kinetic + b->strain << tab << b->transfer()
             << tab << b->work.boundary << tab << b->work.external
-            << tab << b->residual() << endl;
+            << tab << b->residual() << tab << b->failure;
+        if (b->hasGas)
+        {
+            const mpm::gasBudget& g = b->gas;
+            for
+            (
+                const scalar e :
+                {
+                    g.energy, g.energy - g.energy0, g.boundary, g.external,
+                    g.rigid, g.dry, g.fixups
+                }
+            )
+            {
+                os  << tab << e;
+            }
+        }
+        os  << endl;
     }
 }
 

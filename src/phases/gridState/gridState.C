@@ -272,6 +272,15 @@ void Foam::mpm::gridState::momentumStep(const scalar dt, const vector& g)
 }
 
 
+Foam::labelList Foam::mpm::gridState::constrained() const
+{
+    labelHashSet nodes(fixedNode_);
+    nodes.insert(slipNode_);
+    nodes.insert(rigid_.nodes());
+    return nodes.sortedToc();
+}
+
+
 Foam::scalar Foam::mpm::gridState::boundaryWork
 (
     const scalar dt,
@@ -292,10 +301,7 @@ Foam::scalar Foam::mpm::gridState::boundaryWork
             w += part*J*(U_.data()[stride_*n + d] + 0.5*du);
         }
     };
-    labelHashSet nodes(fixedNode_);
-    nodes.insert(slipNode_);
-    nodes.insert(rigid_.nodes());
-    for (const label n : nodes.sortedToc())
+    for (const label n : constrained())
     {
         add(n);
     }
@@ -304,7 +310,11 @@ Foam::scalar Foam::mpm::gridState::boundaryWork
 }
 
 
-void Foam::mpm::gridState::addImpulse(const scalar* impulse)
+Foam::scalar Foam::mpm::gridState::addImpulse
+(
+    const scalar* impulse,
+    const bool withWork
+)
 {
     const scalar* mU = mU_.data();
     scalar* UL = UL_.data();
@@ -319,7 +329,40 @@ void Foam::mpm::gridState::addImpulse(const scalar* impulse)
             UL[2*stride_*n + d] += rm*impulse[stride_*n + d];
         }
     }
+
+    // Impulse J = m (u* - u) of the conditions, at the mean velocity
+    const labelList nodes(withWork ? constrained() : labelList());
+    scalar work = 0;
+    scalarList free(nDim_*nodes.size());
+    forAll(nodes, i)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            free[nDim_*i + d] = UL[2*stride_*nodes[i] + d];
+        }
+    }
+    if (reactions_)
+    {
+        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+    }
+    rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
     constrain(UL, 2*stride_, false, false);
+    if (reactions_)
+    {
+        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
+    }
+    forAll(nodes, i)
+    {
+        const label n = nodes[i];
+        const scalar m =
+            (share_.size() ? share_[n] : 1)*mU[stride_*n + nDim_];
+        for (int d = 0; m > 0 && d < nDim_; ++d)
+        {
+            const scalar u = UL[2*stride_*n + d];
+            work +=
+                m*(u - free[nDim_*i + d])*0.5*(U_.data()[stride_*n + d] + u);
+        }
+    }
     for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)
@@ -327,6 +370,7 @@ void Foam::mpm::gridState::addImpulse(const scalar* impulse)
             UL[2*stride_*n + stride_ + d] += UL[2*stride_*n + d];
         }
     }
+    return work;
 }
 
 

@@ -379,6 +379,7 @@ void Foam::mpm::pointPhaseSystem::reject()
         {
             phase.restoreStress();
         }
+        failed_ = failedBefore_;
     }
     tentative_ = false;
 }
@@ -395,14 +396,6 @@ void Foam::mpm::pointPhaseSystem::couple(pointCoupling& coupling)
             << " a gas, which has to act on the stress of the start of the"
             << " step." << nl << "Valid choice: MUSL" << exit(FatalIOError);
     }
-    if (budget_.active)
-    {
-        FatalIOErrorInFunction
-        (
-            mesh_.solutionDict().subDict("materialPoints")
-        )   << "energyBudget is that of points without a gas; remove it."
-            << exit(FatalIOError);
-    }
     coupling_ = &coupling;
 }
 
@@ -415,12 +408,19 @@ void Foam::mpm::pointPhaseSystem::addImpulse
 {
     gridState& field = fields_[fieldi];
     field.sumColumn(impulse);
-    field.addImpulse(impulse);
+    const scalar work = field.addImpulse(impulse, budget_.active);
+    if (budget_.active)
+    {
+        budget_.step.boundary += returnReduce(work, sumOp<scalar>());
+    }
 }
 
 
 bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
 {
+    failedBefore_ = failed_;
+    const scalar stored =
+        budget_.active && coupling_ ? storedEnergy() : 0;
     if (stressUpdate_->early())
     {
         for (materialPointPhase& phase : phases_)
@@ -465,6 +465,10 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
     if (coupling_)
     {
         coupling_->arrive(dt);
+        if (budget_.active)
+        {
+            budget_.strainStep = storedEnergy() - stored;
+        }
     }
     checkOverlap();
 

@@ -203,7 +203,21 @@ void Foam::mpm::pointPhaseSystem::report() const
     {
         Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
             << b->work.boundary << ", external " << b->work.external
-            << ", residual " << b->residual() << nl;
+            << ", failure " << b->failure;
+        if (b->hasGas)
+        {
+            const gasBudget& g = b->gas;
+            Info<< nl << "    gas " << g.energy << ", gained "
+                << g.energy - g.energy0 << ", boundary " << g.boundary
+                << ", external " << g.external << ", rigid " << g.rigid
+                << ", dry " << g.dry << ", fix-ups " << g.fixups << nl
+                << "    all";
+        }
+        else
+        {
+            Info<< ',';
+        }
+        Info<< " residual " << b->residual() << nl;
     }
     Info<< "Failed points: " << nFailed << ", steps redone: " << nRedone_
         << endl;
@@ -259,6 +273,17 @@ void Foam::mpm::pointPhaseSystem::reportBalance() const
 }
 
 
+Foam::scalar Foam::mpm::pointPhaseSystem::storedEnergy() const
+{
+    scalar stored = -returnReduce(failed_, sumOp<scalar>());
+    for (const materialPointPhase& phase : phases_)
+    {
+        stored += phase.motion() ? 0 : phase.strainEnergy();
+    }
+    return stored;
+}
+
+
 void Foam::mpm::pointPhaseSystem::updateBudget() const
 {
     budget_.kinetic = budget_.strain = 0;
@@ -271,6 +296,12 @@ void Foam::mpm::pointPhaseSystem::updateBudget() const
             budget_.strain += phase.strainEnergy();
         }
     }
+    budget_.failure = returnReduce(failed_, sumOp<scalar>());
+    budget_.hasGas = coupling_;
+    if (coupling_)
+    {
+        budget_.gas = coupling_->balance();
+    }
 }
 
 
@@ -281,6 +312,11 @@ void Foam::mpm::pointPhaseSystem::bookEnergy() const
         return;
     }
     budget_.active = true;
+    if (coupling_)
+    {
+        coupling_->needEnergy();
+        coupling_->book();
+    }
     updateBudget();
     budget_.kinetic0 = budget_.kinetic;
     budget_.strain0 = budget_.strain;
@@ -338,6 +374,11 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         energy.add("internal", budget_.work.internal);
         energy.add("external", budget_.work.external);
         energy.add("boundary", budget_.work.boundary);
+        energy.add("failure", returnReduce(failed_, sumOp<scalar>()));
+        if (coupling_)
+        {
+            energy.add("gas", coupling_->balance().state());
+        }
         state.add("energy", energy);
     }
     return state;
@@ -397,6 +438,19 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         budget_.work.internal = required<scalar>(energy, "internal");
         budget_.work.external = required<scalar>(energy, "external");
         budget_.work.boundary = required<scalar>(energy, "boundary");
+        failed_ =
+            Pstream::master()
+          ? energy.getOrDefault<scalar>("failure", 0) : 0;
+        if (coupling_)
+        {
+            coupling_->book();
+            if (energy.found("gas"))
+            {
+                gasBudget sums;
+                sums.setState(requiredDict(energy, "gas"));
+                coupling_->setBalance(sums);
+            }
+        }
     }
     if (!timeDependent())
     {

@@ -116,6 +116,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         )
     ),
     g_(Zero),
+    failed_(0),
+    failedBefore_(0),
     rate_(0),
     waveRate_(0),
     nRedone_(0),

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "phaseSystem.H"
+#include "bookedFailure.H"
 #include "noTraps.H"
 #include "timer.H"
 #include "Time.H"
@@ -165,13 +166,24 @@ void Foam::mpm::pointPhaseSystem::correctStress
         {
             continue;
         }
+        autoPtr<bookedFailure> booked;
+        if (budget_.active && phase.failure())
+        {
+            booked.reset
+            (
+                new bookedFailure
+                (
+                    *phase.failure(), phase.law(), grid_.nDim(), coupling_
+                )
+            );
+        }
         const pointPasses::stressResult result
         (
             passes_->correctStress
             (
                 phase.cloud(),
                 phase.law(),
-                phase.failure(),
+                booked ? booked.get() : phase.failure(),
                 dt,
                 fields_[fieldOf_[phasei]].Ustrain(),
                 withForce && !coupling_
@@ -198,6 +210,7 @@ void Foam::mpm::pointPhaseSystem::correctStress
                 << exit(FatalError);
         }
         phase.nFailed() += result.nFailed;
+        failed_ += booked ? booked->gained() : 0;
     }
     if (withForce && !coupling_)
     {

@@ -32,6 +32,7 @@ CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
 
 sys.path.insert(0, os.path.join(PROJECT, "tests", "lib"))
 from report import Report  # noqa: E402
+from gasRows import gasRows  # noqa: E402
 
 
 # --- a case and changes of it ------------------------------------------------
@@ -947,6 +948,8 @@ ROWS += [
      several(nanLaw(5), replace(PHASES, "nanLaw", "nan9Law")),
      inLaw + ["nan9Law", VALID, "nanLaw"]),
 ]
+
+ROWS += gasRows(SOLVE, replace, remove, several, withPoints, line)
 
 for traps in ("true", "false"):
     for name, n in (("first step", 50), ("middle", 1234), ("write time", 900)):

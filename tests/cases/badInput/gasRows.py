@@ -1,0 +1,132 @@
+"""Rows of badInput with a gas around the points."""
+
+import re
+
+HEAD = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
+
+
+def putField(case, name, kind, dimensions, value, outside):
+    case.write("0/" + name, HEAD.format(kind, name)
+               + f"dimensions {dimensions};\ninternalField uniform {value};\n"
+               f"boundaryField {{ outside {{ {outside} }} ground {{ {outside} }}"
+               " frontAndBack { type empty; } }\n")
+
+
+def air(case):
+    """Air of 1 bar in the mesh of the small case."""
+    case.sub("constant/phaseProperties", r"phases\s+\(base block\);",
+             "phases (air base block);\nair { type gas; thermo perfectGas;"
+             " R 287; gamma 1.4; }")
+    case.sub("system/fvSchemes", r"default linear;",
+             "default linear; reconstruct(rho) upwind; reconstruct(U) upwind;"
+             " reconstruct(p) upwind;")
+    putField(case, "p", "volScalarField", "[1 -1 -2 0 0 0 0]", "1e5",
+             "type zeroGradient;")
+    putField(case, "T.air", "volScalarField", "[0 0 0 1 0 0 0]", "300",
+             "type zeroGradient;")
+    putField(case, "U.air", "volVectorField", "[0 1 -1 0 0 0 0]", "(0 0 0)",
+             "type slip;")
+    for region in ("base", "block"):
+        case.sub("system/setMaterialPointsDict", rf"phase +{region};",
+                 f"phase {region}; stress ambient; pressure 1e5;")
+    # Sound is faster than the solid's waves: as many steps
+    case.sub("system/controlDict", r"5e-4", "1e-4")
+
+
+def gasRows(solve, replace, remove, several, withPoints, line):
+    """The rows, made with the helpers of test.py."""
+    phases, numerics = "constant/phaseProperties", "system/fvSolution"
+    control, schemes = "system/controlDict", "system/fvSchemes"
+    inPhases, inNumerics = [line("phaseProperties")], [line("fvSolution")]
+    valid = r"[Vv]alid \w[\w ]*:"
+    cell = r"cell \d+ at \(\S+ \S+ \S+\), time \d"
+
+    def inAir(*changes):
+        return withPoints(several(air, *changes))
+
+    def gas(entries):
+        return replace(phases, r"R 287;", entries)
+
+    def drag(entries):
+        return replace(phases, r"(base\s*\{)", r"\1 drag { " + entries + " }")
+
+    def value(name, new):
+        return replace("0/" + name, r"internalField uniform [^;]*",
+                       "internalField uniform " + new)
+
+    rows = [("allowed: points in air", solve, inAir(), None, {"has": "Theta: min"})]
+    for name in ("p", "T.air", "U.air"):
+        rows.append((f"gas without {name}", solve, inAir(remove("0/" + name)),
+                     ["Field " + re.escape(name), "missing", "0/" + re.escape(name)]))
+    for label, name, new in (
+            ("negative pressure", "p", "-1e5"), ("pressure 0", "p", "0"),
+            ("negative temperature", "T.air", "-300"),
+            ("temperature 0", "T.air", "0"), ("p nan", "p", "nan"),
+            ("T.air nan", "T.air", "nan"), ("U.air inf", "U.air", "(inf 0 0)"),
+            ("U.air 1e200", "U.air", "(1e200 0 0)")):
+        rows.append((f"gas: {label}", solve, inAir(value(name, new)),
+                     [cell + "|file: \\S*0/" + re.escape(name), re.escape(name)]))
+    rows += [
+        ("gas: negative pressure in one cell", solve,
+         inAir(replace("0/p", r"uniform 1e5", "nonuniform List<scalar> 100 ("
+                       + "1e5 "*56 + "-2e4 " + "1e5 "*43 + ")")),
+         ["cell 56 at \\(6.5 5.5 0.5\\), time 0", "pressure -20000", "0/p"]),
+        ("gas: dimensions of p", solve,
+         inAir(replace("0/p", r"\[1 -1 -2 0", "[0 2 -2 0")), ["0/p", "dimensions"]),
+        ("gas: nan during the run", solve,
+         inAir(replace("0/p", r"outside \{ type zeroGradient;",
+                       "outside { type uniformFixedValue; uniformValue table ((0 1e5)"
+                       " (0.01 1e5) (0.02 -1e7));")),
+         [r"Gas air has density \S+ .*pressure", cell, "maxCoGas"]),
+        ("gas: no reconstruct(U)", solve,
+         inAir(replace(schemes, r"reconstruct\(U\) upwind;", "")),
+         [r"reconstruct\(U\)", "fvSchemes"]),
+        ("gas with stressUpdate USL", solve,
+         inAir(replace(numerics, "transfer", "stressUpdate USL; transfer")),
+         inNumerics + ["stressUpdate", "MUSL"]),
+        ("gas: unknown thermo", solve,
+         inAir(replace(phases, "perfectGas", "perfctGas")), inPhases + [valid, "perfectGas"]),
+        ("gas: no gamma", solve, inAir(replace(phases, "gamma 1.4;", "")),
+         inPhases + ["gamma"]),
+        ("gas: R negative", solve, inAir(gas("R -287;")), inPhases + ["R"]),
+        ("gas: unknown keyword", solve, inAir(gas("R 287; poreFlor 0.1;")),
+         inPhases + ["poreFlor", valid]),
+        ("gas: poreFloor 1", solve, inAir(gas("R 287; poreFloor 1;")),
+         inPhases + ["poreFloor"]),
+        ("gas: faceDrag 7", solve, inAir(gas("R 287; faceDrag 7;")),
+         inPhases + ["faceDrag"]),
+        ("gas: mu negative", solve, inAir(gas("R 287; mu -1;")), inPhases + ["mu"]),
+        ("gas: two gases", solve,
+         inAir(replace(phases, r"\(air base block\);", "(air base block steam);\nsteam"
+                       " { type gas; thermo perfectGas; R 462; gamma 1.3; }")),
+         ["2 phases of type gas", "phaseProperties"]),
+        ("drag: unknown type", solve, inAir(drag("type stik;")),
+         inPhases + ["stik", valid, "SchillerNaumann"]),
+        ("drag: no type", solve, inAir(drag("value 1;")), inPhases + ["type"]),
+        ("drag: Ergun without mu of the gas", solve, inAir(drag("type Ergun; d 1e-3;")),
+         inPhases + ["mu", "air"]),
+        ("drag: Ergun without d", solve, inAir(drag("type Ergun;")), inPhases + ["d"]),
+        ("drag: permeability 0", solve,
+         inAir(gas("R 287; mu 1e-5;"), drag("type Darcy; permeability 0;")),
+         inPhases + ["permeability"]),
+        ("drag: constant, negative", solve, inAir(drag("type constant; value -1;")),
+         inPhases + ["value"]),
+        ("drag: direction sideways", solve,
+         inAir(drag("type stick; direction sideways;")), inPhases + ["direction", "normal"]),
+        ("drag: word instead of a dictionary", solve,
+         inAir(replace(phases, r"(base\s*\{)", r"\1 drag stick;")), inPhases + ["drag"]),
+        ("gas: energyBudget of an isentropic gas", solve,
+         inAir(replace(phases, r"thermo perfectGas; R 287; gamma 1.4;",
+                       "thermo isentropic; p0 1e5; rho0 1.2; gamma 1.4;"),
+               replace(numerics, "transfer", "energyBudget yes; transfer")),
+         ["isentropic", "energyBudget"]),
+        ("gas: materialPointBalance with executeControl", solve,
+         inAir(replace(control, r"maxCo", "functions { b { type materialPointBalance;"
+                       " libs (mpmFunctionObjects); executeControl timeStep;"
+                       " executeInterval 2; } }\nmaxCo")),
+         ["executeControl"]),
+        ("ambient stress without a pressure", ["setMaterialPoints"],
+         several(air, replace("system/setMaterialPointsDict", "pressure 1e5;", "")),
+         [line("setMaterialPointsDict"), "pressure"]),
+    ]
+    return rows

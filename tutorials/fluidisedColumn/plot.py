@@ -1,0 +1,110 @@
+"""Pressure drop of the bed, force on the grid and place of the bed while the stream
+grows, against Ergun's law and the weight of the bed.
+
+    fixed bed    dp/H = 150 (1-e)^2 mu U/(e^3 d^2) + 1.75 (1-e) rho U^2/(e^3 d)
+    fluidised    dp/H = (1-e) (rho_s - rho_g) g
+
+U: superficial velocity in the middle of the bed; where both are equal it is that of
+minimum fluidisation.
+"""
+
+import re
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+MU, D, RHO_S, G, SHARE, H, R, T = 1.8e-5, 1e-3, 2500.0, 9.81, 0.55, 0.4, 287.0, 300.0
+AREA, E = 1e-4, 1 - 0.55
+
+
+def ergun(U, rho):
+    return (150*SHARE**2*MU*U/(E**3*D**2) + 1.75*SHARE*rho*U**2/(E**3*D))*H
+
+
+def minimum(rho):
+    a, b = 1.75*SHARE*rho/(E**3*D), 150*SHARE**2*MU/(E**3*D**2)
+    return (-b + np.sqrt(b*b + 4*a*SHARE*(RHO_S - rho)*G))/(2*a)
+
+
+def table(folder, name):
+    with open(f"postProcessing/{folder}/0/{name}") as f:
+        return np.array([line.split() for line in f if not line.startswith("#")], float)
+
+
+def results():
+    """Time, superficial velocity in the bed, gas density there, pressure drop, force
+    on the grid, centre of the bed."""
+    p = table("pressure", "p")
+    t = p[:, 0]
+    rho = 0.5*(p[:, 1] + p[:, 2])/(R*T)
+    U = np.interp(t, (0, 0.05, 0.3), (0, 0.645, 0.79))*p[:, 1]/(R*T)/rho
+    # Less what the air itself weighs, between the probes
+    drop = p[:, 1] - p[:, 2] - rho*G*0.595
+    with open("log.materialPointFoam") as f:
+        log = f.read()
+    force = np.array(re.findall(r"Load on grid: force \(([^ ]+)", log), float)[:len(t)]
+    bed = table("place", "bed.dat")
+    return t, U, rho, drop, force, bed
+
+
+def smooth(t, y, width):
+    """Mean over a time."""
+    sums = np.concatenate([[0], np.cumsum(0.5*(y[1:] + y[:-1])*np.diff(t))])
+    low, high = (np.clip(t + w, t[0], t[-1]) for w in (-width/2, width/2))
+    return (np.interp(high, t, sums) - np.interp(low, t, sums))/(high - low)
+
+
+def figures():
+    t, U, rho, drop, force, _ = results()
+    plateau = SHARE*(RHO_S - rho)*G*H
+    Umf = minimum(np.interp(0.2, t, rho))
+    fixed = (t > 0.1) & (U < 0.97*Umf)
+    carried = (t > 0.1) & (U >= Umf)
+    free = (t > 0.1) & (smooth(t, force, 0.02) >= 0)
+    return {"Umf": Umf, "fixed": np.mean(drop[fixed]/ergun(U, rho)[fixed]),
+            "carried": np.mean(drop[carried]/plateau[carried]),
+            "reached": U[np.argmax((drop >= plateau) & (t > 0.05))],
+            "lifted": U[np.argmax(free)]}
+
+
+if __name__ == "__main__":
+    t, U, rho, drop, force, bed = results()
+    plateau = SHARE*(RHO_S - rho)*G*H
+    r = figures()
+    Umf = r["Umf"]
+    print(f"fixed bed: pressure drop over Ergun {r['fixed']:.4f}")
+    swing = drop[(t > 0.1) & (U >= Umf)]/plateau[0]
+    print(f"fluidised: pressure drop over the weight {r['carried']:.4f} in the mean,"
+          f" {swing.min():.3f} to {swing.max():.3f} while the bed rises and stops")
+    print(f"minimum fluidisation velocity {Umf:.4f} m/s; the pressure drop reaches the weight at"
+          f" {r['reached']:.4f} m/s ({100*(r['reached']/Umf - 1):+.2f} %)")
+    print(f"  nothing lies on the grid from {r['lifted']:.4f} m/s"
+          f" ({100*(r['lifted']/Umf - 1):+.2f} %; mean of 20 ms)")
+    weight = -SHARE*RHO_S*H*AREA*G
+
+    weight = -SHARE*RHO_S*H*AREA*G
+    figure, axes = plt.subplots(3, 1, figsize=(8, 8.5), sharex=True,
+                                constrained_layout=True)
+    axes[0].plot(t, drop, "C0-", label="this case")
+    axes[0].plot(t, ergun(U, rho), "k--", lw=1, label="Ergun, bed that does not move")
+    axes[0].plot(t, plateau, "k:", label="weight of the bed")
+    axes[0].set_ylim(0, 1.25*plateau[0])
+    axes[0].set_ylabel("pressure drop [Pa]")
+    axes[0].legend()
+    axes[1].plot(t, force/weight, "C0-")
+    axes[1].axhline(0, color="k", lw=0.5)
+    axes[1].set_ylim(-0.2, 2)
+    axes[1].set_ylabel("force on the grid / weight")
+    axes[2].plot(bed[:, 0], 1e3*(bed[:, 7] - bed[0, 7]), "C0-")
+    axes[2].set_ylabel("rise of the bed's centre [mm]")
+    axes[2].set_xlabel("time [s]")
+    above = axes[2].twinx()
+    above.plot(t, U, "C1-")
+    above.axhline(Umf, color="C1", lw=0.8, ls=":")
+    above.set_ylim(0, None)
+    above.set_ylabel("superficial velocity [m/s], orange\ndotted: minimum fluidisation")
+    for ax in axes:
+        ax.axvline(t[np.argmax(U >= Umf)], color="0.5", lw=0.8)
+    figure.savefig("fluidised.png", dpi=130)
