@@ -28,6 +28,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
     rho_(0),
     largestMass_(0),
     cloud_(grid, name),
+    waveSpeed_(0),
     nFailed_(0),
     nFailedKept_(0)
 {
@@ -59,6 +60,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
             }
         );
         law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
+        waveSpeed_ = law_->waveSpeed();
     }
     if (dict.found("failureModel"))
     {
@@ -93,11 +95,30 @@ Foam::mpm::materialPointPhase::materialPointPhase
             cloud_.needStrength();
         }
     }
-    for
-    (
-        const historyColumn& h
-      : law_ ? law_->history() : List<historyColumn>()
-    )
+    List<historyColumn> history;
+    if (law_)
+    {
+        history = law_->history();
+    }
+    if (law_ && failure_)
+    {
+        failure_->connect(*law_, grid.nDim());
+        history.append(failure_->history());
+    }
+    int nHistory = 0;
+    for (const historyColumn& h : history)
+    {
+        nHistory += h.nComponents(grid.nDim());
+    }
+    if (nHistory > pointBlock::maxHistory)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law and failure model of phase " << name << " have "
+            << nHistory << " history components; at most "
+            << pointBlock::maxHistory << " are possible."
+            << exit(FatalIOError);
+    }
+    for (const historyColumn& h : history)
     {
         cloud_.needHistory
         (
@@ -136,7 +157,11 @@ void Foam::mpm::materialPointPhase::read()
     {
         for (label p = 0; p < cloud_.size(); ++p)
         {
-            (*s)[0][p] = failure_->strength(uint64_t(cloud_.id()[0][p]));
+            (*s)[0][p] = failure_->strength
+            (
+                uint64_t(cloud_.id()[0][p]),
+                cloud_.mass()[0][p]/rho()
+            );
         }
     }
 
@@ -150,7 +175,7 @@ void Foam::mpm::materialPointPhase::read()
         return;
     }
 
-    // Points that start with a stress but without the law's history
+    // Points that start without the law's history, maybe with a stress
     bool stressed = false, history = false;
     pointBlock b(block());
     for (label p = 0; p < cloud_.size(); ++p)
@@ -170,9 +195,13 @@ void Foam::mpm::materialPointPhase::read()
     }
     reduce(stressed, orOp<bool>());
     reduce(history, orOp<bool>());
-    if (stressed && !history && cloud_.history().size())
+    if (!history && cloud_.history().size())
     {
-        law_->initialise(b);
+        law_->start(b);
+        if (stressed)
+        {
+            law_->initialise(b);
+        }
     }
 }
 

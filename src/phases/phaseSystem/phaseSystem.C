@@ -209,7 +209,7 @@ void Foam::mpm::pointPhaseSystem::updateWaveRate()
     {
         if (!phase.motion())
         {
-            const scalar c = phase.law().waveSpeed();
+            const scalar c = phase.waveSpeed();
             rate = max(rate, c/shortestSide(phase));
         }
     }
@@ -927,6 +927,10 @@ void Foam::mpm::pointPhaseSystem::correctStress
                 << exit(FatalError);
         }
         phase.nFailed() += result.nFailed;
+        if (phase.law().waveSpeedVaries())
+        {
+            phase.setWaveSpeed(result.waveSpeed);
+        }
     }
     if (withForce && !coupling_)
     {
@@ -1013,6 +1017,14 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
         coupling_->accepted();
     }
     stressUpdate_->end(*this, dt);
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (!phase.motion() && phase.law().waveSpeedVaries())
+        {
+            updateWaveRate();
+            break;
+        }
+    }
     if (coupling_)
     {
         coupling_->arrive(dt);
