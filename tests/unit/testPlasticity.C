@@ -8,6 +8,9 @@ License
 
 #include <doctest/doctest.h>
 #include "testPoints.H"
+#include "failureModel.H"
+#include "IFstream.H"
+#include <cstdlib>
 #include <unsupported/Eigen/MatrixFunctions>
 
 namespace
@@ -755,5 +758,63 @@ TEST_CASE("input errors of plastic laws and fluids")
     {
         CAPTURE(text);
         CHECK_THROWS_AS(lawOf(text), Foam::IOerror);
+    }
+}
+
+
+TEST_CASE("etc/materials: the files are laws with the published constants")
+{
+    // A, B, n, C, m; rho, cp, Tm, G; C0, S, Gamma0 of Uintah's MaterialData;
+    // D1 to D5, 0 without
+    struct
+    {
+        const char* name;
+        scalar jc[5], other[4], shock[3], damage[5];
+    } materials[] =
+    {
+        {"copperOFHC", {90e6, 292e6, 0.31, 0.025, 1.09}, {8960, 383, 1356, 46e9},
+            {3940, 1.489, 2.02}, {0.54, 4.89, -3.03, 0.014, 1.12}},
+        {"ironArmco", {175e6, 380e6, 0.32, 0.06, 1.44}, {7890, 452, 1811, 80e9},
+            {3574, 1.92, 1.69}, {-2.20, 5.43, -0.47, 0.016, 0.63}},
+        {"steel4340", {792e6, 510e6, 0.26, 0.014, 1.03}, {7830, 477, 1793, 77e9},
+            {3574, 1.92, 1.69}, {0.05, 3.44, -2.12, 0.002, 0.61}},
+        {"aluminium6061T6", {324e6, 114e6, 0.42, 0.002, 1.34}, {2700, 896, 925, 26e9},
+            {5386, 1.339, 1.99}, {-0.77, 1.45, -0.47, 0, 1.60}},
+        {"steelHzB", {1500e6, 569e6, 0.22, 0.003, 1.17}, {7850, 477, 1793, 77.8e9},
+            {3574, 1.92, 1.69}, {0, 0, 0, 0, 0}},
+        {"tungstenAlloy", {1506.96e6, 176.64e6, 0.12, 0.016, 1}, {17000, 134, 3695, 124e9},
+            {3980, 1.24, 1.54}, {0, 0, 0, 0, 0}}
+    };
+    const std::string folder(std::string(std::getenv("MPM_PROJECT_DIR")) + "/etc/materials/");
+    for (const auto& m : materials)
+    {
+        IFstream is(folder + m.name);
+        const dictionary dict(is);
+        const auto law(constitutiveModel::New(dict));
+        const char* jc[] = {"A", "B", "n", "C", "m"};
+        for (int i = 0; i < 5; ++i) CHECK(dict.get<scalar>(jc[i]) == m.jc[i]);
+        const char* other[] = {"rho", "cp", "meltTemperature", "G"};
+        for (int i = 0; i < 4; ++i) CHECK(dict.get<scalar>(other[i]) == m.other[i]);
+        const char* shock[] = {"C0", "S", "Gamma0"};
+        for (int i = 0; i < 3; ++i)
+        {
+            CHECK(dict.subDict("equationOfState").get<scalar>(shock[i]) == m.shock[i]);
+        }
+        CHECK
+        (
+            law->waveSpeed()
+         == doctest::Approx
+            (std::sqrt(sqr(m.shock[0]) + 4.0/3*m.other[3]/m.other[0])).epsilon(1e-10)
+        );
+        if (m.damage[1] != 0)
+        {
+            IFstream damage(folder + m.name + "Damage");
+            const dictionary d(damage);
+            CHECK_NOTHROW(failureModel::New(d));
+            for (int i = 0; i < 5; ++i)
+            {
+                CHECK(d.get<scalar>("D" + std::to_string(i + 1)) == m.damage[i]);
+            }
+        }
     }
 }
