@@ -176,32 +176,52 @@ void Foam::mpm::materialPointPhase::read()
     }
 
     // Points that start without the law's history, maybe with a stress
-    bool stressed = false, history = false;
+    bool history = false;
     pointBlock b(block());
-    for (label p = 0; p < cloud_.size(); ++p)
+    int h = 0;
+    for (const column& c : cloud_.history())
     {
-        for (int i = 0; i < nStress(b.nDim); ++i)
+        for (int i = 0; i < c.nComponents(); ++i, ++h)
         {
-            stressed = stressed || b.stress[i][p] != 0;
-        }
-        int h = 0;
-        for (const column& c : cloud_.history())
-        {
-            for (int i = 0; i < c.nComponents(); ++i)
+            for (label p = 0; p < cloud_.size(); ++p)
             {
-                history = history || b.history[h++][p] != 0;
+                history = history || b.history[h][p] != 0;
             }
         }
     }
-    reduce(stressed, orOp<bool>());
     reduce(history, orOp<bool>());
     if (!history && cloud_.history().size())
     {
         law_->start(b);
-        if (stressed)
+        if (stressed())
         {
             law_->initialise(b);
         }
+    }
+}
+
+
+bool Foam::mpm::materialPointPhase::stressed()
+{
+    bool found = false;
+    const pointBlock b(block());
+    for (int i = 0; i < nStress(b.nDim); ++i)
+    {
+        for (label p = 0; p < cloud_.size(); ++p)
+        {
+            found = found || b.stress[i][p] != 0;
+        }
+    }
+    return returnReduce(found, orOp<bool>());
+}
+
+
+void Foam::mpm::materialPointPhase::startHistory()
+{
+    if (law_ && !stressed())
+    {
+        pointBlock b(block());
+        law_->start(b);
     }
 }
 
