@@ -30,6 +30,13 @@ Foam::scalar Foam::mpm::gasCoupling::raw
 }
 
 
+Foam::scalar Foam::mpm::gasCoupling::solidFraction(const label celli) const
+{
+    const label at = pointKernels::cellStride*sums_.place(celli);
+    return (1 - eps_)*cell_[at + pointKernels::fraction]/mesh_.V()[celli];
+}
+
+
 void Foam::mpm::gasCoupling::updateVolume
 (
     materialPointCloud& cloud,
@@ -112,11 +119,8 @@ void Foam::mpm::gasCoupling::limitFaceDrag()
         behind[i] = largest[own[mesh_.nInternalFaces() + i]];
         Kbehind[i] = Kc_[own[mesh_.nInternalFaces() + i]];
     }
-    if (Pstream::parRun() || behind.size())
-    {
-        syncTools::swapBoundaryFaceList(mesh_, behind);
-        syncTools::swapBoundaryFaceList(mesh_, Kbehind);
-    }
+    syncTools::swapBoundaryFaceList(mesh_, behind);
+    syncTools::swapBoundaryFaceList(mesh_, Kbehind);
     forAll(thetaS_, f)
     {
         const label i = f - mesh_.nInternalFaces();
@@ -149,13 +153,13 @@ void Foam::mpm::gasCoupling::prepareFaces(const scalar dt)
         }
 
         const scalar V = mesh_.V()[mesh_.faceOwner()[f]];
-        const scalar S = mesh_.magSf().primitiveField().size() > f
-          ? mesh_.magSf()[f] : mag(mesh_.faceAreas()[f]);
+        const scalar S = mag(mesh_.faceAreas()[f]);
         const scalar mean = 0.5*(1 - eps_)*(sumOld + sumNow)/V;
         thetaS0_[f] = min((1 - eps_)*sumOld/V, 1 - eps_);
         thetaS_[f] = min(mean, 1 - eps_);
 
-        // S/V is 1/h
+        // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
+        // adds up in the gas fraction
         phiS_[f] =
             sums_.sign(f)*(thetaS_[f]/mean)*(1 - eps_)
            *now[pointKernels::flux]*S/(V*dt);
@@ -220,9 +224,8 @@ Foam::mpm::gasCoupling::gasCoupling
     J_(mesh_.nCells(), Zero),
     Q_(mesh_.nCells(), 0),
     Kc_(mesh_.nCells(), 0),
-    seconds_(0)
+    normalOnly_(false)
 {
-    bool normalOnly = false;
     forAll(points_.phases(), phasei)
     {
         materialPointPhase& phase = points_.phases()[phasei];
@@ -237,7 +240,7 @@ Foam::mpm::gasCoupling::gasCoupling
                 dict.found("drag") ? requiredDict(dict, "drag") : stick
             )
         );
-        normalOnly = normalOnly || drag_[phasei].normalOnly();
+        normalOnly_ = normalOnly_ || drag_[phasei].normalOnly();
         if (drag_[phasei].needsViscosity() && !(mu_ > 0))
         {
             FatalIOErrorInFunction(dict)
@@ -264,7 +267,7 @@ Foam::mpm::gasCoupling::gasCoupling
         (
             requiredDict(properties, gas.name()),
             "faceDrag",
-            normalOnly ? 0 : 3,
+            normalOnly_ ? 0 : 3,
             0,
             3
         )
@@ -279,13 +282,7 @@ Foam::mpm::gasCoupling::gasCoupling
     scalarField theta(mesh_.nCells());
     forAll(theta, c)
     {
-        theta[c] = max
-        (
-            1 - (1 - eps_)
-           *cell_[pointKernels::cellStride*sums_.place(c) + pointKernels::fraction]
-           /mesh_.V()[c],
-            eps_
-        );
+        theta[c] = max(1 - solidFraction(c), eps_);
     }
     gas_.setTheta(theta);
 }
@@ -313,10 +310,9 @@ void Foam::mpm::gasCoupling::force()
         {
             const int d = sums_.direction(f);
             const scalar clip = min(scalar(1), (1 - eps_)/theta);
-            const scalar h = mesh_.V()[mesh_.faceOwner()[f]]
-               /mag(mesh_.faceAreas()[f]);
             G_[sums_.nPlaces()*d + sums_.facePlace(f)] =
-                (1 - eps_)*clip*sums_.sign(f)*(pN - pO)/h;
+                (1 - eps_)*clip*sums_.sign(f)*(pN - pO)
+               *mag(mesh_.faceAreas()[f])/mesh_.V()[mesh_.faceOwner()[f]];
         }
     };
     for (label f = 0; f < mesh_.nInternalFaces(); ++f)
@@ -420,11 +416,7 @@ void Foam::mpm::gasCoupling::report() const
     scalar least = GREAT, most = -GREAT;
     forAll(gas_.theta(), c)
     {
-        const scalar Theta =
-            gas_.theta()[c]
-          + (1 - eps_)
-           *cell_[pointKernels::cellStride*sums_.place(c) + pointKernels::fraction]
-           /mesh_.V()[c];
+        const scalar Theta = gas_.theta()[c] + solidFraction(c);
         least = min(least, Theta);
         most = max(most, Theta);
     }
@@ -452,11 +444,7 @@ void Foam::mpm::gasCoupling::writeFields() const
     );
     forAll(Theta, c)
     {
-        Theta[c] =
-            gas_.theta()[c]
-          + (1 - eps_)
-           *cell_[pointKernels::cellStride*sums_.place(c) + pointKernels::fraction]
-           /mesh_.V()[c];
+        Theta[c] = gas_.theta()[c] + solidFraction(c);
     }
     Theta.write();
 }

@@ -28,23 +28,11 @@ Foam::vector Foam::mpm::gasCoupling::exchange
 
     if (model.normalOnly())
     {
-        // Outward or inward is the same: the gradient of the fraction
-        vector n(Zero);
-        for (const label f : mesh_.cells()[celli])
+        vector n;
+        if (normal(celli, n))
         {
-            if (sums_.direction(f) >= 0)
-            {
-                const scalar out = mesh_.faceOwner()[f] == celli ? 1 : -1;
-                n += out*raw(face_, f)*mesh_.faceAreas()[f];
-            }
+            relative = n*(n & relative);
         }
-        const scalar size = mag(n);
-        if (size < 1e-6*std::pow(mesh_.V()[celli], 2.0/3.0))
-        {
-            return Zero;
-        }
-        n /= size;
-        relative = n*(n & relative);
     }
 
     const scalar K = model.K
@@ -185,6 +173,10 @@ void Foam::mpm::gasCoupling::drag(const scalar dt)
     }
     dragged_.clear();
     Kc_ = 0;
+    if (normalOnly_)
+    {
+        updateNormals();
+    }
 
     forAll(points_.phases(), phasei)
     {

@@ -26,26 +26,6 @@ namespace
 using namespace Foam;
 using namespace Foam::mpm;
 
-IOobject columnObject
-(
-    const cloud& c,
-    const word& name,
-    const IOobject::readOption r
-)
-{
-    return IOobject
-    (
-        name,
-        c.time().timeName(),
-        cloud::prefix/c.name(),
-        c.db(),
-        r,
-        IOobject::NO_WRITE,
-        false
-    );
-}
-
-
 void wrongSize(const IOobject& object, const label size, const label n)
 {
     FatalErrorInFunction
@@ -55,9 +35,9 @@ void wrongSize(const IOobject& object, const label size, const label n)
 
 
 //- Number of values that a field's file announces, -1 if it has none
-label announced(const cloud& c, const word& name)
+label announced(const materialPointCloud& c, const word& name)
 {
-    IOobject object(columnObject(c, name, IOobject::MUST_READ));
+    IOobject object(c.columnObject(name, IOobject::MUST_READ));
     IFstream is(object.objectPath());
     if (!is.good() || !object.readHeader(is))
     {
@@ -72,12 +52,12 @@ label announced(const cloud& c, const word& name)
 template<class Type>
 tmp<Field<Type>> readField
 (
-    const cloud& c,
+    const materialPointCloud& c,
     const word& name,
     const label n
 )
 {
-    const IOobject object(columnObject(c, name, IOobject::MUST_READ));
+    const IOobject object(c.columnObject(name, IOobject::MUST_READ));
 
     // Before there is memory for a wrong number of them
     const label nAnnounced = n < 0 ? -1 : announced(c, name);
@@ -105,7 +85,7 @@ tmp<Field<Type>> readField
 }
 
 
-bool onDisk(const cloud& c, const word& name)
+bool onDisk(const materialPointCloud& c, const word& name)
 {
     const fileName path
     (
@@ -114,21 +94,28 @@ bool onDisk(const cloud& c, const word& name)
     return isFile(path) || isFile(path + ".gz");
 }
 
-
-template<class Type, class Get>
-void writeField(const cloud& c, const word& name, const label n, const Get& get)
-{
-    IOField<Type> f(columnObject(c, name, IOobject::NO_READ), n);
-    for (label p = 0; p < n; ++p)
-    {
-        f[p] = get(p);
-    }
-    f.write(n > 0);
-}
-
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::IOobject Foam::mpm::materialPointCloud::columnObject
+(
+    const word& name,
+    const IOobject::readOption r
+) const
+{
+    return IOobject
+    (
+        name,
+        time().timeName(),
+        cloud::prefix/this->name(),
+        db(),
+        r,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
 
 Foam::label Foam::mpm::materialPointCloud::ownCellBeside(const point& x) const
 {
@@ -562,118 +549,5 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
     return returnReduce(n_, sumOp<label>());
 }
 
-
-void Foam::mpm::materialPointCloud::writePoints() const
-{
-    const int D = grid_.nDim();
-    const noTraps guard;
-
-    // Positions for other tools
-    Cloud<passiveParticle> parcels
-    (
-        grid_.mesh(),
-        name(),
-        IDLList<passiveParticle>()
-    );
-    labelList cell(n_);
-    forAll(cells_, k)
-    {
-        for (label p = start_[k]; p < start_[k + 1]; ++p)
-        {
-            cell[p] = cells_[k];
-            passiveParticle* parcel = new passiveParticle
-            (
-                grid_.mesh(),
-                position(p, cells_[k]),
-                cells_[k]
-            );
-            parcel->origProc() = 0;
-            parcel->origId() = label(id_[0][p]);
-            parcels.addParticle(parcel);
-        }
-    }
-    parcels.write();
-
-    const fullPrecision allDigits;
-
-    writeField<vector>
-    (*this, "x", n_, [&](label p) { return position(p, cell[p]); });
-    writeField<vector>
-    (*this, "U", n_, [&](label p) { return velocity(p); });
-    writeField<scalar>
-    (*this, "m", n_, [&](label p) { return mass_[0][p]; });
-    writeField<scalar>
-    (*this, "V", n_, [&](label p) { return volume_[0][p]; });
-    writeField<symmTensor>
-    (*this, "sigma", n_, [&](label p) { return sigma(p); });
-    writeField<label>
-    (*this, "id", n_, [&](label p) { return label(id_[0][p]); });
-
-    if (halfSize_)
-    {
-        writeField<vector>
-        (
-            *this, "halfSize", n_,
-            [&](label p)
-            {
-                vector v(Zero);
-                for (int d = 0; d < D; ++d)
-                {
-                    v[grid_.direction(d)] = (*halfSize_)[d][p];
-                }
-                return v;
-            }
-        );
-    }
-    if (reference_)
-    {
-        writeField<vector>
-        (
-            *this, "X", n_,
-            [&](label p)
-            {
-                point X(position(p, cell[p]));
-                for (int d = 0; d < D; ++d)
-                {
-                    X[grid_.direction(d)] = (*reference_)[d][p];
-                }
-                return X;
-            }
-        );
-    }
-    if (damage_)
-    {
-        writeField<scalar>
-        (*this, "damage", n_, [&](label p) { return (*damage_)[0][p]; });
-    }
-    for (const column* own : ownColumns())
-    {
-        const column& h = *own;
-        if (h.kind() == column::scalars)
-        {
-            writeField<scalar>
-            (*this, h.name(), n_, [&](label p) { return h[0][p]; });
-        }
-        else if (h.kind() == column::tensors)
-        {
-            writeField<tensor>
-            (*this, h.name(), n_, [&](label p) { return tensorOf(h, p); });
-        }
-        else
-        {
-            writeField<symmTensor>
-            (*this, h.name(), n_, [&](label p) { return symm(tensorOf(h, p)); });
-        }
-    }
-
-    // For the eye: pressure and equivalent stress
-    writeField<scalar>
-    (*this, "p", n_, [&](label p) { return -tr(sigma(p))/3; });
-    writeField<scalar>
-    (
-        *this, "sigmaEq", n_,
-        [&](label p) { return std::sqrt(1.5)*mag(dev(sigma(p))); }
-    );
-}
 
 // ************************************************************************* //

@@ -1,0 +1,243 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointCloud.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::materialPointCloud::permute
+(
+    const labelList& from,
+    const label first
+)
+{
+    // The current x, U and C stay in the old order: they are what reject()
+    // needs and accept() throws away
+    forColumns
+    (
+        [&](column& c)
+        {
+            tentative(c).permute(from.cdata(), first, from.size(), scratch_);
+        }
+    );
+}
+
+
+void Foam::mpm::materialPointCloud::order(const labelList& cell)
+{
+    // Order by cell, then by id
+    labelList order(identity(n_));
+    const scalar* id = id_[0];
+    std::sort
+    (
+        order.begin(),
+        order.end(),
+        [&](const label a, const label b)
+        {
+            return cell[a] != cell[b] ? cell[a] < cell[b] : id[a] < id[b];
+        }
+    );
+    forColumns([&](column& c) { c.permute(order.cdata(), 0, n_, scratch_); });
+
+    DynamicList<label> cells, start;
+    forAll(order, i)
+    {
+        if (i == 0 || cell[order[i]] != cell[order[i - 1]])
+        {
+            cells.append(cell[order[i]]);
+            start.append(i);
+        }
+    }
+    start.append(n_);
+    cells_.transfer(cells);
+    start_.transfer(start);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
+{
+    sorted_ = false;
+    if (movers.empty())
+    {
+        return false;
+    }
+
+    oldCells_ = cells_;
+    oldStart_ = start_;
+
+    // Points per cell after the step; cells that were empty before
+    DynamicList<label> fresh;
+    forAll(cells_, k)
+    {
+        // One more marks a listed cell, so that an emptied one is known
+        count_[cells_[k]] = 1 + start_[k + 1] - start_[k];
+    }
+    label m = 0, nLeft = 0;
+    forAll(cells_, k)
+    {
+        for (; m < movers.size() && movers[m].point < start_[k + 1]; ++m)
+        {
+            --count_[cells_[k]];
+            if (movers[m].cell >= grid_.nCells())
+            {
+                ++nLeft;
+                continue;
+            }
+            label& c = count_[movers[m].cell];
+            if (c == 0)
+            {
+                c = 1;
+                fresh.append(movers[m].cell);
+            }
+            ++c;
+        }
+    }
+    for (; m < movers.size(); ++m)
+    {
+        // Arrived
+        if (movers[m].cell >= grid_.nCells())
+        {
+            ++nLeft;
+            continue;
+        }
+        label& c = count_[movers[m].cell];
+        if (c == 0)
+        {
+            c = 1;
+            fresh.append(movers[m].cell);
+        }
+        ++c;
+    }
+    Foam::sort(fresh);
+
+    // New list of cells
+    DynamicList<label> cells(oldCells_.size() + fresh.size());
+    for (label a = 0, b = 0; a < oldCells_.size() || b < fresh.size();)
+    {
+        const bool takeOld =
+            b == fresh.size()
+         || (a < oldCells_.size() && oldCells_[a] < fresh[b]);
+        const label celli = takeOld ? oldCells_[a++] : fresh[b++];
+        if (count_[celli] > 1)
+        {
+            cells.append(celli);
+        }
+        else
+        {
+            count_[celli] = 0;
+        }
+    }
+    const bool changed =
+        fresh.size() || cells.size() != oldCells_.size();
+
+    // Turn counts into places
+    start_.setSize(cells.size() + 1);
+    label n = 0;
+    forAll(cells, k)
+    {
+        start_[k] = n;
+        const label nHere = count_[cells[k]] - 1;
+        count_[cells[k]] = first_[cells[k]] = n;
+        n += nHere;
+    }
+    start_[cells.size()] = n;
+
+    // Stayers in their order, then movers; points that have left stand behind
+    // all others until the state is accepted
+    oldN_ = n_;
+    n_ += nArrived_ - nLeft;
+    nArrived_ = 0;
+    from_.setSize(n_ + nLeft);
+    label left = n_;
+    m = 0;
+    forAll(oldCells_, k)
+    {
+        const label celli = oldCells_[k];
+        label to = count_[celli];
+        for (label p = oldStart_[k]; p < oldStart_[k + 1]; ++p)
+        {
+            if (m < movers.size() && movers[m].point == p)
+            {
+                ++m;
+            }
+            else
+            {
+                from_[to++] = p;
+            }
+        }
+        count_[celli] = to;
+    }
+    const scalar* id = id_[0];
+    for (const mover& mv : movers)
+    {
+        if (mv.cell >= grid_.nCells())
+        {
+            from_[left++] = mv.point;
+            continue;
+        }
+        // Into its place by id among those already there
+        const label celli = mv.cell;
+        const label first = first_[celli];
+        label at = count_[celli]++;
+        while (at > first && id[from_[at - 1]] > id[mv.point])
+        {
+            from_[at] = from_[at - 1];
+            --at;
+        }
+        from_[at] = mv.point;
+    }
+    for (const label celli : cells)
+    {
+        count_[celli] = 0;
+    }
+    cells_.transfer(cells);
+
+    firstMoved_ = 0;
+    while (firstMoved_ < from_.size() && from_[firstMoved_] == firstMoved_)
+    {
+        ++firstMoved_;
+    }
+
+    permute(from_, firstMoved_);
+    sorted_ = true;
+
+    return changed;
+}
+
+
+void Foam::mpm::materialPointCloud::accept()
+{
+    x_.swap(xNew_);
+    U_.swap(UNew_);
+    if (affine_) affine_->swap(*affineNew_);
+    sorted_ = false;
+}
+
+
+void Foam::mpm::materialPointCloud::reject()
+{
+    if (!sorted_)
+    {
+        return;
+    }
+
+    labelList back(from_.size());
+    forAll(from_, i)
+    {
+        back[from_[i]] = i;
+    }
+    permute(back, firstMoved_);
+    n_ = oldN_;
+    cells_ = oldCells_;
+    start_ = oldStart_;
+    sorted_ = false;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,334 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseSystem.H"
+#include "selector.H"
+#include "fatalMessages.H"
+#include "largestOfAll.H"
+#include "noTraps.H"
+#include "uniformDimensionedFields.H"
+#include "Time.H"
+#include "OSspecific.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pointPhaseSystem::readNumerics()
+{
+    const dictionary& dict =
+        requiredDict(mesh_.solutionDict(), "materialPoints");
+
+    wordList valid(transfer::keywords());
+    valid.append
+    (
+        wordList
+        ({
+            "shapeFunction", "stressUpdate", "energyBudget", "maxTravel",
+            "maxStrain"
+        })
+    );
+    checkKeywords(dict, valid);
+
+    transfer_ = transfer(dict);
+    stressUpdate_ = stressUpdate::New(dict);
+    maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
+    maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
+}
+
+
+void Foam::mpm::pointPhaseSystem::startAffine()
+{
+    // Fixed point of C = grad u(v, C): rigid rotation to rounding
+    const noTraps guard;
+    for (label i = 0; i < 200; ++i)
+    {
+        scalar size = 0, change = 0;
+        forAll(phases_, phasei)
+        {
+            materialPointCloud& cloud = phases_[phasei].cloud();
+            const gridState& field = fields_[fieldOf_[phasei]];
+            if (phases_[phasei].motion())
+            {
+                continue;
+            }
+            passes_->affine(cloud, false, field.U(), field.stride());
+            column& C = *cloud.affine();
+            column& CNew = *cloud.affineNew();
+            for (int c = 0; c < C.nComponents(); ++c)
+            {
+                for (label p = 0; p < cloud.size(); ++p)
+                {
+                    size = max(size, mag(CNew[c][p]));
+                    change = max(change, mag(CNew[c][p] - C[c][p]));
+                }
+            }
+            C.swap(CNew);
+        }
+        activate(false);
+        projectAll(pointPasses::current);
+        for (gridState& field : fields_)
+        {
+            field.accept();
+        }
+        reduce(size, maxOp<scalar>());
+        reduce(change, maxOp<scalar>());
+        if (debug)
+        {
+            Info<< "startAffine " << i << ": " << change << " of " << size << nl;
+        }
+        if (change <= 1e-14*size)
+        {
+            break;
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "pointPhaseSystem",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    grid_(hexGrid::New(mesh)),
+    properties_
+    (
+        IOobject
+        (
+            "phaseProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    g_(Zero),
+    rate_(0),
+    waveRate_(0),
+    nRedone_(0),
+    dt_(0),
+    tentative_(false),
+    warned_(false),
+    coupling_(nullptr)
+{
+    IOobject gHeader
+    (
+        "g",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if
+    (
+        gHeader.typeHeaderOk<uniformDimensionedVectorField>(true)
+     || exists(mesh.time().globalPath()/mesh.time().constant()/"g")
+    )
+    {
+        const auto g = readNamed
+        (
+            gHeader.objectPath(),
+            [&]
+            {
+                const uniformDimensionedVectorField field(gHeader);
+                return dimensionedVector(field.name(), field.dimensions(),
+                    field.value());
+            }
+        );
+        const noTraps guard;
+        if (g.dimensions() != dimAcceleration || !std::isfinite(mag(g.value())))
+        {
+            FatalErrorInFunction
+                << "Gravity in " << gHeader.objectPath() << " is " << g.value()
+                << ' ' << g.dimensions() << "; it must be finite and in "
+                << dimAcceleration << " (m/s2)." << exit(FatalError);
+        }
+        g_ = g.value();
+    }
+
+    requireClosed(properties_.objectPath());
+    requireClosed(mesh.solutionDict().name());
+    readNumerics();
+    passes_ = pointPasses::New
+    (
+        mesh.solutionDict().subDict("materialPoints"),
+        grid_
+    );
+
+    const wordList names(materialPointPhase::names(properties_));
+    phases_.setSize(names.size());
+    fieldOf_.setSize(names.size());
+    movers_.setSize(names.size());
+
+    wordList fieldNames;
+    forAll(names, phasei)
+    {
+        phases_.set
+        (
+            phasei,
+            new materialPointPhase
+            (
+                grid_,
+                names[phasei],
+                requiredDict(properties_, names[phasei]),
+                passes_->hasExtent(),
+                transfer_.kind == transfer::APIC
+            )
+        );
+        const word& field = phases_[phasei].velocityField();
+        fieldOf_[phasei] = fieldNames.find(field);
+        if (fieldOf_[phasei] < 0)
+        {
+            fieldOf_[phasei] = fieldNames.size();
+            fieldNames.append(field);
+        }
+    }
+
+    fields_.setSize(fieldNames.size());
+    forAll(fieldNames, fieldi)
+    {
+        const fileName file
+        (
+            mesh.time().timePath()
+           /IOobject::groupName("U", fieldNames[fieldi])
+        );
+        fields_.set
+        (
+            fieldi,
+            readNamed
+            (
+                file,
+                [&]
+                {
+                    return new gridState
+                    (
+                        grid_,
+                        fieldNames[fieldi],
+                        passes_->reach()
+                    );
+                }
+            )
+        );
+        fields_[fieldi].rigid().setPhases(phases_.size());
+    }
+
+    for (materialPointPhase& phase : phases_)
+    {
+        phase.read();
+        Info<< "Phase " << phase.name() << ": "
+            << returnReduce(phase.cloud().size(), sumOp<label>())
+            << " points of ";
+        if (phase.motion())
+        {
+            Info<< "a rigid body, motion " << phase.motion()->type();
+            phase.motion()->start(mesh_.time().value(), Zero);
+            phase.motion()->setVelocity(phase.cloud());
+        }
+        else
+        {
+            Info<< phase.law().type() << ", wave speed "
+                << phase.law().waveSpeed() << " m/s";
+        }
+        Info<< ", velocity field " << phase.velocityField() << nl;
+
+        // The domain of a point must not reach past the next cell
+        if (passes_->hasExtent())
+        {
+            materialPointCloud& cloud = phase.cloud();
+            forAll(cloud.cells(), k)
+            {
+                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+                {
+                    for (int d = 0; d < grid_.nDim(); ++d)
+                    {
+                        const scalar l = (*cloud.halfSize())[d][p];
+                        if (l > 1.0001*grid_.width(cloud.cells()[k], d))
+                        {
+                            FatalErrorInFunction
+                                << "Material point " << cloud.id()[0][p]
+                                << " of " << phase.name() << " at "
+                                << cloud.position(p, cloud.cells()[k])
+                                << ", time " << mesh_.time().timeName()
+                                << ", has half-size " << l
+                                << ", larger than its cell." << nl
+                                << "Use more points per cell in"
+                                << " setMaterialPointsDict or the shape"
+                                << " function linear." << exit(FatalError);
+                        }
+                    }
+                }
+            }
+        }
+        const materialPointCloud& cloud = phase.cloud();
+        forAll(cloud.cells(), k)
+        {
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                const scalar ih = 1/grid_.width(cloud.cells()[k], d);
+                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+                {
+                    rate_ = max(rate_, mag(cloud.U()[d][p])*ih);
+                }
+            }
+        }
+    }
+    rate_ = largestOfAll(rate_);
+    updateWaveRate();
+
+    startNodes();
+    bool haveAffine = true;
+    for (const materialPointPhase& phase : phases_)
+    {
+        haveAffine = haveAffine && (phase.motion() || phase.cloud().affineRead());
+    }
+    if
+    (
+        transfer_.kind == transfer::APIC
+     && !returnReduce(haveAffine, orOp<bool>())
+    )
+    {
+        startAffine();
+    }
+    for (gridState& field : fields_)
+    {
+        field.writeField();
+    }
+    if
+    (
+        mesh.solutionDict().subDict("materialPoints")
+       .getOrDefault<bool>("energyBudget", false)
+    )
+    {
+        bookEnergy();
+    }
+    checkOverlap();
+
+    Info<< "Material points: " << nPoints() << " in "
+        << phases_.size() << " phases, " << grid_.nDim() << "D, "
+        << grid_.nNodes() << " nodes, "
+        << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
+        << "    shape function "
+        << mesh.solutionDict().subDict("materialPoints").get<word>("shapeFunction")
+        << ", stress update " << stressUpdate_->name() << nl << "    ";
+    transfer_.write(Info);
+    reportBalance();
+    Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
+        << " buffers, " << gridBytes()/max(nPoints(), label(1))
+        << " on the nodes" << nl << endl;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,212 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseSystem.H"
+#include "noTraps.H"
+#include "timer.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pointPhaseSystem::filter
+(
+    const gridState::series s,
+    const scalar weight
+)
+{
+    if (weight <= 0)
+    {
+        return;
+    }
+    const timer t(clock_.project);
+    forAll(fields_, fieldi)
+    {
+        gridState& field = fields_[fieldi];
+        for (label k = 1; k < transfer_.order; ++k)
+        {
+            if (k == 1)
+            {
+                field.startFilter(s);
+            }
+            scalar* Mv = field.zeroProduct();
+            forAll(phases_, phasei)
+            {
+                if (fieldOf_[phasei] == fieldi && !phases_[phasei].motion())
+                {
+                    passes_->massTimes
+                    (
+                        phases_[phasei].cloud(),
+                        false,
+                        field.increment(),
+                        Mv
+                    );
+                }
+            }
+            field.sumColumn(Mv);
+            field.addFilter(s, weight);
+        }
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::finishForce(const scalar dt)
+{
+    addBodyForces(mesh_.time().value() + dt);
+    for (gridState& field : fields_)
+    {
+        field.sumForce();
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::pointPhaseSystem::strainVelocity()
+{
+    const noTraps guard;
+    const bool filtered = transfer_.order > 1 && transfer_.strainFilter > 0;
+    for (gridState& field : fields_)
+    {
+        field.strainFromU(filtered);
+    }
+    filter(gridState::strain, transfer_.strainFilter);
+}
+
+
+void Foam::mpm::pointPhaseSystem::strainVelocityL()
+{
+    for (gridState& field : fields_)
+    {
+        field.strainFromUL(transfer_.strainFilter);
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::strainVelocityAnew()
+{
+    const noTraps guard;
+    {
+        const timer t(clock_.project);
+        List<scalar*> mU(fields_.size());
+        forAll(fields_, fieldi)
+        {
+            mU[fieldi] = fields_[fieldi].strainMomentum();
+        }
+        forAll(phases_, phasei)
+        {
+            if (!phases_[phasei].motion())
+            {
+                passes_->project
+                (
+                    phases_[phasei].cloud(),
+                    pointPasses::oldPlaces,
+                    mU[fieldOf_[phasei]]
+                );
+            }
+        }
+        for (gridState& field : fields_)
+        {
+            field.strainFromMomentum();
+        }
+    }
+    filter(gridState::strain, transfer_.strainFilter);
+}
+
+
+void Foam::mpm::pointPhaseSystem::force(const scalar dt)
+{
+    const noTraps guard;
+    const timer t(clock_.stress);
+
+    for (gridState& field : fields_)
+    {
+        field.clearForce();
+    }
+    forAll(phases_, phasei)
+    {
+        if (!phases_[phasei].motion())
+        {
+            passes_->force
+            (
+                phases_[phasei].cloud(),
+                fields_[fieldOf_[phasei]].force()
+            );
+        }
+    }
+    finishForce(dt);
+}
+
+
+void Foam::mpm::pointPhaseSystem::correctStress
+(
+    const scalar dt,
+    const bool withForce,
+    const scalar dtForce
+)
+{
+    const noTraps guard;
+    const timer t(clock_.stress);
+
+    for (gridState& field : fields_)
+    {
+        if (withForce)
+        {
+            field.clearForce();
+        }
+    }
+    forAll(phases_, phasei)
+    {
+        materialPointPhase& phase = phases_[phasei];
+        if (phase.motion())
+        {
+            continue;
+        }
+        const pointPasses::stressResult result
+        (
+            passes_->correctStress
+            (
+                phase.cloud(),
+                phase.law(),
+                phase.failure(),
+                dt,
+                fields_[fieldOf_[phasei]].Ustrain(),
+                withForce && !coupling_
+              ? fields_[fieldOf_[phasei]].force()
+              : nullptr
+            )
+        );
+        if (result.badPoint >= 0)
+        {
+            const materialPointCloud& cloud = phase.cloud();
+            const label p = result.badPoint;
+            const point x(cloud.position(p, cloud.cellOf(p)));
+            FatalErrorInFunction
+                << "Material point " << label(cloud.id()[0][p]) << " of "
+                << phase.name() << " at " << x << ", step of " << dt
+                << " s after time " << mesh_.time().timeName()
+                << ": sigma (stress) from the law " << phase.law().type()
+                << " is no finite number; velocity " << cloud.velocity(p)
+                << ", volume " << cloud.volume()[0][p] << "." << nl
+                << "Nothing is written: the last written time is the last"
+                << " good state." << nl
+                << "A smaller maxCo in system/controlDict or maxStrain in"
+                << " fvSolution.materialPoints makes the step smaller."
+                << exit(FatalError);
+        }
+        phase.nFailed() += result.nFailed;
+        if (phase.law().waveSpeedVaries())
+        {
+            phase.setWaveSpeed(result.waveSpeed);
+        }
+    }
+    if (withForce && !coupling_)
+    {
+        finishForce(dtForce);
+    }
+}
+
+// ************************************************************************* //

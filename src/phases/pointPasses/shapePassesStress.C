@@ -1,0 +1,259 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+Description
+    Included by shapePasses.H.
+
+\*---------------------------------------------------------------------------*/
+
+namespace Foam
+{
+namespace mpm
+{
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<template<int> class Shape, int DIM>
+pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
+(
+    materialPointCloud& cloud,
+    const constitutiveModel& law,
+    const failureModel* failure,
+    const scalar dt,
+    const scalar* u,
+    scalar* f
+) const
+{
+    // Blocks of cells whose velocity gradients stay in the cache while the
+    // law works on them
+    constexpr label blockSize = 256;
+    constexpr label bufferSize = blockSize + 256;
+    alignas(64) static thread_local scalar dL[DIM*DIM][bufferSize + W];
+
+    alignas(64) static thread_local scalar width[bufferSize + W];
+    const bool needsWidth =
+        law.needsWidth() || (failure && failure->needsWidth());
+
+    const geometry geo(cloud, false);
+    column& stress = cloud.stress();
+    scalar* volume = cloud.volume()[0];
+    const scalar* mass = cloud.mass()[0];
+    const labelList& cells = cloud.cells();
+    const labelList& first = cloud.start();
+    stressResult result{0, -1, 0};
+
+    for (label k0 = 0; k0 < cells.size();)
+    {
+        // Whole cells while they fit; a cell with more points than the buffer
+        // goes in pieces
+        label k1 = k0 + 1;
+        while
+        (
+            k1 < cells.size()
+         && first[k1 + 1] - first[k0] <= blockSize
+        )
+        {
+            ++k1;
+        }
+
+        for
+        (
+            label begin = first[k0];
+            begin < first[k1];
+            begin += bufferSize
+        )
+        {
+            const label end = min(first[k1], begin + bufferSize);
+
+            for (label k = k0; needsWidth && k < k1; ++k)
+            {
+                scalar product = 1;
+                for (int d = 0; d < DIM; ++d)
+                {
+                    product *= cloud.grid().width(cells[k], d);
+                }
+                const scalar l =
+                    DIM == 1 ? product
+                  : DIM == 2 ? std::sqrt(product)
+                  : std::cbrt(product);
+                std::fill
+                (
+                    width + (max(first[k], begin) - begin),
+                    width + (min(first[k + 1], end) - begin),
+                    l
+                );
+            }
+
+            // Velocity gradient and volume
+            for (label k = k0; k < k1; ++k)
+            {
+                stencil s;
+                shape_.prepare(cells[k], s);
+                const label pEnd = min(first[k + 1], end);
+                for (label p = max(first[k], begin); p < pEnd; p += W)
+                {
+                    T X[DIM], L[DIM], G[DIM*DIM];
+                    geo.load(p, X, L);
+                    gradientsType S;
+                    shape_.evaluate(s, X, L, S);
+                    shapeType::template gatherGradient<P>(S, s.nodes, u, G);
+                    shape_.toPhysical(S, G);
+                    for (int i = 0; i < DIM*DIM; ++i)
+                    {
+                        store<W>(dL[i] + (p - begin), dt*G[i]);
+                    }
+                }
+            }
+
+            // v <- v det(exp(dt L)) = v exp(dt tr L)
+            T largest = {};
+            const label nHere = end - begin;
+            for (label i = nHere; i < nHere + W; ++i)
+            {
+                for (int c = 0; c < DIM*DIM; ++c)
+                {
+                    dL[c][i] = 0;
+                }
+            }
+            for (label i = 0; i < nHere; i += W)
+            {
+                T tr = load<W>(dL[0] + i);
+                for (int d = 1; d < DIM; ++d)
+                {
+                    tr += load<W>(dL[d*(DIM + 1)] + i);
+                }
+                largest = laneMax(largest, laneAbs(tr));
+            }
+            const int terms = expTerms(min(horizontalMax(largest), 2.0));
+            for (label i = 0; i < nHere; i += W)
+            {
+                T tr = load<W>(dL[0] + i);
+                for (int d = 1; d < DIM; ++d)
+                {
+                    tr += load<W>(dL[d*(DIM + 1)] + i);
+                }
+                const int n = int(min(label(W), nHere - i));
+                const T v = load<W>(volume + begin + i)*expSeries(tr, terms);
+                if (n == W)
+                {
+                    store<W>(volume + begin + i, v);
+                }
+                else
+                {
+                    storePart<W>(volume + begin + i, v, n);
+                }
+            }
+
+            // Law and failure
+            pointBlock block;
+            block.nDim = DIM;
+            block.n = nHere;
+            block.dt = dt;
+            for (int i = 0; i < DIM*DIM; ++i)
+            {
+                block.dL[i] = dL[i];
+            }
+            block.mass = mass + begin;
+            block.volume = volume + begin;
+            for (int i = 0; i < nStress(DIM); ++i)
+            {
+                block.stress[i] = stress[i] + begin;
+            }
+            int h = 0;
+            for (column& c : cloud.history())
+            {
+                for (int i = 0; i < c.nComponents(); ++i)
+                {
+                    block.history[h++] = c[i] + begin;
+                }
+            }
+            block.damage =
+                cloud.damage() ? (*cloud.damage())[0] + begin : nullptr;
+            block.strength =
+                cloud.strength() ? (*cloud.strength())[0] + begin : nullptr;
+
+            block.width = needsWidth ? width : nullptr;
+
+            law.correct(block);
+            result.waveSpeed = max(result.waveSpeed, block.waveSpeed);
+            if (failure)
+            {
+                result.nFailed += failure->correct(block);
+            }
+
+            // Zero times a number that is not finite is not zero: one sum
+            // tells for the block
+            T notFinite = {};
+            for (label p = begin; !f && p < end; ++p)
+            {
+                notFinite[0] += 0.0*volume[p];
+                for (int i = 0; i < nStress(DIM); ++i)
+                {
+                    notFinite[0] += 0.0*stress[i][p];
+                }
+            }
+
+            // Force of the new stress
+            for (label k = k0; f && k < k1; ++k)
+            {
+                stencil s;
+                shape_.prepare(cells[k], s);
+                accumulator acc;
+                const label pEnd = min(first[k + 1], end);
+                for (label p = max(first[k], begin); p < pEnd; p += W)
+                {
+                    T X[DIM], L[DIM], F[DIM*DIM];
+                    geo.load(p, X, L);
+                    gradientsType S;
+                    shape_.evaluate(s, X, L, S);
+                    minusVolumeStress(stress, volume, p, F);
+                    for (int i = 0; i < DIM*DIM; ++i)
+                    {
+                        notFinite += 0.0*F[i];
+                    }
+                    shape_.toLocal(S, F);
+                    shapeType::scatterGradient
+                    (
+                        S,
+                        F,
+                        int(min(label(W), pEnd - p)),
+                        acc
+                    );
+                }
+                shapeType::flush(acc, s.nodes, f);
+            }
+
+            bool allFinite = true;
+            for (int l = 0; l < W; ++l)
+            {
+                allFinite = allFinite && notFinite[l] == 0;
+            }
+            if (!allFinite && result.badPoint < 0)
+            {
+                // Lanes of the next points are seen here and found later
+                for (label p = begin; p < end && result.badPoint < 0; ++p)
+                {
+                    scalar sum = 0*volume[p];
+                    for (int i = 0; i < nStress(DIM); ++i)
+                    {
+                        sum += 0*stress[i][p];
+                    }
+                    if (!(sum == 0))
+                    {
+                        result.badPoint = p;
+                    }
+                }
+            }
+        }
+        k0 = k1;
+    }
+    return result;
+}
+
+} // End namespace mpm
+} // End namespace Foam
+
+// ************************************************************************* //
