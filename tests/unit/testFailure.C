@@ -21,7 +21,7 @@ autoPtr<failureModel> failureOf(const std::string& text)
 
 const char* const elasticLaw("type linearElastic; rho 2700; E 70e9; nu 0;");
 
-const char* const copper
+const char* const copperLaw
 (
     "type JohnsonCook; rho 8960; G 46e9; K 129e9; A 90e6; B 292e6; n 0.31;"
     " C 0.025; m 1.09; referenceRate 1; referenceTemperature 294;"
@@ -180,7 +180,7 @@ TEST_CASE("TulerButcher: time to failure under constant stress")
 
 TEST_CASE("JohnsonCookDamage: strain to failure")
 {
-    const auto law(lawOf(copper));
+    const auto law(lawOf(copperLaw));
     auto model(failureOf(copperDamage));
     const int D = 3;
     model->connect(*law, D);
