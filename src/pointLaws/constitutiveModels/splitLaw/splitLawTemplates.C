@@ -62,20 +62,28 @@ MPM_INLINE lanes<W> splitLaw<Law>::flow
     }
 
     // g(x) = q - 3 G x - Y(eps + x, x/dt) falls with x: low and high enclose
-    // its root
-    T x = (q - Y)/threeG, low = {}, high = x;
+    // its root; convergence is quadratic, so that 1e-6 of the excess is the
+    // last step but one
+    const T excess = q - Y;
+    T x = excess/threeG, low = {}, high = x;
     for (int i = 0; i < 100; ++i)
     {
         law.strength(eps + x, rdt*x, soft, Y, slope, rateSlope);
         const T g = q - threeG*x - Y;
-        if (!anyOf<W>(flows & (laneAbs(g) > 1e-12*q)))
-        {
-            break;
-        }
         low = select(g > 0.0, x, low);
         high = select(g > 0.0, high, x);
         const T next = x + g/(threeG + slope + rdt*rateSlope);
-        x = select((next > low) & (next < high), next, 0.5*(low + high));
+        const laneMask<W> far = laneAbs(g) > 1e-6*excess;
+        x = select
+        (
+            (next > low) & (next <= high),
+            next,
+            select(far, 0.5*(low + high), x)
+        );
+        if (!anyOf<W>(flows & far))
+        {
+            break;
+        }
     }
     return select(flows, x, T{});
 }
