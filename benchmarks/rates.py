@@ -14,6 +14,7 @@ larger of the ratios of triad and FMA, so that a faster machine is no merit.
 Best of three of each; run on an idle machine.
 
     rates.py -processors 2      the block and the spall tutorial on 1 and 2
+    rates.py -laws              the block at rest with other laws than linearElastic
 """
 
 import csv
@@ -118,7 +119,54 @@ def processors(most):
             [["case", "shape", "processors", "M point-steps/s", "over one"]] + rows)
 
 
+#: The block's stiffness in other laws. Yield stresses far below the block's
+#: weight, so that most points flow
+COOK = ("rho 1000; G 384615; A 10; B 100; n 0.3; C 0.01; m 1; referenceRate 1;"
+        " referenceTemperature 300; meltTemperature 1000; cp 400; beta 0.9; ")
+LAWS = {
+    "linearElastic": "rho 1000; E 1e6; nu 0.3;",
+    "neoHookean": "rho 1000; E 1e6; nu 0.3;",
+    "MooneyRivlin": "rho 1000; c10 1e5; c01 9e4; K 833333;",
+    "J2Plasticity": "rho 1000; E 1e6; nu 0.3; yield 100; hardening linear; H 1e4;",
+    "JohnsonCook": COOK + "K 833333;",
+    "JohnsonCook, energy": COOK + "equationOfState { type MieGrueneisen; C0 28.87;"
+                                  " S 1.5; Gamma0 2; }",
+    "JohnsonCook, energy, q": COOK + "equationOfState { type MieGrueneisen; C0 28.87;"
+                                     " S 1.5; Gamma0 2; }"
+                                     " bulkViscosity { linear 0.06; quadratic 1.5; }",
+    "DruckerPrager": "rho 1000; E 1e6; nu 0.3; cohesion 10; frictionAngle 10;"
+                     " dilationAngle 0; match outer;",
+    "MohrCoulomb": "rho 1000; E 1e6; nu 0.3; cohesion 10; frictionAngle 10;"
+                   " dilationAngle 0;",
+    "NewtonianFluid": "rho 1000; mu 1; K 833333;",
+}
+
+
+def laws():
+    """Rates of the block with each law, over that of linearElastic."""
+    case = prepare("laws", "block")
+    rows = [["law", "shape", "M point-steps/s", "over linearElastic"]]
+    for shape in ("linear", "GIMP"):
+        first = None
+        for name, entries in LAWS.items():
+            with open(os.path.join(case, "constant/phaseProperties"), "w") as f:
+                f.write("FoamFile { version 2.0; format ascii; class dictionary;"
+                        " object phaseProperties; }\nphases (block);\nblock {"
+                        f" constitutiveModel {{ type {name.split(',')[0]}; {entries} }} }}\n")
+            run(["setMaterialPoints"], case)
+            rate = number(measure(case, shape, "transfer FLIP;", 10),
+                          "rate [M point-steps/s]")
+            first = first or rate
+            rows.append([name, shape, f"{rate:.2f}", f"{rate/first:.2f}"])
+            print("  ".join(rows[-1]), flush=True)
+    with open(os.path.join(RUN, "laws.csv"), "w", newline="") as f:
+        csv.writer(f).writerows(rows)
+
+
 def main():
+    if len(sys.argv) > 1 and sys.argv[1] == "-laws":
+        os.makedirs(RUN, exist_ok=True)
+        return laws()
     if len(sys.argv) > 2 and sys.argv[1] == "-processors":
         os.makedirs(RUN, exist_ok=True)
         return processors(int(sys.argv[2]))

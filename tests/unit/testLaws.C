@@ -7,85 +7,15 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include <doctest/doctest.h>
-#include "constitutiveModel.H"
+#include "testPoints.H"
 #include "failureModel.H"
-#include "IStringStream.H"
 #include "IOstreams.H"
-#include <cmath>
-#include <vector>
 
 using namespace Foam;
 using namespace Foam::mpm;
 
 namespace
 {
-
-//- Columns of n points for a law, without any cloud
-struct points
-{
-    int nDim;
-    label n;
-    std::vector<std::vector<scalar>> dL, stress, history;
-    std::vector<scalar> mass, volume, damage;
-
-    points(const int D, const label nPoints, const scalar rho)
-    :
-        nDim(D),
-        n(nPoints),
-        dL(9, std::vector<scalar>(nPoints, 0)),
-        stress(6, std::vector<scalar>(nPoints, 0)),
-        history(24, std::vector<scalar>(nPoints, 0)),
-        mass(nPoints, rho),
-        volume(nPoints, 1),
-        damage(nPoints, 0)
-    {}
-
-    pointBlock block()
-    {
-        pointBlock b;
-        b.nDim = nDim;
-        b.n = n;
-        b.dt = 1;
-        for (int i = 0; i < 9; ++i) b.dL[i] = dL[i].data();
-        for (int i = 0; i < 6; ++i) b.stress[i] = stress[i].data();
-        for (int i = 0; i < 24; ++i) b.history[i] = history[i].data();
-        b.mass = mass.data();
-        b.volume = volume.data();
-        b.damage = damage.data();
-        b.strength = nullptr;
-        return b;
-    }
-
-    //- One increment dt L for all points; the volume follows
-    void apply(const constitutiveModel& law, const std::vector<scalar>& L)
-    {
-        scalar tr = 0;
-        for (int i = 0; i < nDim*nDim; ++i)
-        {
-            std::fill(dL[i].begin(), dL[i].end(), L[i]);
-            if (i % (nDim + 1) == 0) tr += L[i];
-        }
-        for (scalar& v : volume) v *= std::exp(tr);
-        pointBlock b(block());
-        law.correct(b);
-    }
-
-    //- First and second invariant of the stress, norm
-    std::vector<scalar> invariants(const label p) const
-    {
-        scalar s[9];
-        points& me = const_cast<points&>(*this);
-        fullStress(me.block(), p, s);
-        const scalar I1 = s[0] + s[4] + s[8];
-        scalar n2 = 0;
-        for (scalar a : s) n2 += a*a;
-        const scalar det =
-            s[0]*(s[4]*s[8] - s[5]*s[7]) - s[1]*(s[3]*s[8] - s[5]*s[6])
-          + s[2]*(s[3]*s[7] - s[4]*s[6]);
-        return {I1, n2, det};
-    }
-};
-
 
 autoPtr<constitutiveModel> elastic
 (
@@ -736,15 +666,15 @@ TEST_CASE("Weibull strengths: by id only, with the right distribution")
     scalar mean = 0, below = 0;
     for (int i = 0; i < n; ++i)
     {
-        const scalar s = model->strength(uint64_t(i));
+        const scalar s = model->strength(uint64_t(i), 1);
         mean += s/n;
         below += s < 1e6 ? 1.0/n : 0;
     }
     // Mean Gamma(1 + 1/5), P(s < scale) = 1 - 1/e; three standard errors
     CHECK(mean == doctest::Approx(1e6*std::tgamma(1.2)).epsilon(0.002));
     CHECK(below == doctest::Approx(1 - std::exp(-1.0)).epsilon(0.006));
-    CHECK(model->strength(17) == model->strength(17));
-    CHECK(model->strength(17) != model->strength(18));
+    CHECK(model->strength(17, 1) == model->strength(17, 1));
+    CHECK(model->strength(17, 1) != model->strength(18, 1));
 }
 
 

@@ -279,6 +279,7 @@ void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
     }
 
     phase.cloud().add(pointsOf(phase, regions));
+    phase.startHistory();
 
     if (phase.cloud().size())
     {

@@ -30,6 +30,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
     grains_(false),
     Cv_(0),
     cloud_(grid, name),
+    waveSpeed_(0),
     nFailed_(0),
     nFailedKept_(0)
 {
@@ -70,6 +71,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
         );
         law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
         readVolumeModel(dict);
+        waveSpeed_ = law_->waveSpeed();
     }
     if (dict.found("failureModel"))
     {
@@ -116,11 +118,30 @@ Foam::mpm::materialPointPhase::materialPointPhase
             cloud_.needStrength();
         }
     }
-    for
-    (
-        const historyColumn& h
-      : law_ ? law_->history() : List<historyColumn>()
-    )
+    List<historyColumn> history;
+    if (law_)
+    {
+        history = law_->history();
+    }
+    if (law_ && failure_)
+    {
+        failure_->connect(*law_, grid.nDim());
+        history.append(failure_->history());
+    }
+    int nHistory = 0;
+    for (const historyColumn& h : history)
+    {
+        nHistory += h.nComponents(grid.nDim());
+    }
+    if (nHistory > pointBlock::maxHistory)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Law and failure model of phase " << name << " have "
+            << nHistory << " history components; at most "
+            << pointBlock::maxHistory << " are possible."
+            << exit(FatalIOError);
+    }
+    for (const historyColumn& h : history)
     {
         cloud_.needHistory
         (
@@ -191,7 +212,11 @@ void Foam::mpm::materialPointPhase::read()
     {
         for (label p = 0; p < cloud_.size(); ++p)
         {
-            (*s)[0][p] = failure_->strength(uint64_t(cloud_.id()[0][p]));
+            (*s)[0][p] = failure_->strength
+            (
+                uint64_t(cloud_.id()[0][p]),
+                cloud_.mass()[0][p]/rho()
+            );
         }
     }
 
@@ -205,33 +230,53 @@ void Foam::mpm::materialPointPhase::read()
         return;
     }
 
-    // Points that start with a stress but without the law's history
-    bool stressed = false, history = false;
+    // Points that start without the law's history, maybe with a stress
+    bool history = false;
     pointBlock b(block());
-    for (label p = 0; p < cloud_.size(); ++p)
+    int h = 0;
+    for (const column& c : cloud_.history())
     {
-        for (int i = 0; i < nStress(b.nDim); ++i)
+        for (int i = 0; i < c.nComponents(); ++i, ++h)
         {
-            stressed = stressed || b.stress[i][p] != 0;
-        }
-        int h = 0;
-        for (const column& c : cloud_.history())
-        {
-            for (int i = 0; i < c.nComponents(); ++i)
+            for (label p = 0; p < cloud_.size(); ++p)
             {
-                history = history || b.history[h++][p] != 0;
+                history = history || b.history[h][p] != 0;
             }
         }
     }
-    reduce(stressed, orOp<bool>());
     reduce(history, orOp<bool>());
-    if
-    (
-        stressed && !history
-     && (cloud_.history().size() || !law_->hasStress())
-    )
+    if (!history && (cloud_.history().size() || !law_->hasStress()))
     {
-        law_->initialise(b);
+        law_->start(b);
+        if (stressed())
+        {
+            law_->initialise(b);
+        }
+    }
+}
+
+
+bool Foam::mpm::materialPointPhase::stressed()
+{
+    bool found = false;
+    const pointBlock b(block());
+    for (int i = 0; i < nStress(b.nDim); ++i)
+    {
+        for (label p = 0; p < cloud_.size(); ++p)
+        {
+            found = found || b.stress[i][p] != 0;
+        }
+    }
+    return returnReduce(found, orOp<bool>());
+}
+
+
+void Foam::mpm::materialPointPhase::startHistory()
+{
+    if (law_ && !stressed())
+    {
+        pointBlock b(block());
+        law_->start(b);
     }
 }
 

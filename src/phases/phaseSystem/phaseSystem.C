@@ -53,7 +53,7 @@ void Foam::mpm::pointPhaseSystem::updateWaveRate()
     {
         if (!phase.motion())
         {
-            const scalar c = phase.law().waveSpeed();
+            const scalar c = phase.waveSpeed();
             rate = max(rate, c/shortestSide(phase));
         }
     }
@@ -462,6 +462,14 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
         coupling_->accepted();
     }
     stressUpdate_->end(*this, dt);
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (!phase.motion() && phase.law().waveSpeedVaries())
+        {
+            updateWaveRate();
+            break;
+        }
+    }
     if (coupling_)
     {
         coupling_->arrive(dt);

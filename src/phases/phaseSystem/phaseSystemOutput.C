@@ -402,7 +402,16 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         waveRate_ > 0 ? 1e3*(rate_ + waveRate_) : GREAT
     );
     const scalar waveRate = bounded(state, "waveRate", 0, GREAT);
-    if (waveRate >= waveRate_ && waveRate <= 2*waveRate_)
+    scalar least = 1, most = 2;
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (!phase.motion() && phase.law().waveSpeedVaries())
+        {
+            least = 1e-3;
+            most = 1e3;
+        }
+    }
+    if (waveRate >= least*waveRate_ && waveRate <= most*waveRate_)
     {
         waveRate_ = waveRate;
     }

@@ -211,6 +211,10 @@ void Foam::mpm::pointPhaseSystem::correctStress
         }
         phase.nFailed() += result.nFailed;
         failed_ += booked ? booked->gained() : 0;
+        if (phase.law().waveSpeedVaries())
+        {
+            phase.setWaveSpeed(result.waveSpeed);
+        }
     }
     if (withForce && !coupling_)
     {

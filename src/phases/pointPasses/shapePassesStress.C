@@ -33,13 +33,17 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
     constexpr label bufferSize = blockSize + 256;
     alignas(64) static thread_local scalar dL[DIM*DIM][bufferSize + W];
 
+    alignas(64) static thread_local scalar width[bufferSize + W];
+    const bool needsWidth =
+        law.needsWidth() || (failure && failure->needsWidth());
+
     const geometry geo(cloud, false);
     column& stress = cloud.stress();
     scalar* volume = cloud.volume()[0];
     const scalar* mass = cloud.mass()[0];
     const labelList& cells = cloud.cells();
     const labelList& first = cloud.start();
-    stressResult result{0, -1};
+    stressResult result{0, -1, 0};
 
     for (label k0 = 0; k0 < cells.size();)
     {
@@ -63,6 +67,25 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
         )
         {
             const label end = min(first[k1], begin + bufferSize);
+
+            for (label k = k0; needsWidth && k < k1; ++k)
+            {
+                scalar product = 1;
+                for (int d = 0; d < DIM; ++d)
+                {
+                    product *= cloud.grid().width(cells[k], d);
+                }
+                const scalar l =
+                    DIM == 1 ? product
+                  : DIM == 2 ? std::sqrt(product)
+                  : std::cbrt(product);
+                std::fill
+                (
+                    width + (max(first[k], begin) - begin),
+                    width + (min(first[k + 1], end) - begin),
+                    l
+                );
+            }
 
             // Velocity gradient and volume
             for (label k = k0; k < k1; ++k)
@@ -152,7 +175,10 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
             block.strength =
                 cloud.strength() ? (*cloud.strength())[0] + begin : nullptr;
 
+            block.width = needsWidth ? width : nullptr;
+
             law.correct(block);
+            result.waveSpeed = max(result.waveSpeed, block.waveSpeed);
             if (failure)
             {
                 result.nFailed += failure->correct(block);

@@ -374,6 +374,24 @@ interpolationSchemes
 NO_STRESS = "constitutiveModel { type noStress; rho 2500; } "
 GRAINS = "volumeModel grains; " + NO_STRESS
 HEAT = GRAINS + "Cv 800; heatTransfer { type constant; value 10; } "
+def law(entries):
+    """Another law for both phases."""
+    return replace(PHASES, r"constitutiveModel\s*\{.*?\}",
+                   "constitutiveModel { rho 1000; " + entries + " }")
+
+
+def failure(entries):
+    return replace(PHASES, r"failureModel\s*\{.*?\}", "failureModel { " + entries + " }")
+
+
+METAL = "type J2Plasticity; G 4e5; K 6e5; yield 1e4; hardening none; "
+COOK = ("type JohnsonCook; G 4e5; A 1e4; B 1e4; n 0.3; C 0.02; m 1; referenceRate 1;"
+        " referenceTemperature 300; meltTemperature 1000; cp 400; beta 0.9; ")
+GRUENEISEN = "equationOfState { type MieGrueneisen; C0 30; S 1.5; Gamma0 2; } "
+SOIL = ("type DruckerPrager; E 1e6; nu 0.2; cohesion 1e3; frictionAngle 30;"
+        " dilationAngle 0; ")
+DAMAGE = ("type JohnsonCookDamage; D1 0.5; D2 4; D3 -3; D4 0.01; D5 1; referenceRate 1;"
+          " referenceTemperature 300; meltTemperature 1000; ")
 
 
 def nanLaw(n):
@@ -491,6 +509,60 @@ ROWS = [
      [line("phaseProperties"), "liquid", VALID, "materialPoints"]),
     ("phase listed twice", SOLVE, replace(PHASES, "base block", "base block base"),
      [line("phaseProperties"), "base is listed twice"]),
+
+    #- laws of metals, soils, fluids; equations of state; failure models
+    ("allowed: J2Plasticity", SOLVE, law(METAL), None),
+    ("allowed: JohnsonCook with energy", SOLVE, law(COOK + GRUENEISEN), None),
+    ("allowed: JohnsonCook, its damage", SOLVE,
+     several(law(COOK + "K 1e6;"), failure(DAMAGE)), None),
+    ("allowed: law of etc/materials", SOLVE,
+     law('#include "$MPM_PROJECT_DIR/etc/materials/copperOFHC"\n'), None,
+     {"has": "JohnsonCook", "maybe": True}),
+    ("negative yield", SOLVE, law(METAL + "yield -1;"), inLaw + ["yield is -1"]),
+    ("negative yield", SET, law(METAL + "yield -1;"), inLaw + ["yield is -1"]),
+    ("unknown hardening", SOLVE, law(METAL + "hardening some;"),
+     inLaw + ["some", VALID, "none", "linear", "power"]),
+    ("hardening linear without H", SOLVE, law(METAL + "hardening linear;"),
+     inLaw + ["H is missing|Entry H"]),
+    ("H of another hardening", SOLVE, law(METAL + "H 1;"), inLaw + ["H", VALID]),
+    ("beta 1.2", SOLVE, law(COOK + "K 1e6; beta 1.2;"),
+     inLaw + ["beta is 1.2", r"\[0, 1\]"]),
+    ("melting below the reference", SOLVE, law(COOK + "K 1e6; meltTemperature 200;"),
+     inLaw + ["meltTemperature is 200", "referenceTemperature"]),
+    ("K and equationOfState", SOLVE, law(COOK + GRUENEISEN + "K 1;"),
+     inLaw + ["K and equationOfState", "not both"]),
+    ("neither K nor equationOfState", SOLVE, law(COOK),
+     inLaw + ["One of the entries K and equationOfState"]),
+    ("E beside G", SOLVE, law(METAL + "E 1e6; nu 0.2;"), inLaw + ["Entry G beside E"]),
+    ("unknown equationOfState", SOLVE, law(COOK + "equationOfState { type glue; }"),
+     inLaw + ["glue", VALID, "MieGrueneisen", "Tait", "linear"]),
+    ("word for equationOfState", SOLVE, law(COOK + "equationOfState Tait;"),
+     inLaw + ["equationOfState", "no dictionary"]),
+    ("keyword of equationOfState", SOLVE, law(COOK + GRUENEISEN.replace("S ", "s ")),
+     inLaw + ["Unknown keyword s", VALID]),
+    ("keyword of bulkViscosity", SOLVE,
+     law(METAL + "bulkViscosity { linear 0.1; cubic 2; }"),
+     inLaw + ["bulkViscosity", "cubic", VALID]),
+    ("negative bulkViscosity", SOLVE,
+     law(METAL + "bulkViscosity { linear -1; quadratic 2; }"), inLaw + ["linear is -1"]),
+    ("dilationAngle above frictionAngle", SOLVE,
+     law(SOIL + "match inner; dilationAngle 40;"), inLaw + ["dilationAngle is 40"]),
+    ("DruckerPrager without match", SOLVE, law(SOIL), inLaw + ["match"]),
+    ("unknown failed", SOLVE,
+     replace(PHASES, "strength", "failed glue; strength"),
+     inPhases + ["glue", VALID, "compression", "nothing"]),
+    ("cells too wide for Gf", SOLVE, replace(PHASES, "1e5;", "1e3; Gf 1e-3;"),
+     ["narrower than", "Gf"]),
+    ("JohnsonCookDamage of an elastic law", SOLVE, failure(DAMAGE),
+     ["JohnsonCookDamage", "plastic strain", "linearElastic"]),
+    ("keyword of JohnsonCookDamage", SOLVE,
+     several(law(COOK + "K 1e6;"), failure(DAMAGE + "D6 1;")),
+     inPhases + ["D6", VALID]),
+    ("TulerButcher without impulse", SOLVE,
+     failure("type TulerButcher; strength 1e5; exponent 2;"), inPhases + ["impulse"]),
+    ("limitOn of another model", SOLVE,
+     failure("type maxPrincipalStrain; strain 0.1; limitOn total;"),
+     inPhases + ["limitOn", VALID]),
 
     #- rigid phases and body forces
     ("allowed: rigid phase", SOLVE, rigid("rho 7800;"), None, {"has": "Load on block"}),

@@ -38,6 +38,20 @@ isotropicElastic<Law>::isotropicElastic
     mu_ = E/(2*(1 + nu));
 }
 
+
+template<class Law>
+isotropicElastic<Law>::isotropicElastic
+(
+    const dictionary& dict,
+    const scalar lambda,
+    const scalar mu
+)
+:
+    constitutiveModel(dict),
+    lambda_(lambda),
+    mu_(mu)
+{}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Law>

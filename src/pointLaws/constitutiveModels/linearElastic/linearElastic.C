@@ -8,7 +8,7 @@ License
 
 #include "linearElastic.H"
 #include "selector.H"
-#include "spectral.H"
+#include "logHalf.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -30,9 +30,6 @@ namespace
 using namespace Foam;
 using namespace Foam::mpm;
 
-//- Strains up to this size go through the series of the logarithm
-constexpr double seriesLimit = 0.5;
-
 //- Largest principal strain that an initial stress may need: beyond, 1 + c
 //  has lost too many digits
 constexpr double strainLimit = 3;
@@ -50,57 +47,23 @@ class Foam::mpm::linearElastic::terms
 
     const linearElastic& law_;
 
-    //- Terms of the logarithm; none: strains too large for the series
+    //- Terms of the logarithm: see logHalfTerms
     int nLog_;
 
     //- Some point is strained in a missing direction
     bool across_;
-
-    //- h = log(I + c)/2 of a symmetric M x M matrix
-    template<int M>
-    MPM_INLINE void logHalf(const T (&c)[M*M], const int n, T (&h)[M*M]) const
-    {
-        if (nLog_)
-        {
-            logHalfSeries<M>(c, nLog_, h);
-            return;
-        }
-        for (int l = 0; l < W; ++l)
-        {
-            double c1[M*M] = {}, h1[M*M];
-            for (int i = 0; l < n && i < M*M; ++i)
-            {
-                c1[i] = c[i][l];
-            }
-            isotropicFunction<M>
-            (
-                c1,
-                [](double x) { return 0.5*std::log1p(x); },
-                h1
-            );
-            for (int i = 0; i < M*M; ++i)
-            {
-                h[i][l] = h1[i];
-            }
-        }
-    }
 
 public:
 
     terms(const linearElastic& law, const pointBlock& b, const double dLMag)
     :
         law_(law),
-        nLog_(0),
         across_(false)
     {
         // |c'| <= (1 + |D|)^2 (1 + |c|) - 1 with |D| <= exp(|dL|) - 1
         const double cBound =
             std::exp(2*dLMag)*(1 + largestLeftStretch<DIM>(b)) - 1;
-        const double q = cBound < 1 ? cBound/(2 - cBound) : 1.0;
-        if (q < seriesLimit)
-        {
-            nLog_ = logTerms(q);
-        }
+        nLog_ = logHalfTerms(cBound);
         if (DIM < 3)
         {
             across_ =
@@ -119,7 +82,7 @@ public:
         T (&side)[3]
     ) const
     {
-        logHalf<DIM>(c, g.n, h);
+        logHalf<W, DIM>(c, g.n, nLog_, h);
 
         T trh = h[0];
         for (int i = 1; i < DIM; ++i)
@@ -133,7 +96,7 @@ public:
             {
                 const T ci[1] = {g.get(b.history[i])};
                 T hi[1];
-                logHalf<1>(ci, g.n, hi);
+                logHalf<W, 1>(ci, g.n, nLog_, hi);
                 side[i] = hi[0];
                 trh += hi[0];
             }

@@ -8,6 +8,7 @@ License
 
 #include "failureModel.H"
 #include "selector.H"
+#include "spectral.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,6 +20,11 @@ namespace mpm
     defineRunTimeSelectionTable(failureModel, dictionary);
 }
 }
+
+const Foam::wordList Foam::mpm::failureModel::keywords
+({
+    "type", "failed", "weibull", "ambientPressure"
+});
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -40,25 +46,39 @@ Foam::scalar Foam::mpm::uniformOf(const uint64_t seed, const uint64_t id)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::failureModel::failureModel(const dictionary& dict)
+Foam::mpm::failureModel::failureModel
+(
+    const dictionary& dict,
+    const word& limit
+)
 :
-    strength_(positive(dict, "strength")),
+    strength_(limit.empty() ? 1 : positive(dict, limit)),
     modulus_(0),
     seed_(0),
+    referenceVolume_(0),
     ambient_(boundedOrDefault(dict, "ambientPressure", 0, 0, GREAT)),
-    effective_
+    nothing_
     (
-        oneOfOrDefault(dict, "limitOn", "total", {"total", "effective"})
-     == "effective"
+        oneOfOrDefault
+        (
+            dict,
+            "failed",
+            "compression",
+            {"compression", "nothing"}
+        ) == "nothing"
     )
 {
     if (dict.found("weibull"))
     {
         const dictionary& w = requiredDict(dict, "weibull");
-        checkKeywords(w, {"modulus", "seed"});
+        checkKeywords(w, {"modulus", "seed", "referenceVolume"});
         modulus_ = positive(w, "modulus");
         requireKeyword(w, "seed");
         seed_ = uint64_t(boundedLabelOrDefault(w, "seed", 0, 0, labelMax));
+        if (w.found("referenceVolume"))
+        {
+            referenceVolume_ = positive(w, "referenceVolume");
+        }
     }
 }
 
@@ -76,15 +96,98 @@ Foam::mpm::failureModel::New(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::failureModel::strength(const uint64_t id) const
+Foam::scalar Foam::mpm::failureModel::strength
+(
+    const uint64_t id,
+    const scalar volume
+) const
 {
     if (!scatters())
     {
         return strength_;
     }
+    const scalar scale =
+        referenceVolume_ > 0
+      ? std::pow(referenceVolume_/volume, 1/modulus_)
+      : 1;
     return
-        strength_
+        strength_*scale
        *std::pow(-std::log1p(-uniformOf(seed_, id)), scalar(1)/modulus_);
+}
+
+
+Foam::scalar
+Foam::mpm::failureModel::largestStress(const pointBlock& b, const label p)
+{
+    double sigma[9];
+    fullStress(b, p, sigma);
+    return largestPrincipal(sigma);
+}
+
+
+void
+Foam::mpm::failureModel::releaseTension(pointBlock& b, const label p) const
+{
+    const int D = b.nDim;
+    const scalar d = b.damage[p];
+    double sigma[9], tension[9];
+    fullStress(b, p, sigma);
+    for (int i = 0; i < 3; ++i)
+    {
+        sigma[4*i] += ambient_;
+    }
+    isotropicFunction<3>
+    (
+        sigma,
+        [](double x) { return x > 0 ? x : 0.0; },
+        tension
+    );
+    for (int i = 0; i < 3; ++i)
+    {
+        b.stress[i][p] += d*(ambient_ - tension[4*i]);
+    }
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = i + 1; j < D; ++j)
+        {
+            b.stress[symmSlot(i, j)][p] -= d*tension[3*i + j];
+        }
+    }
+}
+
+
+int Foam::mpm::failureModel::columnOf
+(
+    const constitutiveModel& law,
+    const int nDim,
+    const word& name
+)
+{
+    int n = 0;
+    for (const historyColumn& h : law.history())
+    {
+        if (h.name == name)
+        {
+            return n;
+        }
+        n += h.nComponents(nDim);
+    }
+    return -1;
+}
+
+
+int Foam::mpm::failureModel::nColumns
+(
+    const constitutiveModel& law,
+    const int nDim
+)
+{
+    int n = 0;
+    for (const historyColumn& h : law.history())
+    {
+        n += h.nComponents(nDim);
+    }
+    return n;
 }
 
 // ************************************************************************* //

@@ -8,7 +8,6 @@ License
 
 #include "maxPrincipalStress.H"
 #include "selector.H"
-#include "spectral.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -26,81 +25,79 @@ namespace mpm
 
 Foam::mpm::maxPrincipalStress::maxPrincipalStress(const dictionary& dict)
 :
-    failureModel(dict)
-{
-    checkKeywords
+    failureModel(dict, "strength"),
+    effective_
     (
-        dict,
-        {"type", "strength", "weibull", "ambientPressure", "limitOn"}
-    );
+        oneOfOrDefault(dict, "limitOn", "total", {"total", "effective"})
+     == "effective"
+    ),
+    Gf_(dict.found("Gf") ? positive(dict, "Gf") : 0),
+    E_(0)
+{
+    wordList valid(keywords);
+    valid.append(wordList({"strength", "Gf", "limitOn"}));
+    checkKeywords(dict, valid);
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::maxPrincipalStress::damageOf
+(
+    const pointBlock& b,
+    const label p,
+    const scalar s,
+    const scalar limit
+) const
+{
+    if (Gf_ <= 0)
+    {
+        return 1;
+    }
+    const scalar r = 2*E_*Gf_/(sqr(limit)*b.width[p]);
+    if (!(r > 1))
+    {
+        FatalErrorInFunction
+            << "Softening needs cells narrower than 2 E Gf/strength^2 = "
+            << r*b.width[p] << " m; there is one of " << b.width[p]
+            << " m. Use smaller cells, or no Gf." << exit(FatalError);
+    }
+    return min(r/(r - 1)*(1 - limit/s), scalar(1));
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::mpm::maxPrincipalStress::connect
+(
+    const constitutiveModel& law,
+    const int
+)
+{
+    E_ = law.elasticModulus();
+}
+
+
 Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
 {
-    const int D = b.nDim;
     label nFailed = 0;
-    const scalar ambient = this->ambient(), shift = limitShift();
+    const scalar shift = effective_ ? ambient() : 0;
 
     for (label p = 0; p < b.n; ++p)
     {
         const scalar limit = b.strength ? b.strength[p] : strength();
+        scalar& d = b.damage[p];
 
-        // No principal stress exceeds mean + 2 sqrt(J2/3): settles nearly
-        // all points without their principal values
-        const scalar xx = b.stress[0][p], yy = b.stress[1][p];
-        const scalar zz = b.stress[2][p];
-        const scalar mean = (xx + yy + zz)/3;
-        scalar J2 = 0.5*(sqr(xx - mean) + sqr(yy - mean) + sqr(zz - mean));
-        for (int s = 3; s < nStress(D); ++s)
+        if (d < 1 && largestBound(b, p) + shift > limit)
         {
-            J2 += sqr(b.stress[s][p]);
-        }
-        const scalar bound = mean + 1.1547005383792517*std::sqrt(J2);
-
-        if (!(b.damage[p] > 0 ? bound > -ambient : bound + shift > limit))
-        {
-            for (int i = 0; b.damage[p] > 0 && i < 3; ++i)
+            const scalar s = largestStress(b, p) + shift;
+            if (s > limit)
             {
-                b.stress[i][p] += ambient;
+                d = max(d, damageOf(b, p, s, limit));
+                nFailed += d >= 1;
             }
-            continue;
         }
-
-        double sigma[9], kept[9];
-        fullStress(b, p, sigma);
-
-        if (b.damage[p] <= 0)
+        if (d > 0)
         {
-            if (!(largestPrincipal(sigma) + shift > limit))
-            {
-                continue;
-            }
-            b.damage[p] = 1;
-            ++nFailed;
-        }
-
-        for (int i = 0; i < 3; ++i)
-        {
-            sigma[4*i] += ambient;
-        }
-        isotropicFunction<3>
-        (
-            sigma,
-            [](double x) { return x < 0 ? x : 0.0; },
-            kept
-        );
-        for (int i = 0; i < 3; ++i)
-        {
-            b.stress[i][p] = kept[4*i];
-        }
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = i + 1; j < D; ++j)
-            {
-                b.stress[symmSlot(i, j)][p] = kept[3*i + j];
-            }
+            release(b, p);
         }
     }
     return nFailed;

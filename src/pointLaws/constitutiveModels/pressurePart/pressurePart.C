@@ -1,0 +1,188 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pressurePart.H"
+#include "selector.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::wordList Foam::mpm::pressurePart::keywords
+({
+    "K", "equationOfState", "bulkViscosity"
+});
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+//- The equation linear of a bulk modulus
+autoPtr<equationOfState> linearOf(const scalar K, const scalar rho0)
+{
+    dictionary d;
+    d.add("type", "linear");
+    d.add("K", K);
+    return equationOfState::New(d, rho0);
+}
+
+
+autoPtr<equationOfState> readEquation(const dictionary& dict, const scalar rho0)
+{
+    if (dict.found("K") == dict.found("equationOfState"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "One of the entries K and equationOfState is needed in "
+            << dict.name() << (dict.found("K") ? ", not both." : ".")
+            << exit(FatalIOError);
+    }
+    return
+        dict.found("K")
+      ? linearOf(positive(dict, "K"), rho0)
+      : equationOfState::New(requiredDict(dict, "equationOfState"), rho0);
+}
+
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::pressurePart::pressurePart
+(
+    const dictionary& dict,
+    const scalar rho0,
+    const scalar K,
+    const scalar pMin
+)
+:
+    equation_(K > 0 ? linearOf(K, rho0) : readEquation(dict, rho0)),
+    linear_(0),
+    quadratic_(0),
+    pMin_(pMin)
+{
+    if (dict.found("bulkViscosity"))
+    {
+        const dictionary& q = requiredDict(dict, "bulkViscosity");
+        checkKeywords(q, {"linear", "quadratic"});
+        linear_ = bounded(q, "linear", 0, 10);
+        quadratic_ = bounded(q, "quadratic", 0, 100);
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::pressurePart::bulkModulus() const
+{
+    const scalar rho0 = equation_->rho0();
+    return rho0*sqr(equation_->c(rho0, equation_->e0()));
+}
+
+
+Foam::scalar
+Foam::mpm::pressurePart::energy(const scalar rho, const scalar* e) const
+{
+    return e ? *e - equation_->e0() : equation_->storedEnergy(rho);
+}
+
+
+Foam::scalar Foam::mpm::pressurePart::advance
+(
+    run& r,
+    const pointBlock& b,
+    const label first,
+    scalar* e,
+    const scalar G
+) const
+{
+    alignas(64) scalar A[room], B[room], dA[room], dB[room], q[room], c2[room];
+    const label n = r.n;
+
+    equation_->coefficients(n, r.rho, A, B, dA, dB);
+
+    // Bulk viscosity, and the speed that it adds to the waves
+    scalar fastest = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        q[i] = 0;
+        c2[i] = 0;
+    }
+    if (usesWidth() && b.width)
+    {
+        const scalar rdt = 1/r.dt;
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar e0 = e ? e[i] : 0;
+            const scalar c = std::sqrt
+            (
+                max
+                (
+                    dA[i] + e0*dB[i]
+                  + (A[i] + B[i]*e0)*B[i]/(r.rho[i]*r.rho[i]),
+                    scalar(0)
+                )
+            );
+            const scalar ld = b.width[first + i]*max(-r.dTheta[i]*rdt, scalar(0));
+            q[i] = r.rho[i]*ld*(linear_*c + quadratic_*ld);
+            c2[i] = ld > 0 ? linear_*c + quadratic_*ld : 0;
+        }
+    }
+
+    if (e)
+    {
+        alignas(64) scalar A0[room], B0[room], dA0[room], dB0[room];
+        equation_->coefficients(n, r.rhoOld, A0, B0, dA0, dB0);
+        const scalar* damage = b.damage ? b.damage + first : nullptr;
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar least =
+                damage && damage[i] >= 1 ? max(pMin_, scalar(0)) : pMin_;
+            const scalar dv = 1/r.rho[i] - 1/r.rhoOld[i];
+            const scalar p0 = max(A0[i] + B0[i]*e[i], least);
+            const scalar known = e[i] - (0.5*p0 + q[i])*dv + r.work[i];
+
+            const scalar e1 = (known - 0.5*A[i]*dv)/(1 + 0.5*B[i]*dv);
+            e[i] = A[i] + B[i]*e1 >= least ? e1 : known - 0.5*least*dv;
+            r.heat[i] = -q[i]*dv;
+            r.isentropic[i] = -2*B[i]/(r.rho[i] + r.rhoOld[i])*r.dTheta[i];
+        }
+    }
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar e1 = e ? e[i] : 0;
+        const scalar p = max(A[i] + B[i]*e1, pMin_);
+        const scalar square =
+            max(dA[i] + e1*dB[i] + p*B[i]/(r.rho[i]*r.rho[i]), scalar(0))
+          + 4.0/3*G/r.rho[i];
+        r.p[i] = p + q[i];
+        fastest = max(fastest, c2[i] + std::sqrt(square + c2[i]*c2[i]));
+    }
+    return fastest;
+}
+
+
+void Foam::mpm::pressurePart::stateOf
+(
+    const scalar p,
+    const label point,
+    scalar& theta,
+    scalar& e
+) const
+{
+    scalar rho;
+    if (!equation_->stateOf(p, rho, e))
+    {
+        FatalErrorInFunction
+            << "The equation of state " << equation_->type() << " has no state"
+            << " with the pressure " << p << " Pa that point " << point
+            << " starts with." << exit(FatalError);
+    }
+    theta = std::log(equation_->rho0()/rho);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,135 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "JohnsonCookDamage.H"
+#include "selector.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(JohnsonCookDamage, 0);
+    addToRunTimeSelectionTable(failureModel, JohnsonCookDamage, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::JohnsonCookDamage::JohnsonCookDamage(const dictionary& dict)
+:
+    failureModel(dict, word()),
+    D1_(bounded(dict, "D1", -100, 100)),
+    D2_(bounded(dict, "D2", -100, 100)),
+    D3_(bounded(dict, "D3", -100, 100)),
+    D4_(bounded(dict, "D4", -100, 100)),
+    D5_(bounded(dict, "D5", -100, 100)),
+    rate0_(positive(dict, "referenceRate")),
+    T0_(positive(dict, "referenceTemperature")),
+    Tm_(positive(dict, "meltTemperature")),
+    plastic_(-1),
+    temperature_(-1),
+    counted_(-1)
+{
+    wordList valid(keywords);
+    valid.append
+    (
+        wordList
+        ({
+            "D1", "D2", "D3", "D4", "D5", "referenceRate",
+            "referenceTemperature", "meltTemperature"
+        })
+    );
+    if (!(Tm_ > T0_))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry meltTemperature is " << Tm_ << "; it must be greater than"
+            << " referenceTemperature, " << T0_ << "." << exit(FatalIOError);
+    }
+    checkKeywords(dict, valid);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::JohnsonCookDamage::connect
+(
+    const constitutiveModel& law,
+    const int nDim
+)
+{
+    plastic_ = columnOf(law, nDim, "plasticStrain");
+    temperature_ = columnOf(law, nDim, "T");
+    counted_ = nColumns(law, nDim);
+    if (plastic_ < 0 || (temperature_ < 0 && D5_ != 0))
+    {
+        FatalErrorInFunction
+            << "The failure model " << type() << " needs a law with "
+            << (plastic_ < 0 ? "plastic strain" : "temperature (D5 is not 0)")
+            << "; " << law.type() << " has none." << exit(FatalError);
+    }
+}
+
+
+Foam::label Foam::mpm::JohnsonCookDamage::correct(pointBlock& b) const
+{
+    label nFailed = 0;
+    const scalar* eps = b.history[plastic_];
+    const scalar* T = temperature_ < 0 ? nullptr : b.history[temperature_];
+    scalar* counted = b.history[counted_];
+    for (label p = 0; p < b.n; ++p)
+    {
+        const scalar dEps = eps[p] - counted[p];
+        if (b.damage[p] < 1 && dEps > 0)
+        {
+            counted[p] = eps[p];
+
+            const scalar mean =
+                (b.stress[0][p] + b.stress[1][p] + b.stress[2][p])/3;
+            scalar ss = 0;
+            for (int i = 0; i < nStress(b.nDim); ++i)
+            {
+                ss +=
+                    i < 3
+                  ? sqr(b.stress[i][p] - mean)
+                  : 2*sqr(b.stress[i][p]);
+            }
+            const scalar S =
+                max
+                (
+                    min(mean/max(std::sqrt(1.5*ss), VSMALL), scalar(1.5)),
+                    scalar(-3)
+                );
+            const scalar rate = dEps/(b.dt*rate0_);
+            const scalar t =
+                T
+              ? min(max((T[p] - T0_)/(Tm_ - T0_), scalar(0)), scalar(1))
+              : 0;
+            const scalar epsF =
+                (b.strength ? b.strength[p] : scalar(1))
+               *(D1_ + D2_*std::exp(D3_*S))
+               *(1 + D4_*(rate > 1 ? std::log(rate) : 0))
+               *(1 + D5_*t);
+
+            b.damage[p] += dEps/max(epsF, scalar(1e-6));
+            if (b.damage[p] >= 1)
+            {
+                b.damage[p] = 1;
+                ++nFailed;
+            }
+        }
+        if (b.damage[p] >= 1)
+        {
+            release(b, p);
+        }
+    }
+    return nFailed;
+}
+
+// ************************************************************************* //

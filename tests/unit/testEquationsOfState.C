@@ -1,0 +1,226 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include <doctest/doctest.h>
+#include "equationOfState.H"
+#include "laneMath.H"
+#include "IStringStream.H"
+#include <cmath>
+#include <string>
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+namespace
+{
+
+autoPtr<equationOfState> equation(const std::string& text, const scalar rho0)
+{
+    IStringStream is(text);
+    return equationOfState::New(dictionary(is), rho0);
+}
+
+const char* const all[] =
+{
+    "type linear; K 140e9;",
+    "type Tait; K 2.15e9; n 7.15; p0 1e5;",
+    "type perfectGas; gamma 1.4; p0 1e5;",
+    "type stiffenedGas; gamma 4.4; pInf 6e8; p0 1e5;",
+    "type MieGrueneisen; C0 3940; S 1.489; Gamma0 2.02;",
+    "type MieGrueneisen; C0 3940; S 1.489; Gamma0 0;",
+    "type JWL; A 371.2e9; B 3.231e9; R1 4.15; R2 0.95; omega 0.3; E0 7e9;"
+};
+
+}
+
+
+TEST_CASE("lanes: exp, log and power against the library's")
+{
+    scalar worstExp = 0, worstLog = 0, worstPow = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+        lanes<8> x, y;
+        for (int l = 0; l < 8; ++l)
+        {
+            x[l] = -700 + 1400*(i + 0.125*l)/20000;
+            y[l] = std::exp(0.5*x[l]);
+        }
+        const lanes<8> e = laneExp(x), n = laneLog(y), w = lanePow(y, 0.31);
+        for (int l = 0; l < 8; ++l)
+        {
+            worstExp = max(worstExp, std::abs(e[l]/std::exp(x[l]) - 1));
+            worstLog = max(worstLog, std::abs(n[l] - std::log(y[l]))
+                /max(std::abs(std::log(y[l])), 1e-3));
+            worstPow = max(worstPow, std::abs(w[l]/std::pow(y[l], 0.31) - 1));
+        }
+    }
+    CHECK(worstExp < 4e-16);
+    CHECK(worstLog < 1e-15);
+    CHECK(worstPow < 4e-14);
+}
+
+
+TEST_CASE("equations of state: slopes and sound speed by differences")
+{
+    for (const char* text : all)
+    {
+        const scalar rho0 = 1630;
+        const auto eos(equation(text, rho0));
+        for (const scalar x : {0.7, 0.9, 0.999, 1.001, 1.2, 1.5})
+        {
+            const scalar rho = x*rho0, d = 1e-6*rho;
+            const auto t(eos->at(rho)), up(eos->at(rho + d)), down(eos->at(rho - d));
+            const scalar size = std::abs(t.dA) + 1e-9*std::abs(t.A)/rho + 1;
+            CHECK(std::abs((up.A - down.A)/(2*d) - t.dA) <= 1e-6*size + 1e-9*std::abs(t.A)/d*1e-3);
+            CHECK((up.B - down.B)/(2*d) == doctest::Approx(t.dB).epsilon(1e-6));
+
+            // c^2 = dp/drho along de = p drho/rho^2
+            const scalar e = 2e5 + eos->e0();
+            const scalar p = eos->p(rho, e);
+            const scalar de = p/(rho*rho)*d;
+            const scalar c2 =
+                (eos->p(rho + d, e + de) - eos->p(rho - d, e - de))/(2*d);
+            if (c2 > 0)
+            {
+                CHECK(sqr(eos->c(rho, e)) == doctest::Approx(c2).epsilon(1e-5));
+            }
+            CHECK(eos->usesEnergy() == (t.B != 0));
+
+            // Work of compression, Simpson's rule over 2000 steps
+            if (!eos->usesEnergy())
+            {
+                const int n = 2000;
+                scalar w = 0;
+                for (int i = 0; i <= n; ++i)
+                {
+                    const scalar r = rho0 + (rho - rho0)*i/n;
+                    w += (i == 0 || i == n ? 1 : i % 2 ? 4 : 2)*eos->p(r, 0)/(r*r);
+                }
+                w *= (rho - rho0)/(3*n);
+                CHECK(eos->storedEnergy(rho) == doctest::Approx(w).epsilon(1e-8));
+            }
+        }
+    }
+}
+
+
+TEST_CASE("MieGrueneisen: the Hugoniot, copper at 400 m/s 7.594 GPa")
+{
+    // Symmetric impact at 400 m/s: up 200 m/s, p = rho0 (C0 + S up) up
+    const scalar rho0 = 8960, C0 = 3940, S = 1.489;
+    const auto eos
+    (
+        equation("type MieGrueneisen; C0 3940; S 1.489; Gamma0 2.02;", rho0)
+    );
+    for (const scalar up : {1.0, 200.0, 800.0, 2000.0})
+    {
+        const scalar Us = C0 + S*up;
+        const scalar p = eos->p(rho0*Us/(Us - up), 0.5*up*up);
+        CHECK(p == doctest::Approx(rho0*Us*up).epsilon(1e-10));
+        if (up == 200)
+        {
+            CHECK(p == doctest::Approx(7.594e9).epsilon(1e-4));
+        }
+    }
+    CHECK(eos->c(rho0, 0) == doctest::Approx(C0).epsilon(1e-12));
+
+    // Beyond the pole it still rises
+    CHECK(eos->p(10*rho0, 0) > eos->p(5*rho0, 0));
+    CHECK(std::isfinite(eos->p(1e6*rho0, 0)));
+}
+
+
+TEST_CASE("stiffenedGas: isentrope of water from 1 GPa")
+{
+    // Water | air shock tube: star state 14.1905 MPa at 804.445 kg/m3 (exact
+    // solver of the Riemann problem), sound speed gamma (p + pInf)/rho
+    const auto eos
+    (
+        equation("type stiffenedGas; gamma 4.4; pInf 6e8; p0 1e9;", 1000)
+    );
+    scalar rho = 1000, e = eos->e0();
+    CHECK(eos->p(rho, e) == doctest::Approx(1e9).epsilon(1e-12));
+    CHECK(eos->c(rho, e) == doctest::Approx(std::sqrt(4.4*1.6e6)).epsilon(1e-12));
+    const int n = 20000;
+    const scalar d = (804.445 - 1000)/n;
+    for (int i = 0; i < n; ++i)
+    {
+        const scalar half = e + 0.5*d*eos->p(rho, e)/sqr(rho);
+        e += d*eos->p(rho + 0.5*d, half)/sqr(rho + 0.5*d);
+        rho += d;
+    }
+    CHECK(eos->p(rho, e) == doctest::Approx(14.1905e6).epsilon(1e-4));
+}
+
+
+TEST_CASE("perfectGas and Tait: closed forms")
+{
+    const auto air(equation("type perfectGas; gamma 1.4; p0 101325;", 1.2));
+    CHECK(air->p(1.2, air->e0()) == doctest::Approx(101325).epsilon(1e-12));
+    CHECK(air->c(1.2, air->e0()) == doctest::Approx(std::sqrt(1.4*101325/1.2)).epsilon(1e-12));
+
+    const auto water(equation("type Tait; K 2.15e9; n 7.15; p0 1e5;", 1000));
+    CHECK
+    (
+        water->p(1100, 0)
+     == doctest::Approx(1e5 + 2.15e9/7.15*(std::pow(1.1, 7.15) - 1)).epsilon(1e-12)
+    );
+    CHECK(water->c(1000, 0) == doctest::Approx(std::sqrt(2.15e6)).epsilon(1e-12));
+}
+
+
+TEST_CASE("JWL: TNT at the Chapman-Jouguet point")
+{
+    // rho0 1630, D 6930 m/s, p 21 GPa with the published constants: V from
+    // the Rayleigh line, e from the jump of the energy
+    const scalar rho0 = 1630, D = 6930, p = 21e9;
+    const auto eos(equation(all[6], rho0));
+    const scalar V = 1 - p/(rho0*D*D);
+    const scalar e = eos->e0() + 0.5*p*(1 - V)/rho0;
+    CHECK(eos->p(rho0/V, e) == doctest::Approx(p).epsilon(0.005));
+
+    // There the products' flow is sonic: c = D V
+    CHECK(eos->c(rho0/V, e) == doctest::Approx(D*V).epsilon(0.02));
+}
+
+
+TEST_CASE("equations of state: the state of a pressure")
+{
+    for (const char* text : all)
+    {
+        const auto eos(equation(text, 1630));
+        for (const scalar p : {2e5, 1e7, 5e8})
+        {
+            scalar rho, e;
+            CHECK(eos->stateOf(p, rho, e));
+            CHECK(eos->p(rho, e) == doctest::Approx(p).epsilon(1e-9));
+            CHECK((rho == 1630) == eos->pressureByEnergy());
+        }
+    }
+    scalar rho, e;
+    CHECK(!equation(all[2], 1)->stateOf(-1, rho, e));
+    CHECK(!equation(all[1], 1)->stateOf(-1e12, rho, e));
+}
+
+
+TEST_CASE("equations of state: input errors")
+{
+    for (const char* text :
+    {
+        "type glue;", "type linear; K -1;", "type linear; K 1; n 2;",
+        "type Tait; K 1; n 7;", "type Tait; K 1; n 0.5; p0 0;",
+        "type perfectGas; gamma 1; p0 1;", "type perfectGas; gamma 1.4; p0 0;",
+        "type stiffenedGas; gamma 4.4; p0 0;",
+        "type MieGrueneisen; C0 3940; S -1; Gamma0 2;",
+        "type MieGrueneisen; S 1; Gamma0 2;",
+        "type JWL; A 1; B 1; R1 4; R2 1; omega 0.3; E0 -1;"
+    })
+    {
+        CHECK_THROWS_AS(equation(text, 1), Foam::IOerror);
+    }
+}
