@@ -218,7 +218,7 @@ class boxKernels
     {
         for (int f = 0; HOOP && f < nFaces; ++f)
         {
-            acc[radial_][f][flux] *= s.invR[f % 2];
+            acc[radial_][f][int(flux)] *= s.invR[f % 2];
         }
         for (int d = 0; d < DIM; ++d)
         {

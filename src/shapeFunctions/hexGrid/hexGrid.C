@@ -43,10 +43,10 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
             << " system/blockMeshDict." << exit(FatalError);
     }
 
-    const Vector<label>& computed = mesh.geometricD();
+    // Beside wedges the geometric directions may include empty ones
     for (int d = 0; d < 3; ++d)
     {
-        if (computed[d] > 0)
+        if (mesh.solutionD()[d] > 0 && mesh.geometricD()[d] > 0)
         {
             dir_[nDim_++] = d;
         }
