@@ -295,6 +295,8 @@ Foam::scalar Foam::mpm::gridState::boundaryWork
     labelHashSet nodes(fixedNode_);
     nodes.insert(slipNode_);
     nodes.insert(rigid_.nodes());
+    // Columns of other nodes are of a step long ago
+    nodes &= labelHashSet(active_);
     for (const label n : nodes.sortedToc())
     {
         add(n);
