@@ -27,7 +27,18 @@ Foam::scalar Foam::mpm::gasCoupling::raw
     const label at = sums_.nPlaces()*d + sums_.facePlace(facei);
     return
         (1 - eps_)*face[pointKernels::faceStride*at + pointKernels::volume]
-       /mesh_.V()[mesh_.faceOwner()[facei]];
+       /faceVolume(facei);
+}
+
+
+Foam::scalar Foam::mpm::gasCoupling::faceVolume(const label facei) const
+{
+    const label celli = mesh_.faceOwner()[facei];
+    return
+        sums_.grid().radial() < 0
+      ? mesh_.V()[celli]
+      : mag(mesh_.faceAreas()[facei])
+       *sums_.grid().width(celli, sums_.direction(facei));
 }
 
 
@@ -191,7 +202,7 @@ void Foam::mpm::gasCoupling::prepareFaces(const scalar dt)
             continue;
         }
 
-        const scalar V = mesh_.V()[mesh_.faceOwner()[f]];
+        const scalar V = faceVolume(f);
         const scalar S = mag(mesh_.faceAreas()[f]);
         const scalar mean = 0.5*(1 - eps_)*(sumOld + sumNow)/V;
         thetaS0_[f] = min((1 - eps_)*sumOld/V, 1 - 0.5*eps_);
@@ -375,7 +386,7 @@ void Foam::mpm::gasCoupling::force()
             const scalar clip = min(scalar(1), (1 - 0.5*eps_)/theta);
             G_[sums_.nPlaces()*d + sums_.facePlace(f)] =
                 (1 - eps_)*clip*sums_.sign(f)*(pN - pO)
-               *mag(mesh_.faceAreas()[f])/mesh_.V()[mesh_.faceOwner()[f]];
+               *mag(mesh_.faceAreas()[f])/faceVolume(f);
         }
     };
     for (label f = 0; f < mesh_.nInternalFaces(); ++f)

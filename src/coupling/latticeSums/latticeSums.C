@@ -8,6 +8,7 @@ License
 
 #include "latticeSums.H"
 #include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
 #include "coupledPolyPatch.H"
 #include "HashSet.H"
 #include <unordered_map>
@@ -46,7 +47,7 @@ void Foam::mpm::latticeSums::makeFaces()
     DynamicList<label> walls;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
         {
             continue;
         }

@@ -16,7 +16,7 @@ namespace mpm
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
-template<int DIM>
+template<int DIM, bool HOOP = false>
 class boxKernels
 :
     public pointKernels
@@ -30,6 +30,9 @@ class boxKernels
     static constexpr int nFaces = 2*nCells/3;
 
     const latticeSums& sums_;
+
+    //- Computed direction of the radius where HOOP is
+    const int radial_;
 
 
     //- Factors of the kernels of W points: hat at the lower and upper plane,
@@ -45,7 +48,27 @@ class boxKernels
         label cell[nCells];
         label face[DIM][nFaces];
         scalar lower[DIM], invWidth[DIM];
+
+        //- Of a wedge's lower and upper face: r^2, 1/d_f, 2 r_f h/d_f, 1/r_f;
+        //  the last three are zero at the axis
+        scalar s[2], invD[2], scale[2], invR[2];
     };
+
+    void prepareRadius(const label celli, around& s) const
+    {
+        const label i = sums_.grid().ijk(celli, radial_);
+        const scalar* r = sums_.grid().planes(radial_).cdata() + i;
+        for (int n = 0; n < 2; ++n)
+        {
+            const scalar h = r[n] - r[n - 1];
+            const bool atAxis = r[n] < 1e-6*h;
+            const scalar d = sqr(r[n]) - sqr(max(r[n - 1], scalar(0)));
+            s.s[n] = sqr(r[n]);
+            s.invD[n] = atAxis ? 0 : 1/d;
+            s.scale[n] = atAxis ? 0 : 2*r[n]*h/d;
+            s.invR[n] = atAxis ? 0 : 1/r[n];
+        }
+    }
 
     void prepare(const label celli, around& s) const
     {
@@ -60,6 +83,10 @@ class boxKernels
             step[d][0] = sums_.below(celli, d);
             step[d][1] = 0;
             step[d][2] = sums_.above(celli, d);
+        }
+        if constexpr (HOOP)
+        {
+            prepareRadius(celli, s);
         }
         for (int n = 0; n < nCells; ++n)
         {
@@ -91,19 +118,31 @@ class boxKernels
         }
     }
 
-    static MPM_INLINE void evaluate
+    MPM_INLINE void evaluate
     (
         const around& s,
         const scalar* const (&x)[DIM],
         const label p,
         const int n,
         factors& K
-    )
+    ) const
     {
         for (int d = 0; d < DIM; ++d)
         {
             // Not beyond the last point: padding need not be a number
             const T xp = n == W ? load<W>(x[d] + p) : loadPart<W>(x[d] + p, n);
+            if (HOOP && d == radial_)
+            {
+                const T none = {}, r2 = xp*xp;
+                const T c0 = laneMax(1.0 - (r2 - s.s[0])*s.invD[0], none);
+                const T c1 = laneMax(1.0 - (s.s[1] - r2)*s.invD[1], none);
+                K.n1[d][0] = s.scale[0]*c0;
+                K.n1[d][1] = s.scale[1]*c1;
+                K.n2[d][0] = s.scale[0] > 0 ? 0.5*c0*c0 : none;
+                K.n2[d][2] = 0.5*c1*c1;
+                K.n2[d][1] = 1.0 - K.n2[d][0] - K.n2[d][2];
+                continue;
+            }
             const T xi = (xp - s.lower[d])*s.invWidth[d];
             const T c = 1.0 - xi, t = xi - 0.5;
             K.n1[d][0] = c;
@@ -173,10 +212,14 @@ class boxKernels
     void flushFaces
     (
         const around& s,
-        const quad (&acc)[DIM][nFaces],
+        quad (&acc)[DIM][nFaces],
         scalar* face
     ) const
     {
+        for (int f = 0; HOOP && f < nFaces; ++f)
+        {
+            acc[radial_][f][int(flux)] *= s.invR[f % 2];
+        }
         for (int d = 0; d < DIM; ++d)
         {
             scalar* to = face + size_t(faceStride)*sums_.nPlaces()*d;
@@ -192,7 +235,8 @@ public:
 
     explicit boxKernels(const latticeSums& sums)
     :
-        sums_(sums)
+        sums_(sums),
+        radial_(sums.grid().radial())
     {}
 
     void depart(materialPointCloud& cloud, scalar* face) const override
@@ -220,7 +264,13 @@ public:
                 const T vp = 0.5*load<W>(v + p);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    const T q[3] = {T{}, vp*load<W>(way[d] + p), T{}};
+                    T w = load<W>(way[d] + p);
+                    if (HOOP && d == radial_)
+                    {
+                        // Half the change of r^2
+                        w *= load<W>(x[d] + p) + 0.5*w;
+                    }
+                    const T q[3] = {T{}, vp*w, T{}};
                     addFaces(K, d, q, n, acc[d]);
                 }
             }
@@ -262,7 +312,12 @@ public:
                 const T mp = load<W>(m + p);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    const T q[3] = {vp, 0.5*vp*load<W>(way[d] + p), mp};
+                    T w = load<W>(way[d] + p);
+                    if (HOOP && d == radial_)
+                    {
+                        w *= load<W>(x[d] + p) - 0.5*w;
+                    }
+                    const T q[3] = {vp, 0.5*vp*w, mp};
                     addFaces(K, d, q, n, acc[d]);
                 }
                 T filling = vp;
@@ -325,6 +380,10 @@ public:
                 for (int f = 0; f < nFaces; ++f)
                 {
                     Gf[d][f] = G[sums_.nPlaces()*d + s.face[d][f]];
+                    if (HOOP && d == radial_)
+                    {
+                        Gf[d][f] *= s.invR[f % 2];
+                    }
                 }
             }
             const label end = cloud.start()[k + 1];
@@ -350,6 +409,10 @@ public:
                     {
                         g += faceKernel(K, d, f)*Gf[d][f];
                     }
+                    if (HOOP && d == radial_)
+                    {
+                        g *= load<W>(x[d] + p);
+                    }
                     storePart<W>(force[d] + p, -vp*g, n);
                 }
             }
@@ -361,6 +424,10 @@ public:
 
 autoPtr<pointKernels> pointKernels::New(const latticeSums& sums)
 {
+    if (sums.grid().radial() >= 0)
+    {
+        return autoPtr<pointKernels>(new boxKernels<2, true>(sums));
+    }
     switch (sums.grid().nDim())
     {
         case 1: return autoPtr<pointKernels>(new boxKernels<1>(sums));

@@ -17,6 +17,7 @@ License
 #include "Minmod.H"
 #include "SuperBee.H"
 #include "StringStream.H"
+#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -151,6 +152,16 @@ void Foam::mpm::reconstruction::gradient
         g.rho += (wf*P.rho + (1 - wf)*N.rho)*S[f];
         g.p += (wf*P.p + (1 - wf)*N.p)*S[f];
         g.u += S[f]*(wf*P.u + (1 - wf)*N.u);
+    }
+
+    // Between the sides of a wedge nothing changes
+    for (const label f : wedge_)
+    {
+        const gasState& P = W[own[f]];
+        gradients& g = grad_[own[f]];
+        g.rho += P.rho*S[f];
+        g.p += P.p*S[f];
+        g.u += S[f]*P.u;
     }
 
     const scalarField& V = mesh_.V();
@@ -368,6 +379,11 @@ void Foam::mpm::reconstruction::predict
     {
         add(own[f], Wb[f - nInternal], S[f]);
     }
+    for (const label f : wedge_)
+    {
+        // No flux through it: u_r/r, which the differences do not see
+        rates_[own[f]].div -= W[own[f]].u & S[f];
+    }
 
     // Now the change of the state
     const scalarField& V = mesh_.V();
@@ -441,6 +457,16 @@ Foam::mpm::reconstruction::reconstruction
     coupledList_(coupledFaceList)
 {
     readSchemes();
+
+    DynamicList<label> wedge;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        for (label i = 0; isA<wedgePolyPatch>(pp) && i < pp.size(); ++i)
+        {
+            wedge.append(pp.start() + i);
+        }
+    }
+    wedge_.transfer(wedge);
 
     if (!upwind_)
     {

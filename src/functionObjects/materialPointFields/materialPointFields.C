@@ -59,9 +59,21 @@ scalarField nodeVolumes(const mpm::hexGrid& grid, const label reach)
     scalarField V(grid.nNodes(), Zero);
     for (label celli = 0; celli < grid.nCells(); ++celli)
     {
+        // Nodes at the outer side of a cell on a wedge have more of it
+        scalar inner = 0.5;
+        if (grid.radial() >= 0)
+        {
+            scalar x[8];
+            grid.cornerPositions(celli, x);
+            const scalar r0 = x[grid.radial()], r1 = x[6 + grid.radial()];
+            inner = (2*r0 + r1)/(3*(r0 + r1));
+        }
         for (label n = 0; n < nc; ++n)
         {
-            V[grid.corners(celli)[n]] += grid.mesh().cellVolumes()[celli]/nc;
+            const scalar part =
+                grid.radial() < 0 ? 1.0/nc
+              : 0.5*((n >> grid.radial()) & 1 ? 1 - inner : inner);
+            V[grid.corners(celli)[n]] += part*grid.mesh().cellVolumes()[celli];
         }
     }
     grid.shared(reach).sum(V.data(), 1, 1);

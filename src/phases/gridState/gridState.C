@@ -277,6 +277,8 @@ Foam::labelList Foam::mpm::gridState::constrained() const
     labelHashSet nodes(fixedNode_);
     nodes.insert(slipNode_);
     nodes.insert(rigid_.nodes());
+    // Columns of other nodes are of a step long ago
+    nodes &= labelHashSet(active_);
     return nodes.sortedToc();
 }
 
@@ -464,6 +466,21 @@ void Foam::mpm::gridState::addProjected(const scalar share)
 }
 
 
+void Foam::mpm::gridState::turnToSide(const label pointi, vector& u) const
+{
+    const int r = grid_.direction(grid_.radial());
+    const int across = 3 - r - grid_.direction(1 - grid_.radial());
+    const point& x = grid_.mesh().points()[pointi];
+    const scalar radius = std::hypot(x[r], x[across]);
+    if (radius > 0)
+    {
+        const scalar ur = u[r];
+        u[r] = ur*x[r]/radius;
+        u[across] = ur*x[across]/radius;
+    }
+}
+
+
 void Foam::mpm::gridState::writeField()
 {
     vectorField& U = Ufield_.primitiveFieldRef();
@@ -481,6 +498,10 @@ void Foam::mpm::gridState::writeField()
             for (int d = 0; d < nDim_; ++d)
             {
                 U[pointi][grid_.direction(d)] = U_.data()[stride_*n + d];
+            }
+            if (grid_.radial() >= 0)
+            {
+                turnToSide(pointi, U[pointi]);
             }
         }
     }

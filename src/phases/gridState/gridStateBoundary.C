@@ -14,6 +14,7 @@ License
 #include "zeroGradientPointPatchField.H"
 #include "coupledPointPatchField.H"
 #include "emptyPointPatchField.H"
+#include "wedgePointPatchField.H"
 #include "pointMesh.H"
 #include "Time.H"
 #include "Tuple2.H"
@@ -50,6 +51,7 @@ void Foam::mpm::gridState::readBoundary()
         if
         (
             isA<emptyPointPatchField<vector>>(pf)
+         || isA<wedgePointPatchField<vector>>(pf)
          || isA<coupledPointPatchField<vector>>(pf)
          || isA<calculatedPointPatchField<vector>>(pf)
          || isA<zeroGradientPointPatchField<vector>>(pf)
@@ -66,7 +68,7 @@ void Foam::mpm::gridState::readBoundary()
             << "Valid types: fixedValue, timeVaryingUniformFixedValue and"
             << " others with a value (fixed velocity); slip, symmetry,"
             << " symmetryPlane (no normal velocity); calculated, zeroGradient"
-            << " (free); cyclic; empty." << exit(FatalError);
+            << " (free); cyclic; empty; wedge." << exit(FatalError);
     }
 
     readFixed();
@@ -230,6 +232,19 @@ void Foam::mpm::gridState::readSlip(const labelHashSet& fixed)
                 }
             }
         }
+        if (grid_.radial() >= 0)
+        {
+            vector radius(Zero);
+            radius[grid_.direction(grid_.radial())] = 1;
+            for (const label n : grid_.axisNodes())
+            {
+                const label key = parallel ? grid_.nodeKey()[n] : n;
+                (isShared.found(n) ? mine : others).append
+                (
+                    faceNormal(labelPair(key, -1), radius)
+                );
+            }
+        }
         normals[Pstream::myProcNo()].transfer(mine);
         if (parallel)
         {
@@ -325,6 +340,11 @@ void Foam::mpm::gridState::readSlip(const labelHashSet& fixed)
             {
                 N += rest*rest.transpose()/rest.squaredNorm();
 
+                if (entry.first.second() < 0)
+                {
+                    // No patch: the axis
+                    continue;
+                }
                 nodeReactions::part part
                 {
                     entry.first.first(),

@@ -320,7 +320,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     checkOverlap();
 
     Info<< "Material points: " << nPoints() << " in "
-        << phases_.size() << " phases, " << grid_.nDim() << "D, "
+        << phases_.size() << " phases, "
+        << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, "
         << grid_.nNodes() << " nodes, "
         << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
         << "    shape function "

@@ -16,8 +16,8 @@ namespace mpm
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<template<int> class Shape, int DIM>
-pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
+template<template<int> class Shape, int DIM, bool HOOP>
+pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
 (
     materialPointCloud& cloud,
     const constitutiveModel& law,
@@ -31,7 +31,8 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
     // law works on them
     constexpr label blockSize = 256;
     constexpr label bufferSize = blockSize + 256;
-    alignas(64) static thread_local scalar dL[DIM*DIM][bufferSize + W];
+    constexpr int N = DIM*DIM + (HOOP ? 1 : 0);
+    alignas(64) static thread_local scalar dL[N][bufferSize + W];
 
     alignas(64) static thread_local scalar width[bufferSize + W];
     const bool needsWidth =
@@ -105,6 +106,16 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
                     {
                         store<W>(dL[i] + (p - begin), dt*G[i]);
                     }
+                    if constexpr (HOOP)
+                    {
+                        T U[DIM];
+                        shapeType::template gather<DIM, P>(S, s.nodes, u, U);
+                        store<W>
+                        (
+                            dL[N - 1] + (p - begin),
+                            dt*U[radial_]*inverseRadius(s, X)
+                        );
+                    }
                 }
             }
 
@@ -113,30 +124,34 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
             const label nHere = end - begin;
             for (label i = nHere; i < nHere + W; ++i)
             {
-                for (int c = 0; c < DIM*DIM; ++c)
+                for (int c = 0; c < N; ++c)
                 {
                     dL[c][i] = 0;
                 }
             }
-            for (label i = 0; i < nHere; i += W)
+            const auto trace = [&](const label i) __attribute__((always_inline))
             {
                 T tr = load<W>(dL[0] + i);
                 for (int d = 1; d < DIM; ++d)
                 {
                     tr += load<W>(dL[d*(DIM + 1)] + i);
                 }
-                largest = laneMax(largest, laneAbs(tr));
+                if constexpr (HOOP)
+                {
+                    tr += load<W>(dL[N - 1] + i);
+                }
+                return tr;
+            };
+            for (label i = 0; i < nHere; i += W)
+            {
+                largest = laneMax(largest, laneAbs(trace(i)));
             }
             const int terms = expTerms(min(horizontalMax(largest), 2.0));
             for (label i = 0; i < nHere; i += W)
             {
-                T tr = load<W>(dL[0] + i);
-                for (int d = 1; d < DIM; ++d)
-                {
-                    tr += load<W>(dL[d*(DIM + 1)] + i);
-                }
                 const int n = int(min(label(W), nHere - i));
-                const T v = load<W>(volume + begin + i)*expSeries(tr, terms);
+                const T v =
+                    load<W>(volume + begin + i)*expSeries(trace(i), terms);
                 if (n == W)
                 {
                     store<W>(volume + begin + i, v);
@@ -156,6 +171,7 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
             {
                 block.dL[i] = dL[i];
             }
+            block.hoop = HOOP ? dL[N - 1] : nullptr;
             block.mass = mass + begin;
             block.volume = volume + begin;
             for (int i = 0; i < nStress(DIM); ++i)
@@ -214,14 +230,19 @@ pointPasses::stressResult shapePasses<Shape, DIM>::correctStress
                     {
                         notFinite += 0.0*F[i];
                     }
+                    const int n = int(min(label(W), pEnd - p));
+                    if constexpr (HOOP)
+                    {
+                        T q[DIM];
+                        minusHoopForce(s, stress, volume, p, X, q);
+                        shapeType::template scatter<DIM>(S, q, n, acc);
+                        for (int d = 0; d < DIM; ++d)
+                        {
+                            notFinite += 0.0*q[d];
+                        }
+                    }
                     shape_.toLocal(S, F);
-                    shapeType::scatterGradient
-                    (
-                        S,
-                        F,
-                        int(min(label(W), pEnd - p)),
-                        acc
-                    );
+                    shapeType::scatterGradient(S, F, n, acc);
                 }
                 shapeType::flush(acc, s.nodes, f);
             }

@@ -16,8 +16,8 @@ namespace mpm
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::weights
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::weights
 (
     const label celli,
     const scalar* x,
@@ -70,8 +70,8 @@ void shapePasses<Shape, DIM>::weights
 }
 
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::project
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::project
 (
     materialPointCloud& cloud,
     const states state,
@@ -115,8 +115,8 @@ void shapePasses<Shape, DIM>::project
 }
 
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::projectAffine
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::projectAffine
 (
     materialPointCloud& cloud,
     const states state,
@@ -157,9 +157,9 @@ void shapePasses<Shape, DIM>::projectAffine
 }
 
 
-template<template<int> class Shape, int DIM>
+template<template<int> class Shape, int DIM, bool HOOP>
 template<int STRIDE>
-void shapePasses<Shape, DIM>::affineFrom
+void shapePasses<Shape, DIM, HOOP>::affineFrom
 (
     materialPointCloud& cloud,
     const bool moment,
@@ -203,8 +203,8 @@ void shapePasses<Shape, DIM>::affineFrom
 }
 
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::affine
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::affine
 (
     materialPointCloud& cloud,
     const bool moment,
@@ -223,8 +223,8 @@ void shapePasses<Shape, DIM>::affine
 }
 
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::force
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::force
 (
     materialPointCloud& cloud,
     scalar* f
@@ -253,6 +253,12 @@ void shapePasses<Shape, DIM>::force
             gradientsType S;
             shape_.evaluate(s, X, L, S);
             minusVolumeStress(stress, volume, p, F);
+            if constexpr (HOOP)
+            {
+                T q[DIM];
+                minusHoopForce(s, stress, volume, p, X, q);
+                shapeType::template scatter<DIM>(S, q, n, acc);
+            }
             if (pressure)
             {
                 const T vP = load<W>(volume + p)*load<W>(pressure + p);
@@ -261,6 +267,10 @@ void shapePasses<Shape, DIM>::force
                 {
                     F[d*(DIM + 1)] -= vP;
                     q[d] = load<W>(push[d] + p);
+                }
+                if constexpr (HOOP)
+                {
+                    q[radial_] -= vP*inverseRadius(s, X);
                 }
                 shapeType::template scatter<DIM>(S, q, n, acc);
             }
@@ -272,8 +282,8 @@ void shapePasses<Shape, DIM>::force
 }
 
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::forStencils
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::forStencils
 (
     const materialPointCloud& cloud,
     const std::function<void(const label, const label*)>& f
@@ -288,8 +298,8 @@ void shapePasses<Shape, DIM>::forStencils
 }
 
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::massShares
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::massShares
 (
     materialPointCloud& cloud,
     scalar* share
@@ -324,8 +334,8 @@ void shapePasses<Shape, DIM>::massShares
 }
 
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::addBodyForce
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::addBodyForce
 (
     materialPointCloud& cloud,
     const column& b,
@@ -358,8 +368,8 @@ void shapePasses<Shape, DIM>::addBodyForce
 }
 
 
-template<template<int> class Shape, int DIM>
-pointPasses::moveResult shapePasses<Shape, DIM>::move
+template<template<int> class Shape, int DIM, bool HOOP>
+pointPasses::moveResult shapePasses<Shape, DIM, HOOP>::move
 (
     materialPointCloud& cloud,
     const moveRule& rule,
@@ -502,6 +512,15 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
                         x[d] = X[d][l];
                         finite = finite && std::isfinite(x[d]);
                     }
+                    if (HOOP && x[radial_] < 0)
+                    {
+                        x[radial_] = -x[radial_];
+                        UNew[radial_][p + l] = -UNew[radial_][p + l];
+                        if (ways[radial_])
+                        {
+                            ways[radial_][p + l] += 2*x[radial_];
+                        }
+                    }
                     // A point that goes too far is not followed: the step
                     // will be redone
                     const label to =
@@ -542,8 +561,8 @@ pointPasses::moveResult shapePasses<Shape, DIM>::move
 }
 
 
-template<template<int> class Shape, int DIM>
-void shapePasses<Shape, DIM>::massTimes
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::massTimes
 (
     materialPointCloud& cloud,
     const bool tentative,

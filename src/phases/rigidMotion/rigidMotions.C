@@ -166,6 +166,13 @@ public:
                 << " 2D normal to the plane. In 1D nothing can turn."
                 << exit(FatalIOError);
         }
+        if (grid.radial() >= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "On wedge patches nothing turns in the plane: an"
+                << " axisymmetric scene allows the motions fixed and"
+                << " translation." << exit(FatalIOError);
+        }
         axis_ /= mag(axis_);
     }
 

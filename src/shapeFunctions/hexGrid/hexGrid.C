@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "hexGrid.H"
-#include "wedgePolyPatch.H"
 #include <Eigen/LU>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -27,6 +26,8 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
     MeshObject<polyMesh, GeometricMeshObject, hexGrid>(mesh),
     nDim_(0),
     dir_{0, 0, 0},
+    radial_(-1),
+    sector_(0),
     nCells_{0, 0, 0},
     window_{0, 0, 0},
     nAllCells_{0, 0, 0},
@@ -42,21 +43,10 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
             << " system/blockMeshDict." << exit(FatalError);
     }
 
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        if (isA<wedgePolyPatch>(pp))
-        {
-            FatalErrorInFunction
-                << "Patch " << pp.name() << " is a wedge: axisymmetric"
-                << " material points do not exist yet. Use empty patches"
-                << " (2D) or a 3D mesh." << exit(FatalError);
-        }
-    }
-
-    const Vector<label>& computed = mesh.solutionD();
+    // Beside wedges the geometric directions may include empty ones
     for (int d = 0; d < 3; ++d)
     {
-        if (computed[d] > 0)
+        if (mesh.solutionD()[d] > 0 && mesh.geometricD()[d] > 0)
         {
             dir_[nDim_++] = d;
         }
@@ -70,6 +60,7 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
             << " of them names become empty." << exit(FatalError);
     }
 
+    makeWedge();
     makeNodes();
     makeCells();
     makeLattice();

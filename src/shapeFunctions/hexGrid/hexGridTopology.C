@@ -10,6 +10,9 @@ License
 #include "emptyPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "hexMatcher.H"
+#include "prismMatcher.H"
+#include "wedgePolyPatch.H"
+#include "HashSet.H"
 #include "EdgeMap.H"
 #include "SubField.H"
 #include "PackedBoolList.H"
@@ -54,13 +57,13 @@ public:
 };
 
 
-//- True for faces on empty patches
+//- True for faces on empty and wedge patches
 PackedBoolList emptyFaces(const polyMesh& mesh)
 {
     PackedBoolList isEmpty(mesh.nFaces());
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
         {
             forAll(pp, i)
             {
@@ -99,7 +102,8 @@ void Foam::mpm::hexGrid::makeNodes()
     }
     else if (nDim_ == 2)
     {
-        // Front and back are joined by the edges that lie in no empty face
+        // Front and back are joined by the edges that lie in no empty (wedge)
+        // face. On the axis of a wedge they are one point
         EdgeMap<bool> inEmpty(4*mesh.nCells());
         forAll(mesh.faces(), facei)
         {
@@ -190,6 +194,8 @@ void Foam::mpm::hexGrid::makeCells()
     const polyMesh& mesh = this->mesh();
     const PackedBoolList isEmpty(emptyFaces(mesh));
     hexMatcher hex;
+    prismMatcher prism;
+    labelHashSet onAxis;
     const label nc = label(1) << nDim_;
 
     cellNodes_.setSize(nc*mesh.nCells());
@@ -264,7 +270,8 @@ void Foam::mpm::hexGrid::makeCells()
 
     forAll(mesh.cells(), celli)
     {
-        if (!hex.isA(mesh, celli))
+        const bool atAxis = radial_ >= 0 && prism.isA(mesh, celli);
+        if (!atAxis && !hex.isA(mesh, celli))
         {
             FatalErrorInFunction
                 << "Cell " << celli << " at " << mesh.cellCentres()[celli]
@@ -273,18 +280,19 @@ void Foam::mpm::hexGrid::makeCells()
                 << " also GIMP and B-splines)." << exit(FatalError);
         }
 
-        // The six faces as three pairs without a common point
+        // The six faces as three pairs without a common point. Of the prism at
+        // an axis only the triangles are a pair
         const cell& cFaces = mesh.cells()[celli];
         label pair[3][2];
         int nPairs = 0;
         FixedList<bool, 6> used(false);
-        for (int i = 0; i < 6; ++i)
+        for (int i = 0; i < cFaces.size(); ++i)
         {
             if (used[i])
             {
                 continue;
             }
-            for (int j = i + 1; j < 6; ++j)
+            for (int j = i + 1; j < cFaces.size(); ++j)
             {
                 bool touches = false;
                 for (const label p : faces[cFaces[i]])
@@ -302,11 +310,27 @@ void Foam::mpm::hexGrid::makeCells()
             }
         }
 
+        // The side that faces the axis
+        label outer = -1;
+        for (int i = 0; atAxis && i < cFaces.size(); ++i)
+        {
+            if (!used[i] && !isEmpty.test(cFaces[i]))
+            {
+                outer = cFaces[i];
+            }
+        }
+
         // Each computed direction takes the pair that lies most along it
         label side[3][2];
         FixedList<bool, 3> taken(false);
         for (int d = 0; d < nDim_; ++d)
         {
+            if (outer >= 0 && d == radial_)
+            {
+                side[d][0] = -1;
+                side[d][1] = outer;
+                continue;
+            }
             int best = -1;
             scalar along = -1;
             for (int k = 0; k < nPairs; ++k)
@@ -332,7 +356,8 @@ void Foam::mpm::hexGrid::makeCells()
                 FatalErrorInFunction
                     << "Cell " << celli << " at "
                     << mesh.cellCentres()[celli] << " has no pair of sides"
-                    << " for direction " << d << "; check the empty patches."
+                    << " for direction " << d << "; check the empty or wedge"
+                    << " patches."
                     << exit(FatalError);
             }
             taken[best] = true;
@@ -347,18 +372,29 @@ void Foam::mpm::hexGrid::makeCells()
         for (label n = 0; n < nc; ++n)
         {
             label corner = -1, own = -1;
-            for (const label p : faces[side[0][n & 1]])
+            for (const label p : mesh.cellPoints()[celli])
             {
                 bool inAll = true;
-                for (int d = 1; d < nDim_; ++d)
+                for (int d = 0; d < nDim_; ++d)
                 {
-                    inAll = inAll && faces[side[d][(n >> d) & 1]].found(p);
+                    const label facei = side[d][(n >> d) & 1];
+                    inAll =
+                        inAll
+                     && (
+                            facei >= 0
+                          ? faces[facei].found(p)
+                          : !faces[outer].found(p)
+                        );
                 }
                 if (inAll)
                 {
                     corner = pointToNode_[p];
                     own = p;
                 }
+            }
+            if (outer >= 0 && !((n >> radial_) & 1))
+            {
+                onAxis.insert(corner);
             }
             cellNodes_[nc*celli + n] = corner;
             cellPoints_[nc*celli + n] = own;
@@ -370,7 +406,11 @@ void Foam::mpm::hexGrid::makeCells()
             {
                 const label facei = side[d][s];
                 label nbr = -1;
-                if (mesh.isInternalFace(facei))
+                if (facei < 0)
+                {
+                    // Nothing beyond the axis
+                }
+                else if (mesh.isInternalFace(facei))
                 {
                     nbr =
                         mesh.faceOwner()[facei] == celli
@@ -394,6 +434,7 @@ void Foam::mpm::hexGrid::makeCells()
             }
         }
     }
+    axisNodes_ = onAxis.sortedToc();
 }
 
 // ************************************************************************* //

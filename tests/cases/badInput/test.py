@@ -223,11 +223,13 @@ def lShape(case):
              f"frontAndBack {{ type empty; faces ({flat}); }}\n);\n")
 
 
-def wedge(case):
+def wedge(case, shift=0, back=1.0):
+    """About y, radius x; shift moves it off the axis, back stretches one side."""
+    a, b = 1 + shift, 10 + shift
     case.sub(BLOCKS, r"vertices.*",
-             """vertices
-((1 0 -0.05) (10 0 -0.5) (10 10 -0.5) (1 10 -0.05)
- (1 0 0.05) (10 0 0.5) (10 10 0.5) (1 10 0.05));
+             f"""vertices
+(({a} 0 -0.05) ({b} 0 -0.5) ({b} 10 -0.5) ({a} 10 -0.05)
+ ({a} 0 {0.05*back}) ({b} 0 {0.5*back}) ({b} 10 {0.5*back}) ({a} 10 {0.05*back}));
 blocks (hex (0 1 2 3 4 5 6 7) (9 10 1) simpleGrading (1 1 1));
 boundary
 (
@@ -880,8 +882,19 @@ ROWS += [
     ("mesh with prisms", SET, meshOf(prisms), [r"Cell \d+ at \(", "hexahedr"]),
     ("mesh with prisms", SOLVE, meshOf(prisms), [r"Cell \d+ at \(", "hexahedr"]),
     ("mesh of a tetrahedron", SET, tetrahedron, [r"Cell \d+ at \(", "hexahedr"]),
-    ("mesh with wedges", SET, meshOf(wedge), ["Patch front is a wedge"]),
-    ("mesh with wedges", SOLVE, meshOf(wedge), ["Patch front is a wedge"]),
+    ("allowed: mesh with wedges", SET, meshOf(wedge), None),
+    ("allowed: mesh with wedges", SOLVE, withPoints(meshOf(wedge)), None),
+    ("wedge off axis", SET, meshOf(lambda case: wedge(case, shift=2)),
+     ["front back", "they meet at x = 2", "coordinate axis"]),
+    ("wedge off axis", SOLVE, meshOf(lambda case: wedge(case, shift=2)),
+     ["front back", "they meet at x = 2", "coordinate axis"]),
+    ("wedge on the wrong side of its axis", SET, meshOf(lambda case: wedge(case, shift=-11)),
+     ["front back", "coordinate axis", "not negative"]),
+    ("wedge of unequal angles", SET, meshOf(lambda case: wedge(case, back=1.5)),
+     ["front back", "their normals are", "the same angle"]),
+    ("rotation on a wedge", SOLVE, several(meshOf(wedge), rigidMotion(
+        "type rotation; origin (5 5 0); axis (0 0 1); omega 1;")),
+     inPhases + ["wedge", "fixed", "translation"]),
 
     #- boundary conditions
     ("patch type inletOutlet", SOLVE, replace("0/U.body", "calculated", "inletOutlet"),

@@ -71,14 +71,19 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         return;
     }
 
-    // Parts of the cell's volume; sub-cells of a box are alike
+    // Parts of the cell's volume; sub-cells of a box are alike, but for the
+    // radius on a wedge
     scalarField part(nSub_, 1.0/nSub_);
-    if (!grid_.hasLattice())
+    if (!grid_.hasLattice() || grid_.radial() >= 0)
     {
         forAll(part, sub)
         {
             centre(sub, xi);
             part[sub] = map.determinant(xi);
+            if (grid_.radial() >= 0)
+            {
+                part[sub] *= map.position(xi)[grid_.direction(grid_.radial())];
+            }
         }
         if (!(min(part) > 0))
         {

@@ -72,6 +72,14 @@ bool Foam::mpm::boxShape::contains(const label, const point& x) const
 
 Foam::scalar Foam::mpm::boxShape::volume() const
 {
+    if (grid_.radial() >= 0)
+    {
+        const int r = grid_.direction(grid_.radial());
+        const int a = grid_.direction(1 - grid_.radial());
+        return
+            0.5*grid_.sector()*(sqr(max_[r]) - sqr(min_[r]))
+           *(max_[a] - min_[a]);
+    }
     scalar v = section();
     for (int d = 0; d < grid_.nDim(); ++d)
     {

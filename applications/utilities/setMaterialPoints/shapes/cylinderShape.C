@@ -95,6 +95,10 @@ bool Foam::mpm::cylinderShape::contains(const label, const point& x) const
 
 Foam::scalar Foam::mpm::cylinderShape::volume() const
 {
+    if (grid_.radial() >= 0)
+    {
+        return -1;
+    }
     const int n = grid_.nDim();
     return
         section()

@@ -10,6 +10,7 @@ License
 #include "selector.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
 #include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -124,7 +125,12 @@ bool Foam::mpm::pointRegionShape::insideMesh() const
     // just beyond the middle or beyond the corners of a boundary face
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp) || isA<cyclicPolyPatch>(pp))
+        if
+        (
+            isA<emptyPolyPatch>(pp)
+         || isA<wedgePolyPatch>(pp)
+         || isA<cyclicPolyPatch>(pp)
+        )
         {
             continue;
         }

@@ -57,7 +57,7 @@ bool Foam::mpm::sphereShape::contains(const label, const point& x) const
 
 Foam::scalar Foam::mpm::sphereShape::volume() const
 {
-    return ball(grid_.nDim(), radius_)*section();
+    return grid_.radial() >= 0 ? -1 : ball(grid_.nDim(), radius_)*section();
 }
 
 // ************************************************************************* //

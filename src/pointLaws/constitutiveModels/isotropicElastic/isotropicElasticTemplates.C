@@ -62,6 +62,11 @@ void isotropicElastic<Law>::update(pointBlock& b) const
     constexpr int N = DIM*DIM;
     typedef lanes<W> T;
 
+    if (DIM == 2 && b.hoop)
+    {
+        updateHoopStretch<DIM>(b);
+    }
+
     // Largest velocity gradient of the block chooses the number of terms for
     // all its points
     const double dLMag = largestIncrement<DIM>(b);
