@@ -304,10 +304,11 @@ Foam::scalar Foam::mpm::gridState::boundaryWork
 }
 
 
-void Foam::mpm::gridState::addImpulse(const scalar* impulse)
+void Foam::mpm::gridState::addImpulse(const scalar* impulse, const scalar dt)
 {
     const scalar* mU = mU_.data();
     scalar* UL = UL_.data();
+    const scalar idt = dt > 0 ? 1/dt : 0;
     for (const label n : active_)
     {
         const scalar m = mU[stride_*n + nDim_];
@@ -317,9 +318,19 @@ void Foam::mpm::gridState::addImpulse(const scalar* impulse)
             // The increment takes what is left after boundary conditions
             UL[2*stride_*n + stride_ + d] -= UL[2*stride_*n + d];
             UL[2*stride_*n + d] += rm*impulse[stride_*n + d];
+            f_.data()[stride_*n + d] += idt*impulse[stride_*n + d];
         }
     }
+    const bool takes = reactions_ && dt > 0;
+    if (takes)
+    {
+        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+    }
     constrain(UL, 2*stride_, false, false);
+    if (takes)
+    {
+        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
+    }
     for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)

@@ -172,6 +172,10 @@ void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
         {
             field.momentumStep(dt, g_);
         }
+        if (contact_)
+        {
+            budget_.step.contact = contact_->push(dt);
+        }
     }
 
     if (budget_.active)
@@ -182,6 +186,7 @@ void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
             boundary += field.boundaryWork(dt, g_);
         }
         budget_.step.boundary = returnReduce(boundary, sumOp<scalar>());
+        reduce(budget_.step.contact, sumOp<scalar>());
     }
 
     if (transfer_.kind == transfer::FMPM)
@@ -277,7 +282,8 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
         reduce(body, sumOp<scalar>());
         forceWork& step = budget_.step;
         step.external = dt*((g_ & momentum) + body);
-        step.internal = work - step.external - step.boundary;
+        step.internal =
+            work - step.external - step.boundary - step.contact;
     }
 
     for (gridState& field : fields_)
@@ -352,6 +358,11 @@ void Foam::mpm::pointPhaseSystem::accept()
     for (gridState& field : fields_)
     {
         field.accept();
+    }
+    if (contact_)
+    {
+        contact_->accept();
+        contact_->update();
     }
     budget_.work += budget_.step;
     tentative_ = false;

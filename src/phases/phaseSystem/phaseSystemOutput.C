@@ -158,7 +158,12 @@ void Foam::mpm::pointPhaseSystem::checkOverlap()
             {
                 continue;
             }
-            if (owner[n] >= 0 && !warned_)
+            if
+            (
+                owner[n] >= 0
+             && !warned_
+             && !(contact_ && contact_->between(owner[n], fieldi))
+            )
             {
                 warned_ = true;
                 WarningInFunction
@@ -169,7 +174,8 @@ void Foam::mpm::pointPhaseSystem::checkOverlap()
                     << ". Nothing acts between them: phases with own velocity"
                     << " fields pass through each other. Give them the same"
                     << " velocityField in constant/phaseProperties to let"
-                    << " them stick and push." << endl;
+                    << " them stick and push, or add contact { ... }; there."
+                    << endl;
             }
             owner[n] = fieldi;
         }
@@ -202,8 +208,12 @@ void Foam::mpm::pointPhaseSystem::report() const
     if (const energyBudget* b = budget())
     {
         Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
-            << b->work.boundary << ", external " << b->work.external
-            << ", residual " << b->residual() << nl;
+            << b->work.boundary << ", external " << b->work.external;
+        if (contact_)
+        {
+            Info<< ", contact " << b->work.contact;
+        }
+        Info<< ", residual " << b->residual() << nl;
     }
     Info<< "Failed points: " << nFailed << ", steps redone: " << nRedone_
         << endl;
@@ -215,6 +225,10 @@ void Foam::mpm::pointPhaseSystem::report() const
                 << rigidStepImpulse(phasei)/max(dt_, VSMALL) << " N, impulse "
                 << rigidImpulse(phasei) << " N s" << endl;
         }
+    }
+    if (contact_)
+    {
+        contact_->report(dt_);
     }
 }
 
@@ -330,6 +344,10 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         }
     }
     state.add("rigid", rigid);
+    if (contact_)
+    {
+        state.add("contact", contact_->state());
+    }
     if (budget_.active)
     {
         dictionary energy;
@@ -338,6 +356,7 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         energy.add("internal", budget_.work.internal);
         energy.add("external", budget_.work.external);
         energy.add("boundary", budget_.work.boundary);
+        energy.add("contact", budget_.work.contact);
         state.add("energy", energy);
     }
     return state;
@@ -349,7 +368,10 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
     checkKeywords
     (
         state,
-        {"rate", "waveRate", "stepsRedone", "failed", "rigid", "energy"}
+        {
+            "rate", "waveRate", "stepsRedone", "failed", "rigid", "contact",
+            "energy"
+        }
     );
 
     // The laws may have changed since
@@ -388,6 +410,11 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         checkKeywords(requiredDict(state, "rigid"), wordList(rigid));
     }
 
+    if (contact_ && state.found("contact"))
+    {
+        contact_->setState(requiredDict(state, "contact"));
+    }
+
     if (state.found("energy"))
     {
         budget_.active = true;
@@ -397,6 +424,7 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         budget_.work.internal = required<scalar>(energy, "internal");
         budget_.work.external = required<scalar>(energy, "external");
         budget_.work.boundary = required<scalar>(energy, "boundary");
+        budget_.work.contact = energy.getOrDefault<scalar>("contact", 0);
     }
     if (!timeDependent())
     {
