@@ -380,6 +380,35 @@ void Foam::mpm::gridState::readSlip(const labelHashSet& fixed)
 }
 
 
+bool Foam::mpm::gridState::holds(const label patchi) const
+{
+    const pointPatchField<vector>& pf = Ufield_.boundaryField()[patchi];
+    return isSlip(pf) || isA<valuePointPatchField<vector>>(pf);
+}
+
+
+void Foam::mpm::gridState::slip(const label node, scalar* v) const
+{
+    const auto at =
+        std::lower_bound(slipNode_.begin(), slipNode_.end(), node);
+    if (at == slipNode_.end() || *at != node)
+    {
+        return;
+    }
+    const scalar* R =
+        slipProjection_.cdata() + nDim_*nDim_*(at - slipNode_.begin());
+    scalar w[3] = {0, 0, 0};
+    for (int a = 0; a < nDim_; ++a)
+    {
+        for (int b = 0; b < nDim_; ++b)
+        {
+            w[a] += R[nDim_*a + b]*v[b];
+        }
+    }
+    std::copy(w, w + nDim_, v);
+}
+
+
 void Foam::mpm::gridState::updateFixed(const scalar dt)
 {
     // The velocity that the step ends with: time is set on for the evaluation

@@ -113,7 +113,7 @@ Foam::scalar* Foam::mpm::gridState::zeroProduct()
 }
 
 
-void Foam::mpm::gridState::addFilter(const series s, const scalar weight)
+void Foam::mpm::gridState::nextIncrement(const series s)
 {
     const scalar* mU = mU_.data();
     scalar* v = work_.data();
@@ -144,7 +144,12 @@ void Foam::mpm::gridState::addFilter(const series s, const scalar weight)
     {
         reactions_->add(active_, 1, v, 2*stride_, mU, stride_);
     }
+}
 
+
+void Foam::mpm::gridState::addIncrement(const series s, const scalar weight)
+{
+    const scalar* v = work_.data();
     scalar* to = s == strain ? Ustrain_.data() : UL_.data();
     const int step = s == strain ? stride_ : 2*stride_;
     for (const label n : active_)

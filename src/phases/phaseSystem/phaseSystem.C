@@ -174,14 +174,20 @@ void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
         }
     }
 
+    scalar boundary = 0, work = 0;
+    for (const gridState& field : fields_)
+    {
+        boundary += budget_.active ? field.boundaryWork(dt, g_) : 0;
+    }
+    if (contact_)
+    {
+        const timer t(clock_.nodes);
+        work = contact_->push(dt, budget_.active, boundary);
+    }
     if (budget_.active)
     {
-        scalar boundary = 0;
-        for (const gridState& field : fields_)
-        {
-            boundary += field.boundaryWork(dt, g_);
-        }
         budget_.step.boundary = returnReduce(boundary, sumOp<scalar>());
+        budget_.step.contact = returnReduce(work, sumOp<scalar>());
     }
 
     if (transfer_.kind == transfer::FMPM)
@@ -277,7 +283,8 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
         reduce(body, sumOp<scalar>());
         forceWork& step = budget_.step;
         step.external = dt*((g_ & momentum) + body);
-        step.internal = work - step.external - step.boundary;
+        step.internal =
+            work - step.external - step.boundary - step.contact;
     }
 
     for (gridState& field : fields_)
@@ -352,6 +359,11 @@ void Foam::mpm::pointPhaseSystem::accept()
     for (gridState& field : fields_)
     {
         field.accept();
+    }
+    if (contact_)
+    {
+        contact_->accept();
+        contact_->update();
     }
     budget_.work += budget_.step;
     tentative_ = false;

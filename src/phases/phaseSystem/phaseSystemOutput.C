@@ -158,7 +158,12 @@ void Foam::mpm::pointPhaseSystem::checkOverlap()
             {
                 continue;
             }
-            if (owner[n] >= 0 && !warned_)
+            if
+            (
+                owner[n] >= 0
+             && !warned_
+             && !(contact_ && contact_->between(owner[n], fieldi))
+            )
             {
                 warned_ = true;
                 WarningInFunction
@@ -169,7 +174,8 @@ void Foam::mpm::pointPhaseSystem::checkOverlap()
                     << ". Nothing acts between them: phases with own velocity"
                     << " fields pass through each other. Give them the same"
                     << " velocityField in constant/phaseProperties to let"
-                    << " them stick and push." << endl;
+                    << " them stick and push, or add contact { ... }; there."
+                    << endl;
             }
             owner[n] = fieldi;
         }
@@ -204,6 +210,10 @@ void Foam::mpm::pointPhaseSystem::report() const
         Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
             << b->work.boundary << ", external " << b->work.external
             << ", failure " << b->failure;
+        if (contact_)
+        {
+            Info<< ", contact " << b->work.contact;
+        }
         if (b->hasGas)
         {
             const gasBudget& g = b->gas;
@@ -229,6 +239,10 @@ void Foam::mpm::pointPhaseSystem::report() const
                 << rigidStepImpulse(phasei)/max(dt_, VSMALL) << " N, impulse "
                 << rigidImpulse(phasei) << " N s" << endl;
         }
+    }
+    if (contact_)
+    {
+        contact_->report(dt_);
     }
 }
 
@@ -366,6 +380,10 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         }
     }
     state.add("rigid", rigid);
+    if (contact_)
+    {
+        state.add("contact", contact_->state());
+    }
     if (budget_.active)
     {
         dictionary energy;
@@ -379,6 +397,7 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         {
             energy.add("gas", coupling_->balance().state());
         }
+        energy.add("contact", budget_.work.contact);
         state.add("energy", energy);
     }
     return state;
@@ -390,7 +409,10 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
     checkKeywords
     (
         state,
-        {"rate", "waveRate", "stepsRedone", "failed", "rigid", "energy"}
+        {
+            "rate", "waveRate", "stepsRedone", "failed", "rigid", "contact",
+            "energy"
+        }
     );
 
     // The laws may have changed since
@@ -438,6 +460,11 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         checkKeywords(requiredDict(state, "rigid"), wordList(rigid));
     }
 
+    if (contact_ && state.found("contact"))
+    {
+        contact_->setState(requiredDict(state, "contact"));
+    }
+
     if (state.found("energy"))
     {
         budget_.active = true;
@@ -460,6 +487,7 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
                 coupling_->setBalance(sums);
             }
         }
+        budget_.work.contact = energy.getOrDefault<scalar>("contact", 0);
     }
     if (!timeDependent())
     {

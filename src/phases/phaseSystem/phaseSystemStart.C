@@ -291,7 +291,20 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     rate_ = largestOfAll(rate_);
     updateWaveRate();
 
+    contact_ = pointContact::New
+    (
+        properties_,
+        grid_,
+        phases_,
+        fields_,
+        fieldOf_,
+        *passes_
+    );
     startNodes();
+    if (contact_)
+    {
+        contact_->update();
+    }
     bool haveAffine = true;
     for (const materialPointPhase& phase : phases_)
     {

@@ -25,11 +25,11 @@ void Foam::mpm::pointPhaseSystem::filter
         return;
     }
     const timer t(clock_.project);
-    forAll(fields_, fieldi)
+    for (label k = 1; k < transfer_.order; ++k)
     {
-        gridState& field = fields_[fieldi];
-        for (label k = 1; k < transfer_.order; ++k)
+        forAll(fields_, fieldi)
         {
+            gridState& field = fields_[fieldi];
             if (k == 1)
             {
                 field.startFilter(s);
@@ -49,7 +49,15 @@ void Foam::mpm::pointPhaseSystem::filter
                 }
             }
             field.sumColumn(Mv);
-            field.addFilter(s, weight);
+            field.nextIncrement(s);
+        }
+        if (contact_)
+        {
+            contact_->filter();
+        }
+        for (gridState& field : fields_)
+        {
+            field.addIncrement(s, weight);
         }
     }
 }
@@ -72,7 +80,11 @@ void Foam::mpm::pointPhaseSystem::strainVelocity()
     const bool filtered = transfer_.order > 1 && transfer_.strainFilter > 0;
     for (gridState& field : fields_)
     {
-        field.strainFromU(filtered);
+        field.strainFromU(filtered || contact_);
+    }
+    if (contact_)
+    {
+        contact_->pushStrain(dt_);
     }
     filter(gridState::strain, transfer_.strainFilter);
 }
@@ -112,6 +124,10 @@ void Foam::mpm::pointPhaseSystem::strainVelocityAnew()
         for (gridState& field : fields_)
         {
             field.strainFromMomentum();
+        }
+        if (contact_)
+        {
+            contact_->pushStrain(dt_);
         }
     }
     filter(gridState::strain, transfer_.strainFilter);

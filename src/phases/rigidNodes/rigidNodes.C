@@ -10,50 +10,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::rigidNodes::placeNodes()
-{
-    position_.setSize(grid_.nNodes(), Zero);
-    forAll(position_, n)
-    {
-        if (grid_.nodePoint()[n] >= 0)
-        {
-            position_[n] = grid_.mesh().points()[grid_.nodePoint()[n]];
-        }
-    }
-    if (!grid_.hasLattice())
-    {
-        return;
-    }
-
-    // Those of other processors' cells, by the planes of the lattice
-    const int D = grid_.nDim();
-    label at[3] = {0, 0, 0};
-    label nPlanes[3] = {1, 1, 1};
-    for (int d = 0; d < D; ++d)
-    {
-        nPlanes[d] = grid_.planes(d).size();
-    }
-    for (at[2] = 0; at[2] < nPlanes[2]; ++at[2])
-    {
-        for (at[1] = 0; at[1] < nPlanes[1]; ++at[1])
-        {
-            for (at[0] = 0; at[0] < nPlanes[0]; ++at[0])
-            {
-                const label n = grid_.nodeAt(at);
-                if (n >= 0 && grid_.nodePoint()[n] < 0)
-                {
-                    for (int d = 0; d < D; ++d)
-                    {
-                        position_[n][grid_.direction(d)] =
-                            grid_.planes(d)[at[d]];
-                    }
-                }
-            }
-        }
-    }
-}
-
-
 void Foam::mpm::rigidNodes::setVelocity
 (
     const label phasei,
@@ -104,7 +60,7 @@ Foam::scalar* Foam::mpm::rigidNodes::clearMass
     if (!mass_.data())
     {
         mass_ = alignedArray(stride*grid_.nNodes());
-        placeNodes();
+        position_ = grid_.nodePositions();
     }
     for (const label n : active)
     {
@@ -248,6 +204,25 @@ void Foam::mpm::rigidNodes::addProjectionImpulse
             step_[now_.phase[i]][grid_.direction(d)] +=
                 a*now_.part[i]
                *(mU[stride*n + d] - mU[stride*n + D]*U[stride*n + d]);
+        }
+    }
+}
+
+
+void Foam::mpm::rigidNodes::addImpulse
+(
+    const scalar* J,
+    const scalar* mU,
+    const int stride
+)
+{
+    const int D = grid_.nDim();
+    forAll(now_.node, i)
+    {
+        for (int d = 0; d < D && !(mU[stride*now_.node[i] + D] > 0); ++d)
+        {
+            step_[now_.phase[i]][grid_.direction(d)] +=
+                now_.part[i]*J[stride*now_.node[i] + d];
         }
     }
 }

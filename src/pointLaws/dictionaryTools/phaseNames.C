@@ -38,6 +38,7 @@ Foam::wordList Foam::mpm::phaseNames
     }
     wordList valid(names);
     valid.append("phases");
+    valid.append("contact");
     valid.append("FoamFile");
     checkKeywords(dict, valid);
 

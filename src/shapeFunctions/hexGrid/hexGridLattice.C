@@ -282,4 +282,49 @@ void Foam::mpm::hexGrid::makeLattice()
     }
 }
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::pointField Foam::mpm::hexGrid::nodePositions() const
+{
+    pointField x(nNodes(), point(Zero));
+    forAll(x, n)
+    {
+        if (nodePoint_[n] >= 0)
+        {
+            x[n] = mesh().points()[nodePoint_[n]];
+        }
+    }
+    if (!hasLattice())
+    {
+        return x;
+    }
+
+    // Those of other processors' cells, by the planes of the lattice
+    label at[3] = {0, 0, 0};
+    label nPlanes[3] = {1, 1, 1};
+    for (int d = 0; d < nDim_; ++d)
+    {
+        nPlanes[d] = planes_[d].size();
+    }
+    for (at[2] = 0; at[2] < nPlanes[2]; ++at[2])
+    {
+        for (at[1] = 0; at[1] < nPlanes[1]; ++at[1])
+        {
+            for (at[0] = 0; at[0] < nPlanes[0]; ++at[0])
+            {
+                const label n = nodeAt(at);
+                if (n >= 0 && nodePoint_[n] < 0)
+                {
+                    for (int d = 0; d < nDim_; ++d)
+                    {
+                        x[n][dir_[d]] =
+                            planes_[d][at[d]];
+                    }
+                }
+            }
+        }
+    }
+    return x;
+}
+
 // ************************************************************************* //

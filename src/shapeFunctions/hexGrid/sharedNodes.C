@@ -87,13 +87,16 @@ Foam::mpm::sharedNodes::sharedNodes
     receive_.setSize(procs_.size());
 }
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::sharedNodes::sum
+template<class Operation>
+void Foam::mpm::sharedNodes::combine
 (
     scalar* q,
     const int stride,
-    const int nComp
+    const int nComp,
+    const scalar none,
+    const Operation& op
 ) const
 {
     if (procs_.empty())
@@ -151,7 +154,7 @@ void Foam::mpm::sharedNodes::sum
         for (int c = 0; c < nComp; ++c)
         {
             *own++ = q[stride*node + c];
-            q[stride*node + c] = 0;
+            q[stride*node + c] = none;
         }
     }
     const auto addOwn = [&]
@@ -161,7 +164,7 @@ void Foam::mpm::sharedNodes::sum
         {
             for (int c = 0; c < nComp; ++c)
             {
-                q[stride*node + c] += *from++;
+                op(q[stride*node + c], *from++);
             }
         }
     };
@@ -181,7 +184,7 @@ void Foam::mpm::sharedNodes::sum
         {
             for (int c = 0; c < nComp; ++c)
             {
-                q[stride*node + c] += *from++;
+                op(q[stride*node + c], *from++);
             }
         }
     }
@@ -189,6 +192,43 @@ void Foam::mpm::sharedNodes::sum
     {
         addOwn();
     }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::sharedNodes::sum
+(
+    scalar* q,
+    const int stride,
+    const int nComp
+) const
+{
+    combine
+    (
+        q,
+        stride,
+        nComp,
+        0,
+        [](scalar& to, const scalar from) { to += from; }
+    );
+}
+
+
+void Foam::mpm::sharedNodes::largest
+(
+    scalar* q,
+    const int stride,
+    const int nComp
+) const
+{
+    combine
+    (
+        q,
+        stride,
+        nComp,
+        -GREAT,
+        [](scalar& to, const scalar from) { to = max(to, from); }
+    );
 }
 
 // ************************************************************************* //

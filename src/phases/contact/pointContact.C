@@ -1,0 +1,652 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointContact.H"
+#include "selector.H"
+#include "polyMesh.H"
+#include "emptyPolyPatch.H"
+#include "SubField.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::mpm::pointContact::rule
+Foam::mpm::pointContact::readRule(const dictionary& dict) const
+{
+    checkKeywords(dict, {"type", "mu", "fields", "patch", "normal"});
+    rule r;
+    r.name = dict.dictName();
+    const word type(oneOf(dict, "type", {"frictionless", "Coulomb", "stick"}));
+    r.stick = type == "stick";
+    r.mu = type == "Coulomb" ? bounded(dict, "mu", 0, GREAT) : 0;
+    if (type != "Coulomb" && dict.found("mu"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "mu is the friction of type Coulomb; the type is " << type << "."
+            << exit(FatalIOError);
+    }
+    r.normal = dict.getOrDefault<vector>("normal", vector::zero);
+    if (dict.found("normal"))
+    {
+        vector inside(Zero);
+        for (int d = 0; d < nDim_; ++d)
+        {
+            inside[grid_.direction(d)] = r.normal[grid_.direction(d)];
+        }
+        if (!(mag(inside) > VSMALL) || mag(r.normal - inside) > SMALL*mag(inside))
+        {
+            FatalIOErrorInFunction(dict)
+                << "normal " << r.normal << " must not be zero and have only"
+                << " components that are computed." << exit(FatalIOError);
+        }
+        if (!dict.found("fields") || dict.found("patch"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "normal needs two fields, from the first to the second."
+                << exit(FatalIOError);
+        }
+        r.normal /= mag(r.normal);
+    }
+    return r;
+}
+
+
+Foam::label Foam::mpm::pointContact::fieldNamed
+(
+    const dictionary& dict,
+    const word& name
+) const
+{
+    wordList names(fields_.size());
+    forAll(fields_, fieldi)
+    {
+        names[fieldi] = fields_[fieldi].name();
+        if (names[fieldi] == name)
+        {
+            return fieldi;
+        }
+    }
+    FatalIOErrorInFunction(dict)
+        << "There is no velocity field " << name << "." << nl
+        << "Valid fields: " << names << exit(FatalIOError);
+    return -1;
+}
+
+
+Foam::scalarList Foam::mpm::pointContact::wallNormals
+(
+    const label fieldi,
+    const label patchi
+) const
+{
+    const polyPatch& pp = grid_.mesh().boundaryMesh()[patchi];
+    const gridState& field = fields_[fieldi];
+    const int stride = field.stride();
+    scalarList sum(stride*grid_.nNodes(), scalar(0));
+    forAll(pp.meshPoints(), i)
+    {
+        const label n = grid_.pointToNode()[pp.meshPoints()[i]];
+        for (const label facei : pp.pointFaces()[i])
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                sum[stride*n + d] +=
+                    pp.faceAreas()[facei][grid_.direction(d)];
+            }
+        }
+    }
+    field.sumColumn(sum.data());
+
+    scalarList normal(nDim_*grid_.nNodes(), scalar(0));
+    for (label n = 0; n < grid_.nNodes(); ++n)
+    {
+        scalar size = 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            size += sqr(sum[stride*n + d]);
+        }
+        for (int d = 0; size > 0 && d < nDim_; ++d)
+        {
+            normal[nDim_*n + d] = sum[stride*n + d]/std::sqrt(size);
+        }
+    }
+    return normal;
+}
+
+
+void Foam::mpm::pointContact::addPair
+(
+    const rule& how,
+    const label a,
+    const label b,
+    const label patchi
+)
+{
+    pairOf pair;
+    pair.how = how;
+    pair.a = a;
+    pair.b = b;
+    pair.step = pair.sum = Zero;
+    pair.nClosed = 0;
+    if (b < 0)
+    {
+        pair.wall = wallNormals(a, patchi);
+    }
+    else
+    {
+        has_[b] = true;
+    }
+    has_[a] = true;
+    pairs_.append(pair);
+}
+
+
+void Foam::mpm::pointContact::read(const dictionary& dict)
+{
+    const dictionary* others = nullptr;
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The entry " << e.keyword() << " of contact must be a"
+                << " dictionary { type ...; }." << exit(FatalIOError);
+        }
+        const dictionary& sub = e.dict();
+        const rule how(readRule(sub));
+        const bool patch = sub.found("patch");
+        if (!sub.found("fields") && !patch)
+        {
+            if (others)
+            {
+                FatalIOErrorInFunction(sub)
+                    << "Both " << others->dictName() << " and " << e.keyword()
+                    << " are for all other pairs; name the fields (a b) of"
+                    << " one of them." << exit(FatalIOError);
+            }
+            others = &sub;
+            continue;
+        }
+        const wordList names(required<wordList>(sub, "fields"));
+        if (names.size() != (patch ? 1 : 2))
+        {
+            FatalIOErrorInFunction(sub)
+                << "fields must name " << (patch ? "one field, which touches the"
+                " patch" : "two velocity fields") << "; it has " << names << "."
+                << exit(FatalIOError);
+        }
+        const label a = fieldNamed(sub, names[0]);
+        if (patch)
+        {
+            const word name(sub.get<word>("patch"));
+            const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
+            const label patchi = patches.findPatchID(name);
+            if
+            (
+                patchi < 0
+             || patches[patchi].coupled()
+             || isA<emptyPolyPatch>(patches[patchi])
+            )
+            {
+                FatalIOErrorInFunction(sub)
+                    << "There is no patch " << name << " that is a wall." << nl
+                    << "Patches: " << patches.names() << exit(FatalIOError);
+            }
+            if (fields_[a].holds(patchi))
+            {
+                FatalIOErrorInFunction(sub)
+                    << "U." << names[0] << " has a condition on patch " << name
+                    << " that holds the points already; make it calculated"
+                    << " for contact." << exit(FatalIOError);
+            }
+            addPair(how, a, -1, patchi);
+            continue;
+        }
+        const label b = fieldNamed(sub, names[1]);
+        if (a == b || between(a, b))
+        {
+            FatalIOErrorInFunction(sub)
+                << "fields " << names << ": "
+                << (a == b ? "a field has no contact with itself"
+                : "this pair has a contact already") << "."
+                << exit(FatalIOError);
+        }
+        addPair(how, a, b, -1);
+    }
+    if (others)
+    {
+        const rule how(readRule(*others));
+        for (label a = 0; a < fields_.size(); ++a)
+        {
+            for (label b = a + 1; b < fields_.size(); ++b)
+            {
+                if (!between(a, b))
+                {
+                    addPair(how, a, b, -1);
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::pointContact::relative
+(
+    const meeting& m,
+    const scalar* ua,
+    const scalar* ub,
+    const int step,
+    scalar* du
+) const
+{
+    const pairOf& pair = pairs_[m.pair];
+    const int stride = fields_[pair.a].stride();
+    const scalar* Ja = impulse_[pair.a].cdata() + stride*m.node;
+    for (int d = 0; d < nDim_; ++d)
+    {
+        du[d] = -(ua[step*m.node + d] + m.ia*Ja[d]);
+        if (pair.b >= 0)
+        {
+            du[d] +=
+                ub[step*m.node + d]
+              + m.ib*impulse_[pair.b][stride*m.node + d];
+        }
+    }
+}
+
+
+void Foam::mpm::pointContact::collide
+(
+    const List<scalar*>& u,
+    const int step,
+    const scalar dt,
+    const bool keep
+)
+{
+    const label sweeps = pairs_.size() > 1 ? 5 : 1;
+    const auto give = [&](const meeting& m, const int d, const scalar J)
+    {
+        const pairOf& pair = pairs_[m.pair];
+        const int stride = fields_[pair.a].stride();
+        impulse_[pair.a][stride*m.node + d] -= J;
+        if (pair.b >= 0)
+        {
+            impulse_[pair.b][stride*m.node + d] += J;
+        }
+    };
+
+    for (meeting& m : meetings_)
+    {
+        m.Jn = m.Jt[0] = m.Jt[1] = m.Jt[2] = 0;
+    }
+    for (label sweep = 0; sweep < sweeps; ++sweep)
+    {
+        for (meeting& m : meetings_)
+        {
+            const pairOf& pair = pairs_[m.pair];
+            const scalar M = 1/(m.ia + m.ib);
+            scalar du[3] = {0, 0, 0};
+            relative(m, u[pair.a], pair.b < 0 ? nullptr : u[pair.b], step, du);
+
+            scalar un = 0;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                un += du[d]*m.n[d];
+            }
+            const scalar may = m.gap > 0 ? m.gap/max(dt, VSMALL) : 0;
+            const scalar Jn = max(scalar(0), m.Jn - M*(may + un));
+
+            // Tangential: all of the slip, within what friction holds
+            scalar want[3], size = 0;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                want[d] = m.Jt[d] - M*(du[d] - un*m.n[d]);
+                size += sqr(want[d]);
+            }
+            size = std::sqrt(size);
+            const bool stuck =
+                Jn > 0 && (pair.how.stick || size <= pair.how.mu*Jn);
+            const scalar part =
+                stuck ? 1 : size > 0 ? min(scalar(1), pair.how.mu*Jn/size) : 0;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                const scalar Jt = part*want[d];
+                give(m, d, (Jn - m.Jn)*m.n[d] + Jt - m.Jt[d]);
+                m.Jt[d] = Jt;
+            }
+            m.Jn = Jn;
+            if (keep)
+            {
+                m.closed = Jn > 0;
+                m.stuck = stuck;
+            }
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::pointContact::pointContact
+(
+    const dictionary& dict,
+    const hexGrid& grid,
+    const PtrList<materialPointPhase>& phases,
+    PtrList<gridState>& fields,
+    const labelList& fieldOf,
+    const pointPasses& passes
+)
+:
+    grid_(grid),
+    phases_(phases),
+    fields_(fields),
+    fieldOf_(fieldOf),
+    passes_(passes),
+    nDim_(grid.nDim()),
+    any_(false),
+    has_(fields.size(), false),
+    position_(grid.nodePositions()),
+    gradient_(fields.size()),
+    impulse_(fields.size()),
+    heavy_(grid.nNodes(), label(-1)),
+    stamp_(0),
+    placeOf_(grid.nNodes(), label(-1))
+{
+    read(dict);
+    forAll(fields_, fieldi)
+    {
+        if (has_[fieldi])
+        {
+            impulse_[fieldi].setSize
+            (
+                fields_[fieldi].stride()*grid_.nNodes(),
+                scalar(0)
+            );
+        }
+    }
+}
+
+
+Foam::autoPtr<Foam::mpm::pointContact> Foam::mpm::pointContact::New
+(
+    const dictionary& phaseProperties,
+    const hexGrid& grid,
+    const PtrList<materialPointPhase>& phases,
+    PtrList<gridState>& fields,
+    const labelList& fieldOf,
+    const pointPasses& passes
+)
+{
+    autoPtr<pointContact> contact;
+    if (phaseProperties.found("contact"))
+    {
+        contact.reset
+        (
+            new pointContact
+            (
+                requiredDict(phaseProperties, "contact"),
+                grid,
+                phases,
+                fields,
+                fieldOf,
+                passes
+            )
+        );
+    }
+    return contact;
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::pointContact::between(const label a, const label b) const
+{
+    for (const pairOf& pair : pairs_)
+    {
+        if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::scalar Foam::mpm::pointContact::push
+(
+    const scalar dt,
+    const bool withWork,
+    scalar& boundary
+)
+{
+    for (pairOf& pair : pairs_)
+    {
+        pair.step = Zero;
+        pair.nClosed = 0;
+    }
+    if (!any_)
+    {
+        return 0;
+    }
+
+    List<scalar*> u(fields_.size(), nullptr);
+    forAll(fields_, fieldi)
+    {
+        u[fieldi] = fields_[fieldi].UL();
+    }
+    const int step = 2*fields_[0].stride();
+    collide(u, step, dt, true);
+
+    for (const meeting& m : meetings_)
+    {
+        pairOf& pair = pairs_[m.pair];
+        const scalar part = fields_[pair.a].part(m.node);
+        pair.nClosed += m.closed ? part : 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            const scalar J = m.Jn*m.n[d] + m.Jt[d];
+            pair.step[grid_.direction(d)] += part*J;
+        }
+    }
+    forAll(fields_, fieldi)
+    {
+        if (has_[fieldi])
+        {
+            fields_[fieldi].rigid().addImpulse
+            (
+                impulse_[fieldi].cdata(),
+                fields_[fieldi].momentum(),
+                fields_[fieldi].stride()
+            );
+            boundary +=
+                fields_[fieldi].addImpulse(impulse_[fieldi].cdata(), withWork);
+        }
+    }
+
+    // Work on the points: J.(u^n + u^L)/2 of each field at each node once
+    scalar work = 0;
+    for (const meeting& m : meetings_)
+    {
+        const pairOf& pair = pairs_[m.pair];
+        for (const label fieldi : {pair.a, pair.b})
+        {
+            if (fieldi < 0)
+            {
+                continue;
+            }
+            const gridState& field = fields_[fieldi];
+            const int stride = field.stride();
+            scalar* J = impulse_[fieldi].data() + stride*m.node;
+            const bool prescribed = (fieldi == pair.a ? m.ia : m.ib) <= 0;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                if (!prescribed)
+                {
+                    work +=
+                        field.part(m.node)*J[d]*0.5
+                       *(
+                            field.U()[stride*m.node + d]
+                          + u[fieldi][step*m.node + d]
+                        );
+                }
+                J[d] = 0;
+            }
+        }
+    }
+    return work;
+}
+
+
+void Foam::mpm::pointContact::pushStrain(const scalar dt)
+{
+    if (!any_)
+    {
+        return;
+    }
+    List<scalar*> u(fields_.size(), nullptr);
+    forAll(fields_, fieldi)
+    {
+        u[fieldi] = fields_[fieldi].strainU();
+    }
+    const int stride = fields_[0].stride();
+    collide(u, stride, dt, true);
+    for (const meeting& m : meetings_)
+    {
+        const pairOf& pair = pairs_[m.pair];
+        for (int side = 0; side < 2; ++side)
+        {
+            const label fieldi = side == 0 ? pair.a : pair.b;
+            for (int d = 0; fieldi >= 0 && d < nDim_; ++d)
+            {
+                scalar& J = impulse_[fieldi][stride*m.node + d];
+                u[fieldi][stride*m.node + d] += (side == 0 ? m.ia : m.ib)*J;
+                J = 0;
+            }
+        }
+    }
+    forAll(fields_, fieldi)
+    {
+        if (has_[fieldi])
+        {
+            fields_[fieldi].constrain(u[fieldi], stride, false, false);
+        }
+    }
+}
+
+
+void Foam::mpm::pointContact::filter()
+{
+    if (!any_)
+    {
+        return;
+    }
+    for (const meeting& m : meetings_)
+    {
+        if (!m.closed)
+        {
+            continue;
+        }
+        const pairOf& pair = pairs_[m.pair];
+        const int step = 2*fields_[pair.a].stride();
+        scalar* va = fields_[pair.a].increment() + step*m.node;
+        scalar* vb =
+            pair.b < 0 ? nullptr : fields_[pair.b].increment() + step*m.node;
+        scalar dv[3] = {0, 0, 0}, dvn = 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            dv[d] = (vb ? vb[d] : 0) - va[d];
+            dvn += dv[d]*m.n[d];
+        }
+        const scalar M = 1/(m.ia + m.ib);
+        for (int d = 0; d < nDim_; ++d)
+        {
+            const scalar take = M*(m.stuck ? dv[d] : dvn*m.n[d]);
+            va[d] += m.ia*take;
+            if (vb)
+            {
+                vb[d] -= m.ib*take;
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::pointContact::accept()
+{
+    for (pairOf& pair : pairs_)
+    {
+        pair.sum += pair.step;
+    }
+}
+
+
+void Foam::mpm::pointContact::report(const scalar dt) const
+{
+    for (const pairOf& pair : pairs_)
+    {
+        scalar least = GREAT;
+        for (const meeting& m : meetings_)
+        {
+            if (&pairs_[m.pair] == &pair)
+            {
+                least = min(least, m.gap);
+            }
+        }
+        reduce(least, minOp<scalar>());
+        Info<< "Contact " << pair.how.name << " of " << fields_[pair.a].name();
+        if (pair.b >= 0)
+        {
+            Info<< " on " << fields_[pair.b].name();
+        }
+        Info<< ": force "
+            << returnReduce(pair.step, sumOp<vector>())/max(dt, VSMALL)
+            << " N, impulse " << returnReduce(pair.sum, sumOp<vector>())
+            << " N s, gap ";
+        if (least < GREAT)
+        {
+            Info<< least << " m";
+        }
+        else
+        {
+            Info<< "none";
+        }
+        Info<< ", closed nodes " << std::round(returnReduce(pair.nClosed, sumOp<scalar>()))
+            << endl;
+    }
+}
+
+
+Foam::dictionary Foam::mpm::pointContact::state() const
+{
+    dictionary state;
+    forAll(pairs_, pairi)
+    {
+        state.add
+        (
+            word("pair" + Foam::name(pairi)),
+            returnReduce(pairs_[pairi].sum, sumOp<vector>())
+        );
+    }
+    return state;
+}
+
+
+void Foam::mpm::pointContact::setState(const dictionary& state)
+{
+    forAll(pairs_, pairi)
+    {
+        const vector sum
+        (
+            state.getOrDefault<vector>
+            (
+                word("pair" + Foam::name(pairi)),
+                vector::zero
+            )
+        );
+        pairs_[pairi].sum = Pstream::master() ? sum : vector(Zero);
+    }
+}
+
+// ************************************************************************* //

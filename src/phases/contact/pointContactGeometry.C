@@ -1,0 +1,350 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointContact.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Function>
+void Foam::mpm::pointContact::forPoints
+(
+    const label fieldi,
+    const Function& f
+) const
+{
+    DynamicList<label> nodes;
+    DynamicList<scalar> S, gradS;
+    forAll(phases_, phasei)
+    {
+        if (fieldOf_[phasei] != fieldi)
+        {
+            continue;
+        }
+        const materialPointCloud& cloud = phases_[phasei].cloud();
+        const column* half = cloud.halfSize();
+        passes_.forStencils
+        (
+            cloud,
+            [&](const label k, const label* stencil)
+            {
+                bool near = false;
+                for (label i = 0; i < passes_.nStencil(); ++i)
+                {
+                    near = near || (stencil[i] >= 0 && placeOf_[stencil[i]] >= 0);
+                }
+                if (!near)
+                {
+                    return;
+                }
+                const label celli = cloud.cells()[k];
+                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+                {
+                    scalar x[3], l[3];
+                    for (int d = 0; d < nDim_; ++d)
+                    {
+                        x[d] = cloud.x()[d][p];
+                        l[d] = half ? (*half)[d][p] : 0;
+                    }
+                    passes_.weights(celli, x, half ? l : nullptr, nodes, S, gradS);
+                    if (!half)
+                    {
+                        // A box like the cell's with the point's volume
+                        const scalar part = 0.5*std::pow
+                        (
+                            cloud.volume()[0][p]/grid_.mesh().cellVolumes()[celli],
+                            1.0/nDim_
+                        );
+                        for (int d = 0; d < nDim_; ++d)
+                        {
+                            l[d] = part*grid_.width(celli, d);
+                        }
+                    }
+                    f(cloud, p, x, l, nodes, S, gradS);
+                }
+            }
+        );
+    }
+}
+
+
+void Foam::mpm::pointContact::meet(const label pairi)
+{
+    const pairOf& pair = pairs_[pairi];
+    const gridState& A = fields_[pair.a];
+
+    // 1/m where a field has mass or is prescribed, else -1
+    const auto inverse = [&](const gridState& field, const label n)
+    {
+        const scalar m = field.momentum()[field.stride()*n + nDim_];
+        return heavy_[n] == stamp_ ? 0 : m > 0 ? 1/m : -1;
+    };
+    const auto stampHeavy = [&](const gridState& field)
+    {
+        ++stamp_;
+        for (const label n : field.rigid().nodes())
+        {
+            heavy_[n] = stamp_;
+        }
+        for (const label n : field.fixedNodes())
+        {
+            if (field.momentum()[field.stride()*n + nDim_] > 0)
+            {
+                heavy_[n] = stamp_;
+            }
+        }
+    };
+
+    // Of the second body, by node
+    scalarList other;
+    if (pair.b >= 0)
+    {
+        const gridState& B = fields_[pair.b];
+        other.setSize(grid_.nNodes(), scalar(-1));
+        stampHeavy(B);
+        for (const label n : B.active())
+        {
+            other[n] = inverse(B, n);
+        }
+    }
+
+    stampHeavy(A);
+    for (const label n : A.active())
+    {
+        const scalar ia = inverse(A, n);
+        scalar ib = -1;
+        if (pair.b >= 0)
+        {
+            ib = other[n];
+        }
+        else
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                ib = pair.wall[nDim_*n + d] != 0 ? 0 : ib;
+            }
+        }
+        if (ia < 0 || ib < 0 || ia + ib <= 0)
+        {
+            continue;
+        }
+        if (ia > 0 && ib > 0 && min(ia, ib) < 1e-8*max(ia, ib))
+        {
+            continue;
+        }
+        meeting m{};
+        m.pair = pairi;
+        m.node = n;
+        m.ia = ia;
+        m.ib = ib;
+        meetings_.append(m);
+    }
+}
+
+
+void Foam::mpm::pointContact::sumGradients()
+{
+    forAll(fields_, fieldi)
+    {
+        if (!has_[fieldi])
+        {
+            continue;
+        }
+        gridState& field = fields_[fieldi];
+        const int stride = field.stride();
+        scalarList& g = gradient_[fieldi];
+        g.setSize(stride*grid_.nNodes());
+        for (const label n : field.active())
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                g[stride*n + d] = 0;
+            }
+        }
+        for (const meeting& m : meetings_)
+        {
+            const pairOf& pair = pairs_[m.pair];
+            if (pair.a == fieldi || pair.b == fieldi)
+            {
+                placeOf_[m.node] = 0;
+            }
+        }
+        forPoints
+        (
+            fieldi,
+            [&]
+            (
+                const materialPointCloud& cloud,
+                const label p,
+                const scalar*,
+                const scalar*,
+                const UList<label>& nodes,
+                const UList<scalar>&,
+                const UList<scalar>& gradS
+            )
+            {
+                forAll(nodes, i)
+                {
+                    if (nodes[i] >= 0 && placeOf_[nodes[i]] >= 0)
+                    {
+                        for (int d = 0; d < nDim_; ++d)
+                        {
+                            g[stride*nodes[i] + d] +=
+                                cloud.volume()[0][p]*gradS[nDim_*i + d];
+                        }
+                    }
+                }
+            }
+        );
+        for (const meeting& m : meetings_)
+        {
+            placeOf_[m.node] = -1;
+        }
+        field.sumColumn(g.data());
+    }
+}
+
+
+void Foam::mpm::pointContact::setNormals()
+{
+    label kept = 0;
+    for (const meeting& from : meetings_)
+    {
+        meeting m = from;
+        const pairOf& pair = pairs_[m.pair];
+        const gridState& A = fields_[pair.a];
+        for (int d = 0; d < nDim_; ++d)
+        {
+            m.n[d] =
+                pair.b < 0
+              ? pair.wall[nDim_*m.node + d]
+              : mag(pair.how.normal) > 0
+              ? pair.how.normal[grid_.direction(d)]
+              : gradient_[pair.a][A.stride()*m.node + d]
+              - gradient_[pair.b][A.stride()*m.node + d];
+        }
+        scalar before = 0, size = 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            before += sqr(m.n[d]);
+        }
+        A.slip(m.node, m.n);
+        if (pair.b >= 0)
+        {
+            fields_[pair.b].slip(m.node, m.n);
+        }
+        for (int d = 0; d < nDim_; ++d)
+        {
+            size += sqr(m.n[d]);
+        }
+        if (size > 1e-12*before && before > 0)
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                m.n[d] /= std::sqrt(size);
+            }
+            meetings_[kept++] = m;
+        }
+    }
+    meetings_.resize(kept);
+}
+
+
+void Foam::mpm::pointContact::setGaps()
+{
+    // Extents of both bodies along n from the node, by node
+    scalarList reach(2*grid_.nNodes());
+    label first = 0;
+    forAll(pairs_, pairi)
+    {
+        const pairOf& pair = pairs_[pairi];
+        label last = first;
+        for (; last < meetings_.size() && meetings_[last].pair == pairi; ++last)
+        {
+            placeOf_[meetings_[last].node] = last;
+        }
+        reach = -GREAT;
+        for (int side = 0; side < 2; ++side)
+        {
+            const label fieldi = side == 0 ? pair.a : pair.b;
+            if (fieldi < 0)
+            {
+                continue;
+            }
+            forPoints
+            (
+                fieldi,
+                [&]
+                (
+                    const materialPointCloud&,
+                    const label,
+                    const scalar* x,
+                    const scalar* l,
+                    const UList<label>& nodes,
+                    const UList<scalar>& S,
+                    const UList<scalar>&
+                )
+                {
+                    forAll(nodes, i)
+                    {
+                        const label place = nodes[i] < 0 ? -1 : placeOf_[nodes[i]];
+                        if (place < 0 || !(S[i] > 0))
+                        {
+                            continue;
+                        }
+                        const meeting& m = meetings_[place];
+                        scalar along = 0, R = 0;
+                        for (int d = 0; d < nDim_; ++d)
+                        {
+                            scalar dx =
+                                x[d] - position_[m.node][grid_.direction(d)];
+                            if (grid_.period(d) > 0)
+                            {
+                                dx -= grid_.period(d)
+                                   *std::round(dx/grid_.period(d));
+                            }
+                            along += dx*m.n[d];
+                            R += sqr(l[d]*m.n[d]);
+                        }
+                        scalar& e = reach[2*m.node + side];
+                        e = max(e, (side == 0 ? along : -along) + std::sqrt(R));
+                    }
+                }
+            );
+        }
+        fields_[pair.a].largestOfShared(reach.data(), 2, 2);
+
+        for (label i = first; i < last; ++i)
+        {
+            meeting& m = meetings_[i];
+            placeOf_[m.node] = -1;
+            const scalar beyond = pair.b < 0 ? 0 : reach[2*m.node + 1];
+            m.gap = -reach[2*m.node] - beyond;
+        }
+        first = last;
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::pointContact::update()
+{
+    meetings_.clear();
+    forAll(pairs_, pairi)
+    {
+        meet(pairi);
+    }
+    any_ = returnReduce(!meetings_.empty(), orOp<bool>());
+    if (any_)
+    {
+        sumGradients();
+        setNormals();
+        setGaps();
+    }
+}
+
+// ************************************************************************* //
