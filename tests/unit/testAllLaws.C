@@ -82,6 +82,67 @@ TEST_CASE("laws of small elastic strain: a superposed rotation turns the stress"
 }
 
 
+TEST_CASE("hoop strain of an axisymmetric block: as the same path in 3D")
+{
+    const std::string laws[] =
+    {
+        "type linearElastic; rho 2700; E 70e9; nu 0.3;",
+        "type neoHookean; rho 2700; E 70e9; nu 0.3;",
+        J2("hardening power; B 292e6; n 0.31;"),
+        "type JohnsonCook; C 0.025; m 1.09; beta 0.9; " + copper
+      + "equationOfState { type MieGrueneisen; C0 3940; S 1.489; Gamma0 2.02; }"
+        " bulkViscosity { linear 0.06; quadratic 1.5; }",
+        "type DruckerPrager; match inner; dilationAngle 10;" + soil,
+        "type MohrCoulomb; dilationAngle 10; tensionCutoff 8e3;" + soil,
+        "type MooneyRivlin; rho 1000; c10 1e6; c01 3e5; K 1e8;",
+        "type NewtonianFluid; rho 1000; mu 0.1; K 2e9;"
+    };
+    for (const std::string& text : laws)
+    for (const scalar size : {1e-4, 0.05})
+    {
+        const auto law(lawOf(text));
+        points plane(2, 7, law->rho()), full(3, 7, law->rho());
+        plane.dt = full.dt = 1e-6;
+        law->start(*std::make_unique<pointBlock>(plane.block()));
+        law->start(*std::make_unique<pointBlock>(full.block()));
+        scalar largest = 0;
+        for (int step = 0; step < 6; ++step)
+        {
+            const scalar a = size*std::cos(step), b = size*std::sin(2*step);
+            const scalar hoop = size*std::cos(3*step);
+            full.apply(*law, {a, b, 0, -2*b, -a/2, 0, 0, 0, hoop});
+
+            const scalar L[] = {a, b, -2*b, -a/2};
+            for (int i = 0; i < 4; ++i)
+            {
+                std::fill(plane.dL[i].begin(), plane.dL[i].end(), L[i]);
+            }
+            const std::vector<scalar> h(plane.n, hoop);
+            for (scalar& v : plane.volume) v *= std::exp(a/2 + hoop);
+            pointBlock block(plane.block());
+            block.hoop = h.data();
+            law->correct(block);
+
+            for (int i = 0; i < 4; ++i)
+            {
+                largest = max(largest, std::abs(full.stress[i][2]));
+            }
+            for (int i = 0; i < 4; ++i)
+            for (label p = 0; p < plane.n; ++p)
+            {
+                INFO(text);
+                CHECK
+                (
+                    std::abs(plane.stress[i][p] - full.stress[i][p])
+                 <= 1e-10*largest
+                );
+            }
+        }
+        CHECK(largest > 0);
+    }
+}
+
+
 TEST_CASE("split laws: initial stress")
 {
     const std::string laws[] =

@@ -621,61 +621,6 @@ TEST_CASE("initial stress: what no strain can carry is refused")
 }
 
 
-TEST_CASE("hoop strain of an axisymmetric block: as the same path in 3D")
-{
-    for (const char* type : {"linearElastic", "neoHookean"})
-    {
-        IStringStream is
-        (
-            string("type ") + type + "; rho 2700; E 70e9; nu 0.3;"
-        );
-        const auto law(constitutiveModel::New(dictionary(is)));
-        for (const scalar size : {1e-4, 0.05, 0.6})
-        {
-            points plane(2, 7, 2700), full(3, 7, 2700);
-            for (int step = 0; step < 6; ++step)
-            {
-                const scalar a = size*std::cos(step), b = size*std::sin(2*step);
-                const scalar hoop = size*std::cos(3*step);
-
-                full.apply(*law, {a, b, 0, -2*b, -a/2, 0, 0, 0, hoop});
-
-                const scalar L[] = {a, b, -2*b, -a/2};
-                for (int i = 0; i < 4; ++i)
-                {
-                    std::fill(plane.dL[i].begin(), plane.dL[i].end(), L[i]);
-                }
-                const std::vector<scalar> h(plane.n, hoop);
-                for (scalar& v : plane.volume) v *= std::exp(a/2 + hoop);
-                pointBlock block(plane.block());
-                block.hoop = h.data();
-                law->correct(block);
-            }
-            for (int i = 0; i < 4; ++i)
-            {
-                for (label p = 0; p < plane.n; ++p)
-                {
-                    CHECK
-                    (
-                        mag(plane.stress[i][p] - full.stress[i][p])
-                     <= 1e-11*size*E
-                    );
-                }
-            }
-            CHECK
-            (
-                mag
-                (
-                    law->strainEnergy(plane.block())
-                  - law->strainEnergy(full.block())
-                )
-             <= 1e-11*sqr(size)*E*plane.n
-            );
-        }
-    }
-}
-
-
 TEST_CASE("maxPrincipalStress: fails at the limit, keeps compression only")
 {
     IStringStream is("type maxPrincipalStress; strength 400e6;");

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianGas.H"
+#include "wedgePolyPatch.H"
 #include "noTraps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -160,6 +161,17 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
         {
             flows_->gravityImpulse += dt*V[c]*rho_[c]*g_;
             flows_->gravityWork += dt*V[c]*(rhoU_[c] & g_);
+        }
+    }
+
+    // The sides of a wedge have the cell's pressure of the middle of the step
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        const label n = !upwind && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
+        for (label f = pp.start(); f < pp.start() + n; ++f)
+        {
+            const label P = own[f];
+            sums_[P].rhoU += (sides[f].own.p - W_[P].p)*S[f];
         }
     }
 

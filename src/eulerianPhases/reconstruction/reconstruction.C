@@ -423,6 +423,11 @@ void Foam::mpm::reconstruction::predict
         ahead(own[f], faces_[f].own);
         faces_[f].nei = Wb[f - nInternal];
     }
+    for (const label f : wedge_)
+    {
+        faces_[f].own = W[own[f]];
+        ahead(own[f], faces_[f].own);
+    }
     if (!coupled_.empty())
     {
         for (const label f : coupledList_)

@@ -226,10 +226,9 @@ def lShape(case):
 def wedge(case, shift=0, back=1.0):
     """About y, radius x; shift moves it off the axis, back stretches one side."""
     a, b = 1 + shift, 10 + shift
-    case.sub(BLOCKS, r"vertices.*",
-             f"""vertices
-(({a} 0 -0.05) ({b} 0 -0.5) ({b} 10 -0.5) ({a} 10 -0.05)
- ({a} 0 {0.05*back}) ({b} 0 {0.5*back}) ({b} 10 {0.5*back}) ({a} 10 {0.05*back}));
+    vertices = " ".join(f"({x} {y} {z})" for k in (-1, back) for x, y, z in (
+        (a, 0, 0.05*k), (b, 0, 0.5*k), (b, 10, 0.5*k), (a, 10, 0.05*k)))
+    case.sub(BLOCKS, r"vertices.*", "vertices\n(" + vertices + """);
 blocks (hex (0 1 2 3 4 5 6 7) (9 10 1) simpleGrading (1 1 1));
 boundary
 (

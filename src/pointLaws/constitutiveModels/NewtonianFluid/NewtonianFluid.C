@@ -69,7 +69,9 @@ void Foam::mpm::NewtonianFluid::update(pointBlock& b) const
             const T theta = g.get(b.history[0]) + tr;
             g.put(b.history[0], theta);
 
-            T dd = (3 - DIM)*tr*tr/9.0, d[DIM*DIM];
+            const T across = step.hoop - tr/3.0;
+            T dd = (DIM < 2 ? tr*tr/9.0 : T{}), d[DIM*DIM];
+            dd += DIM < 3 ? across*across : T{};
             for (int i = 0; i < DIM*DIM; ++i)
             {
                 step.X[i] =
@@ -86,7 +88,7 @@ void Foam::mpm::NewtonianFluid::update(pointBlock& b) const
             }
             for (int i = DIM; i < 3; ++i)
             {
-                g.put(b.stress[i], -twoMu*tr/3.0);
+                g.put(b.stress[i], twoMu*(i == 2 ? across : -tr/3.0));
             }
 
             const T rhoNew = rho()*laneExp(-theta);
