@@ -100,17 +100,17 @@ Foam::scalar Foam::mpm::pressurePart::advance
     const scalar G
 ) const
 {
-    alignas(64) scalar A[room], B[room], dA[room], dB[room], q[room], c2[room];
+    alignas(64) scalar A[room], B[room], dA[room], dB[room], q[room], viscous[room];
     const label n = r.n;
 
     equation_->coefficients(n, r.rho, A, B, dA, dB);
 
-    // Bulk viscosity, and the speed that it adds to the waves
+    // Bulk viscosity, and the speed that it adds to that of the waves
     scalar fastest = 0;
     for (label i = 0; i < n; ++i)
     {
         q[i] = 0;
-        c2[i] = 0;
+        viscous[i] = 0;
     }
     if (usesWidth() && b.width)
     {
@@ -129,7 +129,7 @@ Foam::scalar Foam::mpm::pressurePart::advance
             );
             const scalar ld = b.width[first + i]*max(-r.dTheta[i]*rdt, scalar(0));
             q[i] = r.rho[i]*ld*(linear_*c + quadratic_*ld);
-            c2[i] = ld > 0 ? linear_*c + quadratic_*ld : 0;
+            viscous[i] = ld > 0 ? linear_*c + quadratic_*ld : 0;
         }
     }
 
@@ -160,7 +160,7 @@ Foam::scalar Foam::mpm::pressurePart::advance
             max(dA[i] + e1*dB[i] + p*B[i]/(r.rho[i]*r.rho[i]), scalar(0))
           + 4.0/3*G/r.rho[i];
         r.p[i] = p + q[i];
-        fastest = max(fastest, c2[i] + std::sqrt(square + c2[i]*c2[i]));
+        fastest = max(fastest, viscous[i] + std::sqrt(square + viscous[i]*viscous[i]));
     }
     return fastest;
 }
