@@ -73,7 +73,7 @@ void Foam::mpm::gasCoupling::updateVolume
         const scalar rho = points_.phases()[phasei].law().rho();
         for (label p = 0; p < cloud.size(); ++p)
         {
-            if ((*damage)[0][p] > 0)
+            if ((*damage)[0][p] >= 1)
             {
                 to[p] = min(to[p], cloud.mass()[0][p]/rho);
             }
@@ -456,7 +456,7 @@ void Foam::mpm::gasCoupling::force()
             scalar* pressure = (*cloud.gasPressure())[0];
             for (label p = 0; p < cloud.size(); ++p)
             {
-                if ((*damage)[0][p] > 0)
+                if ((*damage)[0][p] >= 1)
                 {
                     pressure[p] = 0;
                 }

@@ -247,6 +247,43 @@ void Foam::mpm::pointPhaseSystem::report() const
 }
 
 
+void Foam::mpm::pointPhaseSystem::reportClock() const
+{
+    const struct
+    {
+        const char* name;
+        scalar seconds;
+    } parts[] =
+    {
+        {"nodes", clock_.nodes},
+        {"move", clock_.move},
+        {"sort", clock_.sort},
+        {"project", clock_.project},
+        {"stress and force", clock_.stress},
+        {"contact", clock_.contact},
+        {"coupling", clock_.coupling},
+        {"gas", clock_.gas}
+    };
+    scalar sum = 0;
+    for (const auto& part : parts)
+    {
+        sum += part.seconds;
+    }
+    Info<< "Parts of the steps' " << sum << " s:";
+    const char* separator = " ";
+    for (const auto& part : parts)
+    {
+        if (part.seconds > 0)
+        {
+            Info<< separator << part.name << ' '
+                << 0.1*std::round(1000*part.seconds/sum) << " %";
+            separator = ", ";
+        }
+    }
+    Info<< nl << endl;
+}
+
+
 void Foam::mpm::pointPhaseSystem::reportBalance() const
 {
     if (!Pstream::parRun())
