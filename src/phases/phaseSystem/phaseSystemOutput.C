@@ -11,6 +11,8 @@ License
 #include "selector.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include <iomanip>
+#include <sstream>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -269,18 +271,20 @@ void Foam::mpm::pointPhaseSystem::reportClock() const
     {
         sum += part.seconds;
     }
-    Info<< "Parts of the steps' " << sum << " s:";
+    std::ostringstream line;
+    line << std::fixed << std::setprecision(2) << "Parts of the steps' " << sum
+        << " s:" << std::setprecision(1);
     const char* separator = " ";
     for (const auto& part : parts)
     {
         if (part.seconds > 0)
         {
-            Info<< separator << part.name << ' '
-                << 0.1*std::round(1000*part.seconds/sum) << " %";
+            line << separator << part.name << ' ' << 100*part.seconds/sum
+                << " %";
             separator = ", ";
         }
     }
-    Info<< nl << endl;
+    Info<< line.str().c_str() << nl << endl;
 }
 
 
