@@ -217,15 +217,32 @@ void Foam::mpm::pointContact::setNormals()
         meeting m = from;
         const pairOf& pair = pairs_[m.pair];
         const gridState& A = fields_[pair.a];
+        // What is flat at the node counts, not the other body's edge
+        const auto weight = [&](const label fieldi)
+        {
+            const scalar* g =
+                gradient_[fieldi].cdata() + A.stride()*m.node;
+            scalar square = 0;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                square += sqr(g[d]);
+            }
+            return pow3(square);
+        };
+        const bool given = mag(pair.how.normal) > 0;
+        const scalar wa = pair.b < 0 || given ? 0 : weight(pair.a);
+        const scalar wb = pair.b < 0 || given ? 0 : weight(pair.b);
         for (int d = 0; d < nDim_; ++d)
         {
             m.n[d] =
                 pair.b < 0
               ? pair.wall[nDim_*m.node + d]
-              : mag(pair.how.normal) > 0
+              : given
               ? pair.how.normal[grid_.direction(d)]
-              : gradient_[pair.a][A.stride()*m.node + d]
-              - gradient_[pair.b][A.stride()*m.node + d];
+              : (
+                    wa*gradient_[pair.a][A.stride()*m.node + d]
+                  - wb*gradient_[pair.b][A.stride()*m.node + d]
+                )/max(wa + wb, VSMALL);
         }
         scalar before = 0, size = 0;
         for (int d = 0; d < nDim_; ++d)
