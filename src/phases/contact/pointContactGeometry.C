@@ -217,21 +217,22 @@ void Foam::mpm::pointContact::setNormals()
         meeting m = from;
         const pairOf& pair = pairs_[m.pair];
         const gridState& A = fields_[pair.a];
-        // What is flat at the node counts, not the other body's edge
-        const auto weight = [&](const label fieldi)
+        const bool given = mag(pair.how.normal) > 0;
+        scalar wa = 1, wb = 1;
+        if (pair.b >= 0 && !given)
         {
-            const scalar* g =
-                gradient_[fieldi].cdata() + A.stride()*m.node;
-            scalar square = 0;
+            // The body whose surface is flat at the node counts, not the edge
+            // of the other, whose gradient is smaller
+            scalar square[2] = {0, 0};
             for (int d = 0; d < nDim_; ++d)
             {
-                square += sqr(g[d]);
+                square[0] += sqr(gradient_[pair.a][A.stride()*m.node + d]);
+                square[1] += sqr(gradient_[pair.b][A.stride()*m.node + d]);
             }
-            return pow3(square);
-        };
-        const bool given = mag(pair.how.normal) > 0;
-        const scalar wa = pair.b < 0 || given ? 0 : weight(pair.a);
-        const scalar wb = pair.b < 0 || given ? 0 : weight(pair.b);
+            const scalar larger = max(max(square[0], square[1]), VSMALL);
+            wa = std::pow(square[0]/larger, 12);
+            wb = std::pow(square[1]/larger, 12);
+        }
         for (int d = 0; d < nDim_; ++d)
         {
             m.n[d] =
@@ -239,10 +240,8 @@ void Foam::mpm::pointContact::setNormals()
               ? pair.wall[nDim_*m.node + d]
               : given
               ? pair.how.normal[grid_.direction(d)]
-              : (
-                    wa*gradient_[pair.a][A.stride()*m.node + d]
-                  - wb*gradient_[pair.b][A.stride()*m.node + d]
-                )/max(wa + wb, VSMALL);
+              : wa*gradient_[pair.a][A.stride()*m.node + d]
+              - wb*gradient_[pair.b][A.stride()*m.node + d];
         }
         scalar before = 0, size = 0;
         for (int d = 0; d < nDim_; ++d)

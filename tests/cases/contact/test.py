@@ -165,7 +165,7 @@ def inclineRun(name, floor, mu, dim=2, end=0.8):
                       f"table ((0 (0 0 0)) ({RAMP} {g}) (10 {g}))"}}}
     contact = {"fields": "(block)", "patch": "floor", "type": "Coulomb", "mu": mu}
     regions = {"block": {"phase": "block", "type": "box", "min": (0.5, 0, 0.5*(dim == 3)),
-                         "max": (1.0 if dim == 3 else 1.5, 0.3 if dim == 3 else 0.5,
+                         "max": (1.0 if dim == 3 else 1.5, 0.3,
                                  1.0 if dim == 3 else h), "pointsPerCell": 2}}
     low = 0.0
     if floor == "rigid":
