@@ -230,8 +230,8 @@ void Foam::mpm::pointContact::setNormals()
                 square[1] += sqr(gradient_[pair.b][A.stride()*m.node + d]);
             }
             const scalar larger = max(max(square[0], square[1]), VSMALL);
-            wa = std::pow(square[0]/larger, 12);
-            wb = std::pow(square[1]/larger, 12);
+            wa = std::pow(square[0]/larger, 50);
+            wb = std::pow(square[1]/larger, 50);
         }
         for (int d = 0; d < nDim_; ++d)
         {
