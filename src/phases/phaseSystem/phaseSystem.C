@@ -481,6 +481,11 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
         coupling_->accepted();
     }
     stressUpdate_->end(*this, dt);
+    if (contact_)
+    {
+        // The strain has changed the points' volumes and boxes
+        contact_->update();
+    }
     for (const materialPointPhase& phase : phases_)
     {
         if (!phase.motion() && phase.law().waveSpeedVaries())
