@@ -67,25 +67,29 @@ axes[1].plot(*measured.T, "kx-", lw=0.5, label="measured (Wilkins & Guinan)")
 axes[1].set_title("23.47 mm, 210 m/s", fontsize=9)
 for ax in axes:
     ax.set_xlabel("r [mm]")
+    ax.set_xlim(0, 9)
+    ax.set_ylim(-0.3, 20)
     ax.set_aspect("equal")
-    ax.legend(fontsize=7)
+    ax.legend(fontsize=7, loc="upper right")
 axes[0].set_ylabel("distance from the anvil [mm]")
 figure.savefig("profile.png", dpi=130)
 
-figure, axes = plt.subplots(1, 4, figsize=(11, 5), sharey=True, constrained_layout=True)
+figure, axes = plt.subplots(1, 4, figsize=(12, 4.5), sharey=True, constrained_layout=True)
 for ax, want in zip(axes, ("2e-05", "4e-05", "0.0001", "T")):
     bar = Bar(".", time=None if want == "T" else want)
     x, r = bar.x[:, 0]*1e3, bar.x[:, 1]*1e3
     # Both halves
-    style = {"c": np.tile(bar.T if want == "T" else bar.strain, 2), "s": 2, "linewidths": 0,
+    style = {"c": np.tile(bar.T if want == "T" else bar.strain, 2), "s": 3, "linewidths": 0,
              "cmap": "inferno" if want == "T" else "viridis",
              **({} if want == "T" else {"vmin": 0, "vmax": 2})}
     image = ax.scatter(np.append(r, -r), np.append(x, x), **style)
+    ax.set_xlim(-8, 8)
+    ax.set_ylim(-0.5, 23)
     ax.set_aspect("equal")
     ax.set_xlabel("r [mm]")
     ax.set_title("temperature at the end" if want == "T" else f"{float(want)*1e6:.0f} us",
                  fontsize=9)
     if want in ("0.0001", "T"):
-        figure.colorbar(image, ax=ax, label="T [K]" if want == "T" else "plastic strain")
+        figure.colorbar(image, ax=ax, shrink=0.8, label="T [K]" if want == "T" else "plastic strain")
 axes[0].set_ylabel("distance from the anvil [mm]")
 figure.savefig("strain.png", dpi=130)

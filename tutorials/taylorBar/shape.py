@@ -6,12 +6,22 @@ surface at the start, x linear in the place R of the points at the start.
 """
 
 import glob
+import os
+import re
+import sys
 
 import numpy as np
 
-from points import cloud, times
+sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
+from foamCase import Points
 
 RADIUS = 3.81e-3
+
+
+def times(case):
+    """Names of the times that have points, in order."""
+    return sorted((d for d in os.listdir(case) if re.fullmatch(r"[0-9.]+(e-?\d+)?", d)
+                   and os.path.isdir(f"{case}/{d}/lagrangian/bar")), key=float)
 
 
 def lines(place, of):
@@ -29,9 +39,9 @@ class Bar:
     """Outline of the bar at a time, along x with the anvil at x = 0; lengths in m."""
 
     def __init__(self, case=".", length=25.4e-3, time=None):
-        every = times(case)
-        X, = cloud(case, every[0], "bar", "x")
-        x, strain, T = cloud(case, time or every[-1], "bar", "x", "plasticStrain", "T")
+        X = Points([f"{case}/0/lagrangian/bar"]).byId("x")
+        now = Points([f"{case}/{time or times(case)[-1]}/lagrangian/bar"])
+        x, strain, T = (now.byId(name) for name in ("x", "plasticStrain", "T"))
         self.x, self.strain, self.T = x, strain, T
         self.length0 = length
         self.lines = lines(X[:, 0], X[:, 1]) + lines(X[:, 1], X[:, 0])
