@@ -148,6 +148,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
 
 void Foam::mpm::pointContact::sumGradients()
 {
+    const int radial = grid_.radial();
     forAll(fields_, fieldi)
     {
         if (!has_[fieldi])
@@ -180,13 +181,16 @@ void Foam::mpm::pointContact::sumGradients()
             (
                 const materialPointCloud& cloud,
                 const label p,
-                const scalar*,
+                const scalar* x,
                 const scalar*,
                 const UList<label>& nodes,
                 const UList<scalar>&,
                 const UList<scalar>& gradS
             )
             {
+                // Section of a ring: its volume also grows with the radius
+                const scalar v =
+                    cloud.volume()[0][p]/(radial < 0 ? scalar(1) : x[radial]);
                 forAll(nodes, i)
                 {
                     if (nodes[i] >= 0 && placeOf_[nodes[i]] >= 0)
@@ -194,7 +198,7 @@ void Foam::mpm::pointContact::sumGradients()
                         for (int d = 0; d < nDim_; ++d)
                         {
                             g[stride*nodes[i] + d] +=
-                                cloud.volume()[0][p]*gradS[nDim_*i + d];
+                                v*gradS[nDim_*i + d];
                         }
                     }
                 }
