@@ -189,7 +189,11 @@ void Foam::mpm::pointPhaseSystem::correctStress
             (
                 new bookedFailure
                 (
-                    *phase.failure(), phase.law(), grid_.nDim(), coupling_
+                    *phase.failure(),
+                    phase.law(),
+                    phase.cloud(),
+                    grid_.nDim(),
+                    coupling_
                 )
             );
         }
