@@ -101,7 +101,7 @@ def squash(table):
     law = {"constitutiveModel": {"type": "neoHookean", "rho": 1000, "E": E, "nu": 0.3}}
     end = 1.0
     ram = {"type": "rigid", "rho": 1000, "motion": {
-        "type": "translation", "velocity": f"table ((0 (0 0 0)) (0.1 (0 -1 0))"
+        "type": "translation", "velocity": "table ((0 (0 0 0)) (0.1 (0 -1 0))"
         " (0.9 (0 -1 0)) (1 (0 0 0)) (2 (0 0 0)))"}}
     case = planeCase(
         "squash", {"soft": law, "ram": ram},
