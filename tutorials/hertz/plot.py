@@ -39,15 +39,13 @@ last = max((d for d in os.listdir(".") if re.fullmatch(r"[0-9.e-]+", d)
             and os.path.isdir(f"{d}/lagrangian")), key=float)
 x = column(f"{last}/lagrangian/cylinder/x")
 sigma = column(f"{last}/lagrangian/cylinder/sigma")
-row = x[:, 1] - x[:, 0]**2/(2*R) < x[:, 1].min() + 0.25*H
-row = np.zeros(len(x), bool)
-lower = {}
-for p in range(len(x)):         # the lowest point of each column
-    k = round(x[p, 0]/(0.5*H) - 0.5)
-    if k not in lower or x[p, 1] < x[lower[k], 1]:
-        lower[k] = p
-low = np.array(sorted(lower.values(), key=lambda p: x[p, 0]))
-r, p = x[low, 0], -sigma[low, 3]
+# The lowest row of points, means of the two in each cell
+ids = column(f"{last}/lagrangian/cylinder/id")[:, 0]
+first = column("0/lagrangian/cylinder/x")[np.argsort(column("0/lagrangian/cylinder/id")[:, 0])]
+x, sigma = x[np.argsort(ids)], sigma[np.argsort(ids)]
+low = np.flatnonzero(first[:, 1] - first[:, 0]**2/(2*R) < 0.5*H)
+low = low[np.argsort(first[low, 0])]
+r, p = x[low, 0].reshape(-1, 2).mean(1), -sigma[low, 3].reshape(-1, 2).mean(1)
 
 a = np.sqrt(4*F*R*(1 - NU**2)/(np.pi*E))
 p0 = 2*F/(np.pi*a)
@@ -60,11 +58,11 @@ for name, exact, value, scale, unit in (("half-width", a, width, 1e3, "mm"),
                                         ("peak pressure", p0, peak, 1e-6, "MPa")):
     print(f"{name}: {value*scale:.4f} {unit}, Hertz {exact*scale:.4f},"
           f" {100*(value/exact - 1):+.2f} %")
-print(f"largest pressure of a point {p.max()/1e6:.4f} MPa"
+print(f"largest pressure of a cell {p.max()/1e6:.4f} MPa"
       f" ({100*(p.max()/p0 - 1):+.2f} %); cells in the half-width {a/H:.1f}")
 
 figure, axes = plt.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
-axes[0].plot(r/a, p/p0, ".", label="points of the lowest row")
+axes[0].plot(r/a, p/p0, ".", label="lowest row of points, means of two")
 s = np.linspace(0, 1, 200)
 axes[0].plot(s, np.sqrt(1 - s*s), "k", lw=0.8, label="Hertz")
 axes[0].set(xlabel="x/a", ylabel="p/p0", xlim=(0, 2))

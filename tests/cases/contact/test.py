@@ -8,6 +8,8 @@ incline    block on a slope, on a rigid body and on a patch, in 2D and 3D: frict
 disks      two elastic discs meet off centre: momentum, no pull; 1 and 2 processors
            give the same, a restart the same bit by bit
 balls      two balls in 3D meet off centre: momentum
+hertz      tutorials/hertz: half-width and pressure
+sand       tutorials/sandColumn: runout
 """
 
 import os
@@ -18,7 +20,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, foamText, noSchemes,
+from foamCase import (PROJECT, FoamCase, RunFailed, boxMesh, controlDict, foamText, noSchemes,
                       velocityFile)
 from report import Report
 
@@ -315,9 +317,35 @@ def balls(table):
     parting(table, "balls", case, n)
 
 
+def tutorial(name, *scripts):
+    """A tutorial on one processor; what its plot.py says."""
+    case = FoamCase("contact", name, os.path.join(PROJECT, "tutorials", name))
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    for script in scripts:
+        case.run(sys.executable, script)
+    case.run("materialPointFoam", limit=400)
+    case.run(sys.executable, "plot.py")
+    return case.log(os.path.basename(sys.executable))
+
+
+def hertz(table):
+    said = tutorial("hertz", "bend.py")
+    for name in ("half-width", "peak pressure"):
+        value, exact = re.search(rf"^{name}: (\S+) \w+, Hertz ([^,]+),", said, re.M).groups()
+        table.row(f"hertz: {name}", float(exact), float(value), 5e-2, "relative")
+
+
+def sand(table):
+    said = re.findall(r"runout \S+ (\S+), farthest point (\S+),", tutorial("sandColumn"))
+    for name, value in zip(("end of the heap", "farthest point"), said[-1]):
+        # Lube 1.2 a, Lajeunesse 1.8 a with a = 2
+        table.row(f"sand column: runout, {name}", 3.0, float(value), 0.6)
+
+
 def main():
     table = Report("contact")
-    for part in (plates, pair, incline, disks, balls):
+    for part in (plates, pair, incline, disks, balls, hertz, sand):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
