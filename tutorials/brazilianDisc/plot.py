@@ -11,9 +11,12 @@ from results import EXACT
 t, top, bottom, kinetic, strain, residual = results.loads()
 force = 0.5*(top + bottom)
 i = force.argmax()
-time, place, n = results.firstDamage()
+time, place, n, spread = results.firstDamage()
+least = results.tension(spread/0.5)/results.tension(0)
 print(f"first damage by {time:.3f} s: {n} points about ({place[0]:+.4f} {place[1]:+.4f}) m, "
       f"load {np.interp(time, t, force):.1f} N/m")
+print(f"    they reach {spread:.3f} m from the centre, where the exact tension is "
+      f"{100*least:.1f} % of the centre's")
 print(f"peak load {force[i]:.1f} N/m at {t[i]:.4f} s (upper platen {top.max():.1f}, lower "
       f"{bottom.max():.1f}), exact {EXACT:.1f}: {100*(force[i]/EXACT - 1):+.2f} %")
 print(f"kinetic over stored energy at first damage: "

@@ -23,6 +23,8 @@ def points(case, time, phase, name):
         re.search(rb"class\s+(scalar|vector|symmTensor)Field", raw)[1]]
     body = re.compile(rb"FoamFile\s*\{.*?\}(?:\s*//[^\n]*\n)*\s*", re.S).search(raw).end()
     uniform = re.compile(rb"(\d+)\{\(?([^(){}]*)\)?\}").match(raw, body)
+    if uniform:
+        return np.tile(np.array(uniform[2].split(), float), (int(uniform[1]), 1)).squeeze()
     count = re.compile(rb"(\d+)\s*\(").match(raw, body)
     return np.frombuffer(raw, "f8", size*int(count[1]), count.end()).reshape(-1, size).squeeze()
 
@@ -48,10 +50,18 @@ def loads(case="."):
 
 def firstDamage(case="."):
     """Time, and place of the damaged points' centre (weighted by damage), of the first
-    written time that has damage; number of points."""
+    written time that has damage; number of points, their largest distance from (0, 0)."""
     for time in times(case):
         damage = points(case, time, "disc", "damage")
         if damage.max() > 0:
             x = points(case, time, "disc", "x")[:, :2]
-            return float(time), damage @ x/damage.sum(), int((damage > 0).sum())
+            return (float(time), damage @ x/damage.sum(), int((damage > 0).sum()),
+                    np.hypot(*x[damage > 0].T).max())
     return None
+
+
+def tension(rho, alpha=0.11):
+    """Hondros (1959): tension across the loaded diameter at the distance rho R from the
+    centre, loads spread evenly over arcs of 2 alpha; over P/(pi R)."""
+    a = (1 - rho**2)*np.sin(2*alpha)/(1 - 2*rho**2*np.cos(2*alpha) + rho**4)
+    return (a - np.arctan((1 + rho**2)/(1 - rho**2)*np.tan(alpha)))/np.sin(alpha)

@@ -21,6 +21,8 @@ def points(case, time, name):
         re.search(rb"class\s+(scalar|vector|symmTensor)Field", raw)[1]]
     body = re.compile(rb"FoamFile\s*\{.*?\}(?:\s*//[^\n]*\n)*\s*", re.S).search(raw).end()
     uniform = re.compile(rb"(\d+)\{\(?([^(){}]*)\)?\}").match(raw, body)
+    if uniform:
+        return np.tile(np.array(uniform[2].split(), float), (int(uniform[1]), 1)).squeeze()
     count = re.compile(rb"(\d+)\s*\(").match(raw, body)
     return np.frombuffer(raw, "f8", size*int(count[1]), count.end()).reshape(-1, size).squeeze()
 
