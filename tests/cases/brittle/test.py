@@ -93,7 +93,7 @@ def halfRun(name, changes, table, air=False):
     energy, start = results.energy(case.path)
     table.row(f"{name}: residual of the energy over that at impact", 0,
               abs(energy["residual"]).max()/start, 0.02, "atMost")
-    # Cracks only take energy; GIMP's rounding is far below
+    # Cracks only take energy
     table.row(f"{name}: energy that cracks give back, over that at impact", 0,
               np.diff(energy["failure"]).max()/start, 1e-3, "atMost")
     print(f"{name}: failed {failed:.4f}, damaged {damaged:.4f}, energy of failure "
