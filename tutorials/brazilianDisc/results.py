@@ -1,0 +1,67 @@
+"""Reads points and loads of a run of this case."""
+
+import os
+import re
+
+import numpy as np
+
+EXACT = np.pi*0.5*700       # pi R sigma_t [N/m]
+
+
+def times(case="."):
+    """Names of the time folders with points, in order."""
+    names = [n for n in os.listdir(case) if re.fullmatch(r"\d[\d.]*(e-\d+)?", n)
+             and os.path.isdir(os.path.join(case, n, "lagrangian"))]
+    return sorted(names, key=float)
+
+
+def points(case, time, phase, name):
+    """A column of the points, binary or one value for all."""
+    with open(os.path.join(case, time, "lagrangian", phase, name), "rb") as f:
+        raw = f.read()
+    size = {b"scalar": 1, b"vector": 3, b"symmTensor": 6}[
+        re.search(rb"class\s+(scalar|vector|symmTensor)Field", raw)[1]]
+    body = re.compile(rb"FoamFile\s*\{.*?\}(?:\s*//[^\n]*\n)*\s*", re.S).search(raw).end()
+    uniform = re.compile(rb"(\d+)\{\(?([^(){}]*)\)?\}").match(raw, body)
+    if uniform:
+        return np.tile(np.array(uniform[2].split(), float), (int(uniform[1]), 1)).squeeze()
+    count = re.compile(rb"(\d+)\s*\(").match(raw, body)
+    return np.frombuffer(raw, "f8", size*int(count[1]), count.end()).reshape(-1, size).squeeze()
+
+
+def loads(case="."):
+    """Times of the reports, force [N/m] of the upper and on the lower platen: mean since
+    the report before; kinetic and stored energy [J/m]; residual of the energy [J/m]."""
+    with open(os.path.join(case, "log.materialPointFoam")) as f:
+        steps = re.split(r"^Time = ", f.read(), flags=re.M)[1:]
+    rows = []
+    for text in steps:
+        impulse = dict(re.findall(r"^Contact (\w+) .*impulse \(\S+ (\S+) ", text, re.M))
+        energy = re.search(r"^Energy: kinetic (\S+), strain (\S+),", text, re.M)
+        residual = re.search(r"residual (\S+)", text)
+        if impulse and energy:
+            rows.append([text.split()[0], impulse["top"], impulse["bottom"],
+                         energy[1], energy[2], residual[1] if residual else 0])
+    t, top, bottom, kinetic, strain, residual = np.array(rows, float).T
+    dt = np.diff(t)
+    return (t[1:], abs(np.diff(top))/dt, abs(np.diff(bottom))/dt,
+            kinetic[1:], strain[1:], residual[1:])
+
+
+def firstDamage(case="."):
+    """Time, and place of the damaged points' centre (weighted by damage), of the first
+    written time that has damage; number of points, their largest distance from (0, 0)."""
+    for time in times(case):
+        damage = points(case, time, "disc", "damage")
+        if damage.max() > 0:
+            x = points(case, time, "disc", "x")[:, :2]
+            return (float(time), damage @ x/damage.sum(), int((damage > 0).sum()),
+                    np.hypot(*x[damage > 0].T).max())
+    return None
+
+
+def tension(rho, alpha=0.11):
+    """Hondros (1959): tension across the loaded diameter at the distance rho R from the
+    centre, loads spread evenly over arcs of 2 alpha; over P/(pi R)."""
+    a = (1 - rho**2)*np.sin(2*alpha)/(1 - 2*rho**2*np.cos(2*alpha) + rho**4)
+    return (a - np.arctan((1 + rho**2)/(1 - rho**2)*np.tan(alpha)))/np.sin(alpha)

@@ -1,0 +1,89 @@
+"""Figures of README.md's tables, and pictures: cracks over time, energies, and of the
+series the cracks at the end."""
+
+import os
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+import results
+
+SERIES = ("coarse", ".", "fine", "seed1", "seed2", "coarseAir", "coarse3D")
+
+
+def place(name):
+    return "." if name == "." else os.path.join("variants", name)
+
+
+def label(name):
+    return "middle" if name == "." else name
+
+
+def draw(ax, case, time, title):
+    x, d, U = (results.points(case, time, name) for name in ("x", "damage", "U"))
+    if np.ptp(x[:, 2]) > 0:     # 3D: the middle of its length
+        slab = abs(x[:, 2] - 0.06) < 0.003
+        x, d = x[slab], d[slab]
+    image = ax.scatter(*(1e3*x[:, :2].T), c=d, s=5e4/len(d), cmap="inferno_r", vmin=0, vmax=1,
+                       linewidths=0)
+    ax.axhline(0, color="k", lw=1)
+    ax.set_aspect("equal")
+    ax.set_xlim(-58, 58)
+    ax.set_ylim(-2, 60)
+    ax.set_title(title, fontsize=9)
+    return image
+
+
+present = [name for name in SERIES if os.path.isdir(place(name))
+           and results.times(place(name))[-1:] > ["0"]]
+print(f"{'case':10s} {'points':>7s}  failed  damaged  left/right  peak force  residual  "
+      "failure  CPU [s]")
+for name in present:
+    case = place(name)
+    failed, some, ratio = results.damaged(case)
+    e, start = results.energy(case)
+    _, force = results.floor(case)
+    with open(os.path.join(case, "log.materialPointFoam")) as f:
+        seconds = [line.split()[2] for line in f if line.startswith("ExecutionTime")][-1]
+    print(f"{label(name):10s} {len(results.points(case, '0', 'm')):7d}  {100*failed:5.1f} %"
+          f"  {100*some:5.1f} %  {ratio:9.4f}  {force.max()*1e-3:7.1f} kN"
+          f"  {100*abs(e['residual']).max()/start:6.2f} %"
+          f"  {-100*e['failure'][-1]/start:5.1f} %  {float(seconds):6.1f}")
+if "fine" in present:
+    a, b = (results.damaged(place(name))[0] for name in (".", "fine"))
+    print(f"failed area, middle over fine: {a/b:.3f}")
+
+names = results.times()
+figure, axes = plt.subplots(2, 3, figsize=(13, 5.4), constrained_layout=True)
+for ax, want in zip(axes.flat, (2e-5, 6e-5, 1e-4, 1.4e-4, 2e-4, 4e-4)):
+    name = min(names, key=lambda n: abs(float(n) - want))
+    image = draw(ax, ".", name, f"{1e6*float(name):.0f} us")
+figure.colorbar(image, ax=axes, label="damage")
+figure.savefig("crack.png", dpi=120)
+
+e, start = results.energy()
+figure, axes = plt.subplots(1, 2, figsize=(11, 4), constrained_layout=True)
+t = 1e6*e["Time"]
+for name, what in (("kinetic", "kinetic"), ("strain", "strain"), ("failure", "failure"),
+                   ("transfer", "transfer"), ("residual", "residual")):
+    axes[0].plot(t, e[name]/start, label=what)
+axes[0].set_ylabel("energy over that at impact")
+axes[0].legend(fontsize=8)
+t, force = results.floor()
+axes[1].plot(1e6*t, 1e-3*force)
+axes[1].set_ylabel("force of the floor [kN]")
+for ax in axes:
+    ax.set_xlabel("time [us]")
+figure.savefig("energy.png", dpi=120)
+
+if len(present) > 1:
+    figure, axes = plt.subplots(3, 3, figsize=(13, 8.4), constrained_layout=True)
+    for ax in axes.flat[len(present):]:
+        ax.axis("off")
+    for ax, name in zip(axes.flat, present):
+        case = place(name)
+        image = draw(ax, case, results.times(case)[-1], label(name))
+    figure.colorbar(image, ax=axes, label="damage")
+    figure.savefig("series.png", dpi=120)
