@@ -42,22 +42,19 @@ def tate(R, end, dt=2e-8):
     return np.array(rows).T
 
 
-def series(case="."):
-    """Time, largest and smallest x of the rod's points from function object extent."""
-    path = sorted(glob.glob(f"{case}/postProcessing/extent/*/rod.dat"))[0]
-    record = np.loadtxt(path)
-    return record[:, 0], record[:, 4], record[:, 1]
+def table(case, folder, name):
+    path = sorted(glob.glob(f"{case}/postProcessing/{folder}/*/{name}"))[0]
+    return np.loadtxt(path)
 
 
 class Path:
-    """Nose and tail over time. A row of points is a quarter of a cell inside the
-    surface at the start; the tail keeps that, at the nose the cell is squeezed to
-    the half of it that lies between the first point and the interface."""
+    """Nose, the foremost point of the rod, and tail over time."""
 
-    def __init__(self, case, h):
-        self.t, self.nose, self.tail = series(case)
-        self.nose = self.nose + (self.nose[0] < 0)*h/4
-        self.tail = self.tail - h/4
+    def __init__(self, case="."):
+        record = table(case, "extent", "rod.dat")
+        self.t, self.nose = record[:, 0], record[:, 4]
+        t, moved = table(case, "tail", "displacement_x.dat").T
+        self.tail = np.interp(self.t, t, moved) - LENGTH
 
     def at(self, time):
         return (np.interp(time, self.t, self.nose), np.interp(time, self.t, self.tail))
@@ -114,16 +111,3 @@ def fractured(case, time, phase, h):
         same = np.diff(key[order, 1 - d]) == 0
         apart.append(np.abs(np.diff(x[order], axis=0)).max(axis=1)[same])
     return np.mean(np.concatenate(apart) > h)
-
-
-def overlap(case, time, h):
-    """Part of the rod's mass that has target all around it: in cells of h/2 with at
-    least three points of the target (it has one for each at the start)."""
-    rod, target = points(case, time, "rod"), points(case, time, "target")
-    key = [np.floor(p["x"][:, :2]/h).astype(int) for p in (rod, target)]
-    low = np.minimum(key[0].min(axis=0), key[1].min(axis=0))
-    size = np.maximum(key[0].max(axis=0), key[1].max(axis=0)) - low + 1
-    flat = [(k - low) @ np.array([size[1], 1]) for k in key]
-    count = np.bincount(flat[1], minlength=size[0]*size[1])
-    m = rod["m"]
-    return np.sum(m[count[flat[0]] >= 4])/np.sum(m)
