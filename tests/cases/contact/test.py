@@ -320,6 +320,7 @@ def balls(table):
 def tutorial(name, *scripts):
     """A tutorial on one processor; what its plot.py says."""
     case = FoamCase("contact", name, os.path.join(PROJECT, "tutorials", name))
+    case.run("./Allclean")
     case.run("blockMesh")
     case.run("setMaterialPoints")
     for script in scripts:
