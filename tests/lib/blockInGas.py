@@ -36,6 +36,14 @@ def gasSchemes(case, scheme="upwind"):
         "snGradSchemes": {"default": "corrected"}})
 
 
+#: Extremes of pressure and speed in every step, for figures()
+EXTREMES = {
+    name: {"type": "fieldMinMax", "libs": "(fieldFunctionObjects)", "fields": [field],
+           "location": False, "log": False, "writeControl": "timeStep",
+           "writeInterval": 1}
+    for name, field in (("pressure", "p"), ("speed", "U.air"))}
+
+
 def gasFields(case, conditions, velocity=(0, 0, 0), pressure=None):
     """p, T.air and U.air; conditions: of the velocity, slip, cyclic or empty."""
     scalar = {k: "zeroGradient" if v == "slip" else v for k, v in conditions.items()}
@@ -81,11 +89,7 @@ def blockInGas(group, name, nDim, n, region, velocity=(0, 0, 0), steps=500, h=1e
         "shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.01}})
     dt = Co*h/(np.sqrt(E/rho) + np.max(abs(v)))
     case.write("system/controlDict", {
-        **controlDict(steps*dt, steps*dt, deltaT=dt, functions={
-            name: {"type": "fieldMinMax", "libs": "(fieldFunctionObjects)",
-                   "fields": [field], "location": False, "log": False,
-                   "writeControl": "timeStep", "writeInterval": 1}
-            for name, field in (("pressure", "p"), ("speed", "U.air"))}),
+        **controlDict(steps*dt, steps*dt, deltaT=dt, functions=EXTREMES),
         "reportInterval": max(1, steps//reports)})
     if prepare:
         prepare(case)

@@ -1,4 +1,4 @@
-"""Figures of README.md's table; pictures of the shock on the slab and the disc."""
+"""Figures of README.md's table; pictures of slab, disc and wedge."""
 
 import matplotlib
 matplotlib.use("Agg")
@@ -103,3 +103,33 @@ for ax in axes[:, 0]:
 figure.colorbar(image, ax=axes, label="pressure of the air [bar]; dotted: place of the free"
                 " shock", pad=0.01)
 figure.savefig("cylinder.png", dpi=130)
+
+# --- wedge: 2D
+nx, ny, tip = 100, 70, 0.2
+angle, BETA, RATIO = np.radians(10), np.radians(39.31), 1.7066     # NACA 1135
+p = fields.cells("wedge", fields.times("wedge")[-1], "p", nx, ny)/P1
+x, y = (np.arange(nx) + 0.5)/nx, (np.arange(ny) + 0.5)*0.7/ny
+where, behind = [], []
+inside = [i for i in range(nx) if 0.45 < x[i] < 0.95]
+for i in inside:
+    middle = 0.5*(1 + RATIO)
+    j = np.max(np.nonzero(p[:, i] > middle)[0])
+    where.append(y[j] + (y[1] - y[0])*(p[j, i] - middle)/(p[j, i] - p[j + 1, i]))
+    low, high = (np.tan(angle) + part*(np.tan(BETA) - np.tan(angle)) for part in (0.2, 0.7))
+    slope = y/(x[i] - tip)
+    behind.append(p[(slope > low) & (slope < high), i].mean())
+found = np.degrees(np.arctan(np.polyfit(x[inside], where, 1)[0]))
+print(f"wedge: angle of the shock {found:.2f} degrees, exact {np.degrees(BETA):.2f}")
+print(f"wedge: p2/p1 {np.mean(behind):.4f} ({min(behind):.3f} to {max(behind):.3f}), exact"
+      f" {RATIO} ({100*(np.mean(behind)/RATIO - 1):+.2f} %); fix-ups"
+      f" {fields.fixups('wedge'):.0f}")
+figure, ax = plt.subplots(figsize=(8, 5), constrained_layout=True)
+image = ax.pcolormesh(np.linspace(0, 1, nx + 1), np.linspace(0, 0.7, ny + 1), p,
+                      cmap="turbo", vmin=1, vmax=1.8, rasterized=True)
+ax.fill([tip, 1, 1], [0, 0.8*np.tan(angle), 0], "0.7", ec="k", lw=0.6)
+ax.plot([tip, 1], [0, 0.8*np.tan(BETA)], "w:", lw=1.5)
+ax.set_ylim(0, 0.7)
+ax.set_xlabel("x [m]")
+ax.set_ylabel("y [m]")
+figure.colorbar(image, label="p/p1; dotted: exact shock")
+figure.savefig("wedge.png", dpi=130)

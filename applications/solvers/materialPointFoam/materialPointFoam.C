@@ -24,6 +24,7 @@ Description
 #include "phaseNames.H"
 #include "selector.H"
 #include "uniformDimensionedFields.H"
+#include "timer.H"
 #include "timeStepControl.H"
 #include "fatalMessages.H"
 
@@ -86,6 +87,7 @@ int main(int argc, char *argv[])
         }
         if (coupling)
         {
+            const mpm::timer t(points->clock().gas);
             coupling->advanceGas(runTime.deltaTValue());
         }
         else if (gas)
@@ -99,6 +101,8 @@ int main(int argc, char *argv[])
 
         if (gas)
         {
+            scalar gasAlone = 0;
+            const mpm::timer t(points ? points->clock().gas : gasAlone);
             gas->correct();
         }
 
@@ -142,6 +146,10 @@ int main(int argc, char *argv[])
         control.setDeltaT();
     }
 
+    if (points)
+    {
+        points->reportClock();
+    }
     control.end();
 
     return 0;

@@ -73,7 +73,7 @@ void Foam::mpm::gasCoupling::updateVolume
         const scalar rho = points_.phases()[phasei].law().rho();
         for (label p = 0; p < cloud.size(); ++p)
         {
-            if ((*damage)[0][p] > 0)
+            if ((*damage)[0][p] >= 1)
             {
                 to[p] = min(to[p], cloud.mass()[0][p]/rho);
             }
@@ -205,8 +205,8 @@ void Foam::mpm::gasCoupling::prepareFaces(const scalar dt)
         const scalar V = faceVolume(f);
         const scalar S = mag(mesh_.faceAreas()[f]);
         const scalar mean = 0.5*(1 - eps_)*(sumOld + sumNow)/V;
-        thetaS0_[f] = min((1 - eps_)*sumOld/V, 1 - 0.5*eps_);
-        thetaS_[f] = min(mean, 1 - 0.5*eps_);
+        thetaS0_[f] = min((1 - eps_)*sumOld/V, most_);
+        thetaS_[f] = min(mean, most_);
         dragLimit_[f] = mean;
 
         // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
@@ -264,6 +264,7 @@ Foam::mpm::gasCoupling::gasCoupling
             requiredDict(properties, gas.name()), "Pr", 0, 0, GREAT
         )
     ),
+    most_(1 - (points.grid().radial() < 0 ? 0.5 : 1)*eps_),
     drag_(points.phases().size()),
     heat_(points.phases().size()),
     granular_(points.phases().size()),
@@ -383,7 +384,7 @@ void Foam::mpm::gasCoupling::force()
         if (theta > 0)
         {
             const int d = sums_.direction(f);
-            const scalar clip = min(scalar(1), (1 - 0.5*eps_)/theta);
+            const scalar clip = min(scalar(1), most_/theta);
             G_[sums_.nPlaces()*d + sums_.facePlace(f)] =
                 (1 - eps_)*clip*sums_.sign(f)*(pN - pO)
                *mag(mesh_.faceAreas()[f])/faceVolume(f);
@@ -456,7 +457,7 @@ void Foam::mpm::gasCoupling::force()
             scalar* pressure = (*cloud.gasPressure())[0];
             for (label p = 0; p < cloud.size(); ++p)
             {
-                if ((*damage)[0][p] > 0)
+                if ((*damage)[0][p] >= 1)
                 {
                     pressure[p] = 0;
                 }

@@ -66,7 +66,7 @@ void Foam::mpm::gasCoupling::bookDry()
         const scalar* v = (*cloud.gasVolume())[0];
         for (label p = 0; p < cloud.size(); ++p)
         {
-            if (damage[p] > 0)
+            if (damage[p] >= 1)
             {
                 budget_.dry +=
                     (1 - eps_)*P[p]*(v[p] - oldVolume_[phasei][p]);

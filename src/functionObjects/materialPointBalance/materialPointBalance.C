@@ -94,7 +94,7 @@ sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
     {
         for (label p = 0; p < cloud.size(); ++p)
         {
-            s.nFailed += (*damage)[0][p] > 0;
+            s.nFailed += (*damage)[0][p] >= 1;
         }
     }
     reduce(s.nPoints, sumOp<label>());

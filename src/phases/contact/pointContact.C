@@ -148,6 +148,7 @@ void Foam::mpm::pointContact::addPair
 void Foam::mpm::pointContact::read(const dictionary& dict)
 {
     const dictionary* others = nullptr;
+    DynamicList<labelPair> walls;
     for (const entry& e : dict)
     {
         if (!e.isDict())
@@ -203,6 +204,13 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
                     << " that holds the points already; make it calculated"
                     << " for contact." << exit(FatalIOError);
             }
+            if (walls.found(labelPair(a, patchi)))
+            {
+                FatalIOErrorInFunction(sub)
+                    << "fields " << names << ", patch " << name
+                    << ": this pair has a contact already." << exit(FatalIOError);
+            }
+            walls.append(labelPair(a, patchi));
             addPair(how, a, -1, patchi);
             continue;
         }

@@ -148,6 +148,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
 
 void Foam::mpm::pointContact::sumGradients()
 {
+    const int radial = grid_.radial();
     forAll(fields_, fieldi)
     {
         if (!has_[fieldi])
@@ -180,13 +181,16 @@ void Foam::mpm::pointContact::sumGradients()
             (
                 const materialPointCloud& cloud,
                 const label p,
-                const scalar*,
+                const scalar* x,
                 const scalar*,
                 const UList<label>& nodes,
                 const UList<scalar>&,
                 const UList<scalar>& gradS
             )
             {
+                // Section of a ring: its volume also grows with the radius
+                const scalar v =
+                    cloud.volume()[0][p]/(radial < 0 ? scalar(1) : x[radial]);
                 forAll(nodes, i)
                 {
                     if (nodes[i] >= 0 && placeOf_[nodes[i]] >= 0)
@@ -194,7 +198,7 @@ void Foam::mpm::pointContact::sumGradients()
                         for (int d = 0; d < nDim_; ++d)
                         {
                             g[stride*nodes[i] + d] +=
-                                cloud.volume()[0][p]*gradS[nDim_*i + d];
+                                v*gradS[nDim_*i + d];
                         }
                     }
                 }
@@ -217,15 +221,31 @@ void Foam::mpm::pointContact::setNormals()
         meeting m = from;
         const pairOf& pair = pairs_[m.pair];
         const gridState& A = fields_[pair.a];
+        const bool given = mag(pair.how.normal) > 0;
+        scalar wa = 1, wb = 1;
+        if (pair.b >= 0 && !given)
+        {
+            // The body whose surface is flat at the node counts, not the edge
+            // of the other, whose gradient is smaller
+            scalar square[2] = {0, 0};
+            for (int d = 0; d < nDim_; ++d)
+            {
+                square[0] += sqr(gradient_[pair.a][A.stride()*m.node + d]);
+                square[1] += sqr(gradient_[pair.b][A.stride()*m.node + d]);
+            }
+            const scalar larger = max(max(square[0], square[1]), VSMALL);
+            wa = std::pow(square[0]/larger, 50);
+            wb = std::pow(square[1]/larger, 50);
+        }
         for (int d = 0; d < nDim_; ++d)
         {
             m.n[d] =
                 pair.b < 0
               ? pair.wall[nDim_*m.node + d]
-              : mag(pair.how.normal) > 0
+              : given
               ? pair.how.normal[grid_.direction(d)]
-              : gradient_[pair.a][A.stride()*m.node + d]
-              - gradient_[pair.b][A.stride()*m.node + d];
+              : wa*gradient_[pair.a][A.stride()*m.node + d]
+              - wb*gradient_[pair.b][A.stride()*m.node + d];
         }
         scalar before = 0, size = 0;
         for (int d = 0; d < nDim_; ++d)

@@ -181,7 +181,7 @@ void Foam::mpm::pointPhaseSystem::momentum(const scalar dt)
     }
     if (contact_)
     {
-        const timer t(clock_.nodes);
+        const timer t(clock_.contact);
         work = contact_->push(dt, budget_.active, boundary);
     }
     if (budget_.active)
@@ -362,6 +362,7 @@ void Foam::mpm::pointPhaseSystem::accept()
     }
     if (contact_)
     {
+        const timer t(clock_.contact);
         contact_->accept();
         contact_->update();
     }
@@ -444,12 +445,16 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
 
     if (coupling_)
     {
-        coupling_->force();
+        {
+            const timer t(clock_.coupling);
+            coupling_->force();
+        }
         force(0);
     }
     momentum(dt);
     if (coupling_)
     {
+        const timer t(clock_.coupling);
         coupling_->drag(dt);
     }
     factor = move(dt);
@@ -457,6 +462,7 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
     {
         if (coupling_)
         {
+            const timer t(clock_.coupling);
             coupling_->depart();
         }
         stressUpdate_->moved(*this, dt);
@@ -471,9 +477,15 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
 
     if (coupling_)
     {
+        const timer t(clock_.coupling);
         coupling_->accepted();
     }
     stressUpdate_->end(*this, dt);
+    if (contact_)
+    {
+        // The strain has changed the points' volumes and boxes
+        contact_->update();
+    }
     for (const materialPointPhase& phase : phases_)
     {
         if (!phase.motion() && phase.law().waveSpeedVaries())
@@ -484,6 +496,7 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
     }
     if (coupling_)
     {
+        const timer t(clock_.coupling);
         coupling_->arrive(dt);
         if (budget_.active)
         {

@@ -11,6 +11,8 @@ License
 #include "selector.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include <iomanip>
+#include <sstream>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -244,6 +246,45 @@ void Foam::mpm::pointPhaseSystem::report() const
     {
         contact_->report(dt_);
     }
+}
+
+
+void Foam::mpm::pointPhaseSystem::reportClock() const
+{
+    const struct
+    {
+        const char* name;
+        scalar seconds;
+    } parts[] =
+    {
+        {"nodes", clock_.nodes},
+        {"move", clock_.move},
+        {"sort", clock_.sort},
+        {"project", clock_.project},
+        {"stress and force", clock_.stress},
+        {"contact", clock_.contact},
+        {"coupling", clock_.coupling},
+        {"gas", clock_.gas}
+    };
+    scalar sum = 0;
+    for (const auto& part : parts)
+    {
+        sum += part.seconds;
+    }
+    std::ostringstream line;
+    line << std::fixed << std::setprecision(2) << "Parts of the steps' " << sum
+        << " s:" << std::setprecision(1);
+    const char* separator = " ";
+    for (const auto& part : parts)
+    {
+        if (part.seconds > 0)
+        {
+            line << separator << part.name << ' ' << 100*part.seconds/sum
+                << " %";
+            separator = ", ";
+        }
+    }
+    Info<< line.str().c_str() << nl << endl;
 }
 
 

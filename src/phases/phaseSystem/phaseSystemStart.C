@@ -304,6 +304,16 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     if (contact_)
     {
         contact_->update();
+
+        // Nothing to warn of
+        warned_ = true;
+        for (label a = 0; a < fields_.size(); ++a)
+        {
+            for (label b = a + 1; b < fields_.size(); ++b)
+            {
+                warned_ = warned_ && contact_->between(a, b);
+            }
+        }
     }
     bool haveAffine = true;
     for (const materialPointPhase& phase : phases_)

@@ -13,7 +13,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from blockInGas import P0, R, figures, gasFields, gasSchemes
+from blockInGas import EXTREMES, P0, R, figures, gasFields, gasSchemes
 from foamCase import FoamCase, RunFailed, controlDict, velocityFile
 from gasCases import (OPEN, VAN_LEER, WALL, boxCentres, gasCase, schemes, volField,
                       writeVolField)
@@ -151,8 +151,9 @@ def inGas(name, region, velocity=0.0, steps=400, walls=False, gasVelocity=None,
     case.write("system/fvSolution", {"materialPoints": numerics or {
         "shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.01}})
     dt = Co*h/(np.sqrt(1.35*E/2700) + abs(velocity))
-    case.write("system/controlDict", {**controlDict(steps*dt, steps*dt, deltaT=dt),
-                                      "reportInterval": max(1, steps//reports)})
+    case.write("system/controlDict", {
+        **controlDict(steps*dt, steps*dt, deltaT=dt, functions=EXTREMES),
+        "reportInterval": max(1, steps//reports)})
     case.run("blockMesh")
     case.run("setMaterialPoints")
     return case

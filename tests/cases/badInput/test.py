@@ -10,7 +10,7 @@ before stay byte for byte. Rows that start with "allowed" must run to the end.
     test.py              all rows
     test.py word ...     only rows whose name has one of the words
 
-A row's case stays in tests/run/badInput/<number> with its log.
+A row's case stays in tests/run/badInput/cases/<number> with its log.
 """
 
 import glob
@@ -25,7 +25,7 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
-RUN = os.path.join(PROJECT, "tests", "run", "badInput")
+RUN = os.path.join(PROJECT, "tests", "run", "badInput", "cases")
 LIMIT = 10.0
 CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
     r"|Assertion|terminate called"
@@ -169,6 +169,7 @@ BLOCK = "0/lagrangian/block/"
 
 inPhases = [line("phaseProperties")]
 inLaw = [line("phaseProperties"), r"constitutiveModel"]
+inContact = [line("phaseProperties"), "contact"]
 inRegion = [line("setMaterialPointsDict")]
 inControl = [line("controlDict")]
 inNumerics = [line("fvSolution")]
@@ -308,6 +309,13 @@ def fields(a, b):
         case.sub(PHASES, r"velocityField\s+body", f"velocityField {a}")
         case.sub(PHASES, r"\$base;", f"$base;\n    velocityField {b};")
     return change
+
+
+def contact(entries, ground="calculated; //"):
+    """Base and block with own fields, the ground free for contact."""
+    return several(
+        replace("0/U.body", "fixedValue;", ground), fields("base", "block"),
+        replace(PHASES, r"(phases\s)", f"contact {{ {entries} }}\n\\1"))
 
 
 def movingGround(table):
@@ -918,7 +926,7 @@ ROWS += [
     ("table of boundary values too short", SOLVE,
      movingGround("((0 (0 0 0)) (0.1 (0 0 0)))"), ["overflow|0.1"]),
     ("table of boundary values missing", SOLVE,
-     several(movingGround("()"), remove("table")), ["badInput/\\d+/table"]),
+     several(movingGround("()"), remove("table")), ["badInput/cases/\\d+/table"]),
 
     #- function objects
     ("forces: patch not in the mesh", SOLVE, function("PatchForces", "patches (ground roof);"),
@@ -1027,6 +1035,59 @@ ROWS += [
      withPoints(several(fields("base", "block"),
                         replace(REGIONS, r"min +\(3 3 0\)", "min (3 2 0)"))),
      None, {"warnings": 1, "has": "velocity fields"}),
+    ("allowed: contact", SOLVE,
+     contact("one { fields (base block); type Coulomb; mu 0.3; }"
+             " two { fields (base); patch ground; type stick; }"), None,
+     {"has": "Contact two of base"}),
+    ("contact of a field that does not exist", SOLVE,
+     contact("one { fields (base brick); type frictionless; }"),
+     inContact + ["brick", VALID, "base"]),
+    ("contact with a patch of a field that does not exist", SOLVE,
+     contact("one { fields (brick); patch ground; type frictionless; }"),
+     inContact + ["brick", VALID, "base"]),
+    ("contact of a field with itself", SOLVE,
+     contact("one { fields (base base); type frictionless; }"), inContact + ["itself"]),
+    ("contact of one pair twice", SOLVE,
+     contact("one { fields (base block); type frictionless; }"
+             " two { fields (block base); type stick; }"), inContact + ["already"]),
+    ("contact of a field and a patch twice", SOLVE,
+     contact("one { fields (base); patch ground; type frictionless; }"
+             " two { fields (base); patch ground; type stick; }"),
+     inContact + ["already", "ground"]),
+    ("contact of all others twice", SOLVE,
+     contact("one { type frictionless; } two { type stick; }"),
+     inContact + ["all other pairs"]),
+    ("contact of three fields", SOLVE,
+     contact("one { fields (base block base); type stick; }"), inContact + ["two velocity"]),
+    ("contact with a patch that does not exist", SOLVE,
+     contact("one { fields (base); patch floor; type frictionless; }"),
+     inContact + ["floor", "Patches: .*ground"]),
+    ("contact with an empty patch", SOLVE,
+     contact("one { fields (base); patch frontAndBack; type frictionless; }"),
+     inContact + ["frontAndBack", "Patches: .*ground"]),
+    ("contact with a slip patch", SOLVE,
+     contact("one { fields (base); patch ground; type frictionless; }", "slip; //"),
+     inContact + ["ground", "calculated"]),
+    ("contact with a patch that holds the points", SOLVE,
+     contact("one { fields (base); patch ground; type frictionless; }", "fixedValue;"),
+     inContact + ["ground", "calculated"]),
+    ("contact: mu negative", SOLVE, contact("one { type Coulomb; mu -0.1; }"),
+     inContact + ["mu"]),
+    ("contact: mu missing", SOLVE, contact("one { type Coulomb; }"), inContact + ["mu"]),
+    ("contact: mu of frictionless", SOLVE,
+     contact("one { type frictionless; mu 0.3; }"), inContact + ["mu", "Coulomb"]),
+    ("contact: unknown type", SOLVE, contact("one { type glue; }"),
+     inContact + ["glue", VALID, "frictionless"]),
+    ("contact: unknown keyword", SOLVE, contact("one { type stick; friction 1; }"),
+     inContact + ["friction", VALID]),
+    ("contact: no dictionary", SOLVE, contact("one frictionless;"),
+     inContact + ["one", "dictionary"]),
+    ("contact: normal zero", SOLVE,
+     contact("one { fields (base block); type stick; normal (0 0 0); }"),
+     inContact + ["normal"]),
+    ("contact: normal of a patch", SOLVE,
+     contact("one { fields (base); patch ground; type stick; normal (0 1 0); }"),
+     inContact + ["normal"]),
     ("allowed: user's law", SOLVE, nanLaw(1000000000), None, {"has": "nanLaw"}),
     ("unknown law beside the user's", SOLVE,
      several(nanLaw(5), replace(PHASES, "nanLaw", "nan9Law")),

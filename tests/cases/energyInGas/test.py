@@ -40,8 +40,8 @@ KINETIC, STRAIN, TOTAL, TRANSFERRED, BOUNDARY, EXTERNAL, RESIDUAL, FAILURE, GAS,
 
 def books(case):
     """Function objects of the balances in a case that is there."""
-    with open(case.file("system/controlDict"), "a") as f:
-        f.write("functions\n{\n" + foamText(BOOKS, 4) + "}\n")
+    case.change("system/controlDict", r"^functions\s*\{",
+                "functions\n{\n" + foamText(BOOKS, 4))
 
 
 def exchanged(e):
@@ -84,7 +84,6 @@ def spall(table):
                 "energyInGas", f"spall-{strength is not None}-{Co}", 15, BOOKED,
                 3e-6 if strength else 1.2e-6, 3e-6, Co, strength=strength,
                 air={"poreFloor": 1e-2})
-            case.change("system/controlDict", r"^functions\s*\{\s*\}", "")
             books(case)
             case.run("materialPointFoam", limit=300)
             runs[Co] = figures(case, f"{label}, Courant number {Co}")
@@ -99,7 +98,6 @@ def block(name, drag, Co, steps, region=None, **more):
             "type": "box", "min": (12.2e-3, 6.2e-3, -1), "max": (22.3e-3, 16.3e-3, 1)},
         (50, -30, 0), steps, h=1e-3, E=7e9, Co=Co, drag=drag, gasVelocity=(0, 0, 0),
         pressure=pressure.ravel(), numerics=BOOKED, **more)
-    case.change("system/controlDict", r"^functions\s*\{\s*\}", "")
     books(case)
     return case
 
@@ -138,7 +136,6 @@ def piston(table):
                           "velocity": (5, 0, 0), "stress": ambient(1e5)}},
                 ends=WALL, ppc=4, maxCo=Co, numerics={"energyBudget": True},
                 maxCoGas=Co)
-            case.change("system/controlDict", r"^functions\s*\{\s*\}", "")
             books(case)
             case.run("materialPointFoam", limit=300)
             runs[Co] = figures(case, f"piston, drag {drag}, Courant number {Co}")
@@ -162,7 +159,6 @@ def struck(name, motion=None, withBlock=True, Co=0.4, steps=None):
         "energyInGas", name, (n, n, 1), (n*h, n*h, h),
         lambda x, y, z: (1.2 + 2.4*(x < 8*h), 0*x, 1e5 + 3e5*(x < 8*h)), 8e-5, phases,
         regions, ends=WALL, maxCo=Co, maxCoGas=Co, numerics={"energyBudget": True})
-    case.change("system/controlDict", r"^functions\s*\{\s*\}", "")
     books(case)
     return case
 

@@ -28,7 +28,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
-RUN = os.path.join(PROJECT, "tests", "run", "mutatedInput")
+RUN = os.path.join(PROJECT, "tests", "run", "mutatedInput", "cases")
 LIMIT = 10.0
 N_SPREAD = 250
 

@@ -136,7 +136,7 @@ scalar frictionalLaw<Law>::waveSpeed() const
 template<class Law>
 scalar frictionalLaw<Law>::elasticModulus() const
 {
-    return 9*K_*G_/(3*K_ + G_);
+    return 9*G_*(K_/(3*K_ + G_));
 }
 
 

@@ -281,7 +281,7 @@ template<class Law>
 scalar splitLaw<Law>::elasticModulus() const
 {
     const scalar K = pressure_.bulkModulus();
-    return 9*K*G_/(3*K + G_);
+    return 9*G_*(K/(3*K + G_));
 }
 
 

@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""Short versions of tutorials/taylorBar and tutorials/projectile.
+
+bar        copper bar of 25.4 x 7.62 mm at 190 m/s, cells of 0.381 and 0.1905 mm, on
+           a wedge: length and foot that the published constants give in other codes
+           (MPM_VERIFY=1: 0.09525 mm as well)
+quarter    the same in 3D, a quarter with two symmetry planes, within 1 % of the wedge
+rod        tungsten alloy on armour steel at 1250 m/s, cells of 0.5 mm: speed of the
+           interface and place of the tail beside Alekseevskii and Tate; momentum; two
+           processors
+limit      the same without strength: u = v/(1 + sqrt(rho_t/rho_p))
+"""
+
+import os
+import sys
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TUTORIALS = os.path.join(HERE, "../../../tutorials")
+sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from foamCase import VERIFY, FoamCase, RunFailed, boxMesh, velocityFile
+from report import Report
+
+#: What the published constants give in other codes: Lf/L0, Df/D0
+LENGTH, FOOT = (0.68, 0.015), (1.91, 0.08)
+
+
+def tutorial(name, *modules):
+    """Modules of a tutorial; names that both have are read anew."""
+    folder = os.path.join(TUTORIALS, name)
+    sys.path.insert(0, folder)
+    try:
+        for module in modules:
+            sys.modules.pop(module, None)
+        return [__import__(module) for module in modules]
+    finally:
+        sys.path.remove(folder)
+
+
+def barCase(name, variants, cells):
+    case = FoamCase("impact", name, os.path.join(TUTORIALS, "taylorBar"))
+    variants.change(case.path, cells, 25.4, 66*cells//10, 190)
+    case.change("system/controlDict", r"^writeInterval .*", "writeInterval 100e-6;")
+    return case
+
+
+def solve(case, limit=400):
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    return case.run("materialPointFoam", limit=limit)
+
+
+def bar(table):
+    variants, shape = tutorial("taylorBar", "variants", "shape")
+    found = {}
+    for cells in (10, 20) + ((40,) if VERIFY else ()):
+        case = barCase(f"bar{cells}", variants, cells)
+        seconds = solve(case, 3000 if cells > 20 else 400)
+        one = found[cells] = shape.Bar(case.path)
+        h = 3.81/cells
+        label = f"bar, cells of {h:g} mm"
+        table.row(f"{label}: Lf/L0", LENGTH[0], one.length/one.length0, LENGTH[1])
+        table.row(f"{label}: Df/D0", FOOT[0], one.foot/7.62e-3, FOOT[1])
+        t, kinetic = shape.energy(case.path)
+        table.row(f"{label}: kinetic energy at the end / at the start", 0, kinetic[-1], 0.01)
+        part, widest = one.fractured(h*1e-3)
+        print(f"{label}: against the experiment Lf {100*(one.length/one.length0/0.638 - 1):+.1f}"
+              f" %, Df {100*(one.foot/7.62e-3/1.78 - 1):+.1f} %; {100*part:.1f} % of neighbours"
+              f" more than a cell apart, at most {widest:.2f}; {seconds:.0f} s")
+    fine = max(found)
+    table.row("bar: change of Lf/L0 at the last refinement", 0,
+              (found[fine].length - found[fine//2].length)/25.4e-3, 0.015)
+
+
+def quarter(table):
+    """The bar in 3D, cells of 0.381 mm, against the wedge."""
+    variants, shape = tutorial("taylorBar", "variants", "shape")
+    flat = shape.Bar(os.path.join(HERE, "../../run/impact/bar10"))
+    case = barCase("quarter", variants, 10)
+    R, n = 3.81e-3, 10
+    h = R/n
+    case.write("system/blockMeshDict", boxMesh(
+        (0, 0, 0), (25.4e-3*72/66, 2.2*R, 2.2*R), (72, 22, 22),
+        {"anvil": ("symmetryPlane", ("x-",)), "left": ("symmetryPlane", ("y-",)),
+         "below": ("symmetryPlane", ("z-",)), "outside": ("patch", ("x+", "y+", "z+"))}))
+    velocityFile(case, "bar", {"anvil": "symmetryPlane", "left": "symmetryPlane",
+                               "below": "symmetryPlane", "outside": "calculated"})
+    case.write("system/setMaterialPointsDict", {"regions": {"bar": {
+        "phase": "bar", "type": "cylinder", "p1": (-1, 0, 0), "p2": (25.4e-3, 0, 0),
+        "radius": R, "samples": 4, "pointsPerCell": 2, "velocity": (-190, 0, 0)}}})
+    seconds = solve(case, 550)
+    start, now = case.points("0", "bar"), case.points(case.times()[-1], "bar")
+    X, m, x = start.byId("x"), start.byId("m"), now.byId("x")
+    # Rear end from the last two layers; the foot from rows along y beside z = 0
+    layers = [i for i in shape.lines(X[:, 0], X[:, 1])[-2:]]
+    b, a = (np.average(x[i, 0], weights=m[i]) for i in layers)
+    length = a + 0.5*(a - b)
+    low = np.flatnonzero(X[:, 2] < 0.4*h)
+    rows = [low[i] for i in shape.lines(X[low, 0], X[low, 1])]
+    foot = 2*max(shape.beyond(X[i, 1], x[i, 1], R) for i in rows)
+    table.row("quarter in 3D over the wedge: Lf", 1, length/flat.length, 0.01)
+    table.row("quarter in 3D over the wedge: Df", 1, foot/flat.foot, 0.01)
+    print(f"quarter: {len(X)} points, {seconds:.0f} s")
+
+
+def rodCase(name, end):
+    case = FoamCase("impact", name, os.path.join(TUTORIALS, "projectile"))
+    case.change("system/controlDict", r"^endTime .*", f"endTime {end!r};")
+    case.change("system/controlDict", r"^writeInterval .*", f"writeInterval {end!r};")
+    case.change("system/blockMeshDict", r"^x1 .*", "x1 60;")
+    case.change("system/blockMeshDict", r"^nx .*", "nx 232;")
+    case.change("system/setMaterialPointsDict", r"70e-3", "58e-3")
+    return case
+
+
+def rod(table):
+    tools, = tutorial("projectile", "penetration")
+    end, h = 40e-6, 0.5e-3
+    case = rodCase("rod", end)
+    seconds = solve(case)
+    path = tools.Path(case.path)
+    u = path.speed()
+    fast, slow = tools.tateSpeed(4.5e9), tools.tateSpeed(5.5e9)
+    nearest = min(max(u, slow), fast)
+    table.row("rod: speed of the interface at 10 to 40 us, nearest Tate with Rt 4.5 to 5.5",
+              nearest, u, 0.1, "relative")
+    R = tools.effectiveR(u)
+    t, _, tail = tools.tate(min(max(R, 4.5e9), 5.5e9), end)[:3]
+    some = t >= 10e-6
+    table.row("rod: tail beside Tate's at 10 to 40 us [mm]", 0,
+              1e3*np.abs(path.at(t[some])[1] - tail[some]).max(), 1)
+    last = case.timeName(end)
+    print(f"rod: effective Rt {R/1e9:.2f} GPa; within 2 cells of the target"
+          f" {100*tools.coating(case.path, last, h):.1f} % of the rod's mass; neighbours more than a"
+          f" cell apart {100*tools.fractured(case.path, last, 'rod', h):.1f} %;"
+          f" {seconds:.0f} s")
+    both = sum(case.series("balance", f"{phase}.dat")[:, 3] for phase in ("rod", "target"))
+    table.row("rod: momentum along the axis", 1, np.max(np.abs(both/both[0] - 1)) + 1, 1e-10)
+
+    two = rodCase("rod2", 5e-6)
+    one = rodCase("rod1", 5e-6)
+    for each in (one, two):
+        each.run("blockMesh")
+        each.run("setMaterialPoints")
+    one.run("materialPointFoam", limit=200)
+    two.decompose((2, 1, 1))
+    two.runParallel(limit=200)
+    table.row("rod: two processors, largest difference at 5 us", 0, one.largestDifference(
+        two, one.timeName(5e-6), ("rod", "target"), ("x", "U", "sigma", "plasticStrain", "T")),
+        1e-9, "atMost")
+
+
+def limit(table):
+    variants, tools = tutorial("projectile", "variants", "penetration")
+    case = rodCase("limit", 40e-6)
+    variants.weaken(case.path)
+    solve(case)
+    exact = tools.SPEED/(1 + np.sqrt(tools.RHO_T/tools.RHO_P))
+    u = tools.Path(case.path).speed(10e-6, 40e-6)
+    table.row("no strength: speed of the interface [m/s]", exact, u, 0.02, "relative")
+
+
+def main():
+    table = Report("impact")
+    for part in (bar, quarter, rod, limit):
+        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
+            continue
+        try:
+            part(table)
+        except RunFailed as e:
+            table.check(f"{part.__name__} runs", False, e)
+    return table.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

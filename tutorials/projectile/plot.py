@@ -1,0 +1,84 @@
+"""Nose and tail over time beside Alekseevskii and Tate's theory; materials and
+temperature at four times; the figures of the README."""
+
+import os
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+import penetration as p
+
+LIMITS = (4.5e9, 5.5e9)
+
+
+def tell(name, case, h):
+    path = p.Path(case)
+    speed = path.speed()
+    band = [p.tateSpeed(R) for R in reversed(LIMITS)]
+    print(f"{name}: interface speed {speed:.1f} m/s at 10 to 40 us, Tate"
+          f" {band[0]:.1f} to {band[1]:.1f}; effective Rt {p.effectiveR(speed)/1e9:.2f} GPa")
+    tails = [p.tate(R, 40e-6)[2] for R in LIMITS]
+    times = p.tate(LIMITS[0], 40e-6)[0]
+    some = (times >= 10e-6)
+    here = path.at(times[some])[1]
+    print(f"    tail beside Tate's, Rt 4.5: {1e3*np.abs(here - tails[0][some]).max():.2f} mm,"
+          f" Rt 5.5: {1e3*np.abs(here - tails[1][some]).max():.2f} mm")
+    end = max((d for d in os.listdir(case) if os.path.isdir(f"{case}/{d}/lagrangian/rod")),
+              key=float)
+    nose, tail = path.at(float(end))
+    print(f"    at {float(end)*1e6:.0f} us nose {nose*1e3:.2f} mm, tail {tail*1e3:.2f} mm;"
+          f" {100*p.coating(case, end, h):.1f} % of the rod's"
+          f" mass within 2 cells of the target")
+    print(f"    neighbours more than a cell apart: rod"
+          f" {100*p.fractured(case, end, 'rod', h):.1f} %, target"
+          f" {100*p.fractured(case, end, 'target', h):.1f} %")
+    return path
+
+
+paths = {"cells of 0.5 mm": tell("cells of 0.5 mm", ".", 0.5e-3)}
+if os.path.isdir("variants/fine/postProcessing"):
+    paths["cells of 0.25 mm"] = tell("cells of 0.25 mm", "variants/fine", 0.25e-3)
+weak = p.Path("variants/hydrodynamic").speed(10e-6, 40e-6)
+exact = p.SPEED/(1 + np.sqrt(p.RHO_T/p.RHO_P))
+print(f"without strength: {weak:.1f} m/s at 10 to 40 us, exact {exact:.1f}"
+      f" ({100*(weak/exact - 1):+.2f} %)")
+
+figure, ax = plt.subplots(figsize=(7.5, 6), constrained_layout=True)
+times = p.tate(LIMITS[0], 60e-6)[0]*1e6
+nose = [p.tate(R, 60e-6)[1]*1e3 for R in LIMITS]
+tail = [p.tate(R, 60e-6)[2]*1e3 for R in LIMITS]
+ax.fill_between(times, *nose, color="0.8", label="Alekseevskii-Tate, Rt 4.5 to 5.5 GPa")
+ax.fill_between(times, *tail, color="0.8")
+table = np.loadtxt("tate_1250.csv", delimiter=",", skiprows=2)
+ax.plot(table[:, 0], table[:, 1], "k:", lw=1, label="the same, Rt 5.5 (tate_1250.csv)")
+ax.plot(table[:, 0], table[:, 2], "k:", lw=1)
+for i, (name, path) in enumerate(paths.items()):
+    ax.plot(path.t*1e6, path.nose*1e3, f"C{i}", label=name)
+    ax.plot(path.t*1e6, path.tail*1e3, f"C{i}")
+ax.set_xlabel("time [us]")
+ax.set_ylabel("nose and tail [mm]; face of the target 0")
+ax.invert_yaxis()
+ax.legend(fontsize=8)
+figure.savefig("penetration.png", dpi=130)
+
+figure, axes = plt.subplots(1, 4, figsize=(14, 6), sharey=True, constrained_layout=True)
+for ax, want in zip(axes, (10e-6, 20e-6, 40e-6, 80e-6)):
+    name = min((d for d in os.listdir(".") if os.path.isdir(f"{d}/lagrangian/rod")),
+               key=lambda d: abs(float(d) - want))
+    for phase, colour in (("target", "0.75"), ("rod", "C1")):
+        cloud = p.points(".", name, phase)
+        x, T = cloud["x"]*1e3, cloud["T"]
+        # Materials on the left half, temperature on the right
+        ax.scatter(-x[:, 1], x[:, 0], s=1.2, c=colour, linewidths=0)
+        image = ax.scatter(x[:, 1], x[:, 0], s=1.2, c=T, cmap="inferno", vmin=294,
+                           vmax=1500, linewidths=0)
+    ax.set_xlim(-16, 16)
+    ax.set_ylim(38, -42)
+    ax.set_aspect("equal")
+    ax.set_title(f"{float(name)*1e6:.0f} us", fontsize=9)
+    ax.set_xlabel("r [mm]")
+axes[0].set_ylabel("x [mm]; left: rod orange, target grey")
+figure.colorbar(image, ax=axes, label="T [K]")
+figure.savefig("materials.png", dpi=130)

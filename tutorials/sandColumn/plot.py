@@ -1,0 +1,62 @@
+"""The heap at some times, its runout and height."""
+
+import os
+import re
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+L, HEIGHT, H = 0.1, 0.2, 0.005
+
+
+def column(path):
+    """A column of the points, ascii; one row per point."""
+    text = open(path).read()
+    text = text[text.index("FoamFile"):]
+    text = text[text.index("}") + 1:]
+    uniform = re.match(r"[^0-9]*(\d+)\s*\{\(?([^(){}]*)\)?\}", text)
+    if uniform:
+        row = [float(w) for w in uniform[2].split()]
+        return np.tile(row, (int(uniform[1]), 1))
+    body = text[text.index("(") + 1:text.rindex(")")]
+    if "(" not in body:
+        return np.array([[float(w)] for w in body.split()])
+    return np.array([[float(w) for w in m.split()]
+                     for m in re.findall(r"\(([^()]+)\)", body)])
+
+
+times = sorted((d for d in os.listdir(".") if re.fullmatch(r"[0-9.]+", d)
+                and os.path.isdir(f"{d}/lagrangian")), key=float)
+places = {t: column(f"{t}/lagrangian/sand/x") for t in times}
+
+
+def front(x):
+    """End of the heap: last cell from the middle with as many points as one has."""
+    count = np.bincount((x[:, 0]/H).astype(int), minlength=200)
+    return H*np.argmax(count < 4)
+
+
+for t in times:
+    x = places[t]
+    print(f"t {t} s: runout (L - L0)/L0 {(front(x) - L)/L:.2f}, farthest point"
+          f" {(x[:, 0].max() - L)/L:.2f}, height over L0"
+          f" {(x[x[:, 0] < 2*H, 1].max() + 0.25*H)/L:.2f}")
+x = places[times[-1]]
+U = column(f"{times[-1]}/lagrangian/sand/U")
+print(f"speed at the end: mean {np.linalg.norm(U, axis=1).mean():.1e} m/s")
+
+shown = [t for t in times if t in ("0", "0.1", "0.2", "0.3", "0.5", times[-1])]
+figure, axes = plt.subplots(len(shown), 1, figsize=(7, 1.6*len(shown)), sharex=True,
+                            sharey=True, constrained_layout=True)
+layer = np.zeros(1)
+for axis, t in zip(axes, shown):
+    order = np.argsort(column(f"{t}/lagrangian/sand/id")[:, 0])
+    if t == "0":
+        layer = np.floor(places[t][order, 1]/0.025) % 2
+    axis.scatter(*places[t][order, :2].T, c=layer, s=1, cmap="copper")
+    axis.set(aspect="equal", ylabel="y [m]", title=f"{t} s")
+    axis.axvspan(L*3.4, L*4.6, color="C0", alpha=0.15, lw=0)
+axes[-1].set(xlabel="x [m]; blue: where experiments end", xlim=(0, 0.6), ylim=(0, 0.22))
+figure.savefig("sandColumn.png", dpi=130)
