@@ -7,6 +7,7 @@ matter is. Lengths in m, times in s, pressures in Pa; the target's face is at x 
 
 import glob
 import os
+import re
 import sys
 
 import numpy as np
@@ -82,6 +83,12 @@ def effectiveR(speed):
         else:
             high = R
     return R
+
+
+def times(case="."):
+    """Names of the times that have points, in order."""
+    return sorted((d for d in os.listdir(case) if re.fullmatch(r"[0-9.]+(e-?\d+)?", d)
+                   and os.path.isdir(f"{case}/{d}/lagrangian/rod")), key=float)
 
 
 def points(case, time, phase):

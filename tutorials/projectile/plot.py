@@ -25,8 +25,7 @@ def tell(name, case, h):
     here = path.at(times[some])[1]
     print(f"    tail beside Tate's, Rt 4.5: {1e3*np.abs(here - tails[0][some]).max():.2f} mm,"
           f" Rt 5.5: {1e3*np.abs(here - tails[1][some]).max():.2f} mm")
-    end = max((d for d in os.listdir(case) if os.path.isdir(f"{case}/{d}/lagrangian/rod")),
-              key=float)
+    end = p.times(case)[-1]
     nose, tail = path.at(float(end))
     print(f"    at {float(end)*1e6:.0f} us nose {nose*1e3:.2f} mm, tail {tail*1e3:.2f} mm;"
           f" {100*p.coating(case, end, h):.1f} % of the rod's"
@@ -64,9 +63,8 @@ ax.legend(fontsize=8)
 figure.savefig("penetration.png", dpi=130)
 
 figure, axes = plt.subplots(1, 4, figsize=(14, 6), sharey=True, constrained_layout=True)
-for ax, want in zip(axes, (10e-6, 20e-6, 40e-6, 80e-6)):
-    name = min((d for d in os.listdir(".") if os.path.isdir(f"{d}/lagrangian/rod")),
-               key=lambda d: abs(float(d) - want))
+for ax, want in zip(axes, (10e-6, 20e-6, 30e-6, 45e-6)):
+    name = min(p.times(), key=lambda d: abs(float(d) - want))
     for phase, colour in (("target", "0.75"), ("rod", "C1")):
         cloud = p.points(".", name, phase)
         x, T = cloud["x"]*1e3, cloud["T"]

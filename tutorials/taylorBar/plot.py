@@ -68,7 +68,7 @@ axes[1].set_title("23.47 mm, 210 m/s", fontsize=9)
 for ax in axes:
     ax.set_xlabel("r [mm]")
     ax.set_xlim(0, 9)
-    ax.set_ylim(-0.3, 20)
+    ax.set_ylim(-0.3, 23)
     ax.set_aspect("equal")
     ax.legend(fontsize=7, loc="upper right")
 axes[0].set_ylabel("distance from the anvil [mm]")
