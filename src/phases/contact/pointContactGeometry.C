@@ -99,16 +99,13 @@ void Foam::mpm::pointContact::meet(const label pairi)
         }
     };
 
-    // Of the second body, by node
-    scalarList other;
     if (pair.b >= 0)
     {
         const gridState& B = fields_[pair.b];
-        other.setSize(grid_.nNodes(), scalar(-1));
         stampHeavy(B);
         for (const label n : B.active())
         {
-            other[n] = inverse(B, n);
+            other_[n] = inverse(B, n);
         }
     }
 
@@ -119,7 +116,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         scalar ib = -1;
         if (pair.b >= 0)
         {
-            ib = other[n];
+            ib = other_[n];
         }
         else
         {
@@ -142,6 +139,14 @@ void Foam::mpm::pointContact::meet(const label pairi)
         m.ia = ia;
         m.ib = ib;
         meetings_.append(m);
+    }
+
+    if (pair.b >= 0)
+    {
+        for (const label n : fields_[pair.b].active())
+        {
+            other_[n] = -1;
+        }
     }
 }
 
@@ -276,8 +281,6 @@ void Foam::mpm::pointContact::setNormals()
 
 void Foam::mpm::pointContact::setGaps()
 {
-    // Extents of both bodies along n from the node, by node
-    scalarList reach(2*grid_.nNodes());
     label first = 0;
     forAll(pairs_, pairi)
     {
@@ -287,7 +290,6 @@ void Foam::mpm::pointContact::setGaps()
         {
             placeOf_[meetings_[last].node] = last;
         }
-        reach = -GREAT;
         for (int side = 0; side < 2; ++side)
         {
             const label fieldi = side == 0 ? pair.a : pair.b;
@@ -330,20 +332,21 @@ void Foam::mpm::pointContact::setGaps()
                             along += dx*m.n[d];
                             R += sqr(l[d]*m.n[d]);
                         }
-                        scalar& e = reach[2*m.node + side];
+                        scalar& e = reach_[2*m.node + side];
                         e = max(e, (side == 0 ? along : -along) + std::sqrt(R));
                     }
                 }
             );
         }
-        fields_[pair.a].largestOfShared(reach.data(), 2, 2);
+        fields_[pair.a].largestOfShared(reach_.data(), 2, 2);
 
         for (label i = first; i < last; ++i)
         {
             meeting& m = meetings_[i];
             placeOf_[m.node] = -1;
-            const scalar beyond = pair.b < 0 ? 0 : reach[2*m.node + 1];
-            m.gap = -reach[2*m.node] - beyond;
+            scalar* e = reach_.data() + 2*m.node;
+            m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
+            e[0] = e[1] = -GREAT;
         }
         first = last;
     }

@@ -1,0 +1,244 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointContact.H"
+#include "selector.H"
+#include "polyMesh.H"
+#include "emptyPolyPatch.H"
+#include "SubField.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::mpm::pointContact::rule
+Foam::mpm::pointContact::readRule(const dictionary& dict) const
+{
+    checkKeywords(dict, {"type", "mu", "fields", "patch", "normal"});
+    rule r;
+    r.name = dict.dictName();
+    const word type(oneOf(dict, "type", {"frictionless", "Coulomb", "stick"}));
+    r.stick = type == "stick";
+    r.mu = type == "Coulomb" ? bounded(dict, "mu", 0, GREAT) : 0;
+    if (type != "Coulomb" && dict.found("mu"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "mu is the friction of type Coulomb; the type is " << type << "."
+            << exit(FatalIOError);
+    }
+    r.normal = dict.getOrDefault<vector>("normal", vector::zero);
+    if (dict.found("normal"))
+    {
+        vector inside(Zero);
+        for (int d = 0; d < nDim_; ++d)
+        {
+            inside[grid_.direction(d)] = r.normal[grid_.direction(d)];
+        }
+        if (!(mag(inside) > VSMALL) || mag(r.normal - inside) > SMALL*mag(inside))
+        {
+            FatalIOErrorInFunction(dict)
+                << "normal " << r.normal << " must not be zero and have only"
+                << " components that are computed." << exit(FatalIOError);
+        }
+        if (!dict.found("fields") || dict.found("patch"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "normal needs two fields, from the first to the second."
+                << exit(FatalIOError);
+        }
+        r.normal /= mag(r.normal);
+    }
+    return r;
+}
+
+
+Foam::label Foam::mpm::pointContact::fieldNamed
+(
+    const dictionary& dict,
+    const word& name
+) const
+{
+    wordList names(fields_.size());
+    forAll(fields_, fieldi)
+    {
+        names[fieldi] = fields_[fieldi].name();
+        if (names[fieldi] == name)
+        {
+            return fieldi;
+        }
+    }
+    FatalIOErrorInFunction(dict)
+        << "There is no velocity field " << name << "." << nl
+        << "Valid fields: " << names << exit(FatalIOError);
+    return -1;
+}
+
+
+Foam::scalarList Foam::mpm::pointContact::wallNormals
+(
+    const label fieldi,
+    const label patchi
+) const
+{
+    const polyPatch& pp = grid_.mesh().boundaryMesh()[patchi];
+    const gridState& field = fields_[fieldi];
+    const int stride = field.stride();
+    scalarList sum(stride*grid_.nNodes(), scalar(0));
+    forAll(pp.meshPoints(), i)
+    {
+        const label n = grid_.pointToNode()[pp.meshPoints()[i]];
+        for (const label facei : pp.pointFaces()[i])
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                sum[stride*n + d] +=
+                    pp.faceAreas()[facei][grid_.direction(d)];
+            }
+        }
+    }
+    field.sumColumn(sum.data());
+
+    scalarList normal(nDim_*grid_.nNodes(), scalar(0));
+    for (label n = 0; n < grid_.nNodes(); ++n)
+    {
+        scalar size = 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            size += sqr(sum[stride*n + d]);
+        }
+        for (int d = 0; size > 0 && d < nDim_; ++d)
+        {
+            normal[nDim_*n + d] = sum[stride*n + d]/std::sqrt(size);
+        }
+    }
+    return normal;
+}
+
+
+void Foam::mpm::pointContact::addPair
+(
+    const rule& how,
+    const label a,
+    const label b,
+    const label patchi
+)
+{
+    pairOf pair;
+    pair.how = how;
+    pair.a = a;
+    pair.b = b;
+    pair.step = pair.sum = Zero;
+    pair.nClosed = 0;
+    if (b < 0)
+    {
+        pair.wall = wallNormals(a, patchi);
+    }
+    else
+    {
+        has_[b] = true;
+    }
+    has_[a] = true;
+    pairs_.append(pair);
+}
+
+
+void Foam::mpm::pointContact::read(const dictionary& dict)
+{
+    const dictionary* others = nullptr;
+    DynamicList<labelPair> walls;
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The entry " << e.keyword() << " of contact must be a"
+                << " dictionary { type ...; }." << exit(FatalIOError);
+        }
+        const dictionary& sub = e.dict();
+        const rule how(readRule(sub));
+        const bool patch = sub.found("patch");
+        if (!sub.found("fields") && !patch)
+        {
+            if (others)
+            {
+                FatalIOErrorInFunction(sub)
+                    << "Both " << others->dictName() << " and " << e.keyword()
+                    << " are for all other pairs; name the fields (a b) of"
+                    << " one of them." << exit(FatalIOError);
+            }
+            others = &sub;
+            continue;
+        }
+        const wordList names(required<wordList>(sub, "fields"));
+        if (names.size() != (patch ? 1 : 2))
+        {
+            FatalIOErrorInFunction(sub)
+                << "fields must name " << (patch ? "one field, which touches the"
+                " patch" : "two velocity fields") << "; it has " << names << "."
+                << exit(FatalIOError);
+        }
+        const label a = fieldNamed(sub, names[0]);
+        if (patch)
+        {
+            const word name(sub.get<word>("patch"));
+            const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
+            const label patchi = patches.findPatchID(name);
+            if
+            (
+                patchi < 0
+             || patches[patchi].coupled()
+             || isA<emptyPolyPatch>(patches[patchi])
+            )
+            {
+                FatalIOErrorInFunction(sub)
+                    << "There is no patch " << name << " that is a wall." << nl
+                    << "Patches: " << patches.names() << exit(FatalIOError);
+            }
+            if (fields_[a].holds(patchi))
+            {
+                FatalIOErrorInFunction(sub)
+                    << "U." << names[0] << " has a condition on patch " << name
+                    << " that holds the points already; make it calculated"
+                    << " for contact." << exit(FatalIOError);
+            }
+            if (walls.found(labelPair(a, patchi)))
+            {
+                FatalIOErrorInFunction(sub)
+                    << "fields " << names << ", patch " << name
+                    << ": this pair has a contact already." << exit(FatalIOError);
+            }
+            walls.append(labelPair(a, patchi));
+            addPair(how, a, -1, patchi);
+            continue;
+        }
+        const label b = fieldNamed(sub, names[1]);
+        if (a == b || between(a, b))
+        {
+            FatalIOErrorInFunction(sub)
+                << "fields " << names << ": "
+                << (a == b ? "a field has no contact with itself"
+                : "this pair has a contact already") << "."
+                << exit(FatalIOError);
+        }
+        addPair(how, a, b, -1);
+    }
+    if (others)
+    {
+        const rule how(readRule(*others));
+        for (label a = 0; a < fields_.size(); ++a)
+        {
+            for (label b = a + 1; b < fields_.size(); ++b)
+            {
+                if (!between(a, b))
+                {
+                    addPair(how, a, b, -1);
+                }
+            }
+        }
+    }
+}
+
+// ************************************************************************* //

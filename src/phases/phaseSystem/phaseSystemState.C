@@ -1,0 +1,179 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseSystem.H"
+#include "selector.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
+{
+    dictionary state;
+    state.add("rate", rate_);
+    state.add("waveRate", waveRate_);
+    state.add("stepsRedone", nRedone_);
+    dictionary failed;
+    for (const materialPointPhase& phase : phases_)
+    {
+        failed.add
+        (
+            phase.name(),
+            returnReduce
+            (
+                const_cast<materialPointPhase&>(phase).nFailed(),
+                sumOp<label>()
+            )
+        );
+    }
+    state.add("failed", failed);
+    dictionary rigid;
+    forAll(phases_, phasei)
+    {
+        if (const rigidMotion* motion = phases_[phasei].motion())
+        {
+            dictionary body;
+            body.add("path", motion->path());
+            body.add("impulse", rigidImpulse(phasei));
+            rigid.add(phases_[phasei].name(), body);
+        }
+    }
+    state.add("rigid", rigid);
+    if (contact_)
+    {
+        state.add("contact", contact_->state());
+    }
+    if (budget_.active)
+    {
+        dictionary energy;
+        energy.add("kinetic0", budget_.kinetic0);
+        energy.add("strain0", budget_.strain0);
+        energy.add("internal", budget_.work.internal);
+        energy.add("external", budget_.work.external);
+        energy.add("boundary", budget_.work.boundary);
+        energy.add("failure", returnReduce(failed_, sumOp<scalar>()));
+        if (coupling_)
+        {
+            energy.add("gas", coupling_->balance().state());
+        }
+        energy.add("contact", budget_.work.contact);
+        state.add("energy", energy);
+    }
+    return state;
+}
+
+
+void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
+{
+    checkKeywords
+    (
+        state,
+        {
+            "rate", "waveRate", "stepsRedone", "failed", "rigid", "contact",
+            "energy"
+        }
+    );
+
+    // The laws may have changed since
+    rate_ = bounded
+    (
+        state,
+        "rate",
+        0,
+        waveRate_ > 0 ? 1e3*(rate_ + waveRate_) : GREAT
+    );
+    const scalar waveRate = bounded(state, "waveRate", 0, GREAT);
+    scalar least = 1, most = 2;
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (!phase.motion() && phase.law().waveSpeedVaries())
+        {
+            least = 1e-3;
+            most = 1e3;
+        }
+    }
+    if (waveRate >= least*waveRate_ && waveRate <= most*waveRate_)
+    {
+        waveRate_ = waveRate;
+    }
+    requireKeyword(state, "stepsRedone");
+    nRedone_ = boundedLabelOrDefault(state, "stepsRedone", 0, 0, labelMax);
+
+    const dictionary& failed = requiredDict(state, "failed");
+    DynamicList<word> names, rigid;
+    for (materialPointPhase& phase : phases_)
+    {
+        names.append(phase.name());
+        if (phase.motion())
+        {
+            rigid.append(phase.name());
+        }
+        requireKeyword(failed, phase.name());
+        const label n =
+            boundedLabelOrDefault(failed, phase.name(), 0, 0, labelMax);
+        phase.nFailed() = Pstream::master() ? n : 0;
+    }
+    checkKeywords(failed, wordList(names));
+    if (state.found("rigid"))
+    {
+        checkKeywords(requiredDict(state, "rigid"), wordList(rigid));
+    }
+
+    if (contact_ && state.found("contact"))
+    {
+        contact_->setState(requiredDict(state, "contact"));
+    }
+
+    if (state.found("energy"))
+    {
+        budget_.active = true;
+        const dictionary& energy = requiredDict(state, "energy");
+        budget_.kinetic0 = required<scalar>(energy, "kinetic0");
+        budget_.strain0 = required<scalar>(energy, "strain0");
+        budget_.work.internal = required<scalar>(energy, "internal");
+        budget_.work.external = required<scalar>(energy, "external");
+        budget_.work.boundary = required<scalar>(energy, "boundary");
+        failed_ =
+            Pstream::master()
+          ? energy.getOrDefault<scalar>("failure", 0) : 0;
+        if (coupling_)
+        {
+            coupling_->book();
+            if (energy.found("gas"))
+            {
+                gasBudget sums;
+                sums.setState(requiredDict(energy, "gas"));
+                coupling_->setBalance(sums);
+            }
+        }
+        budget_.work.contact = energy.getOrDefault<scalar>("contact", 0);
+    }
+    if (!timeDependent())
+    {
+        return;
+    }
+    forAll(phases_, phasei)
+    {
+        if (rigidMotion* motion = phases_[phasei].motion())
+        {
+            const dictionary& body = requiredDict
+            (
+                requiredDict(state, "rigid"),
+                phases_[phasei].name()
+            );
+            motion->start(mesh_.time().value(), required<vector>(body, "path"));
+            fields_[fieldOf_[phasei]].rigid().setImpulse
+            (
+                phasei,
+                required<vector>(body, "impulse")
+            );
+        }
+    }
+    startNodes();
+}
+
+// ************************************************************************* //
