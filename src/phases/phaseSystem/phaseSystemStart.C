@@ -27,8 +27,8 @@ void Foam::mpm::pointPhaseSystem::readNumerics()
     (
         wordList
         ({
-            "shapeFunction", "stressUpdate", "energyBudget", "maxTravel",
-            "maxStrain"
+            "shapeFunction", "dilatation", "stressUpdate", "energyBudget",
+            "maxTravel", "maxStrain"
         })
     );
     checkKeywords(dict, valid);
@@ -349,6 +349,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
         << "    shape function "
         << mesh.solutionDict().subDict("materialPoints").get<word>("shapeFunction")
+        << (passes_->cellMeans ? ", dilatation cellMean" : "")
         << ", stress update " << stressUpdate_->name() << nl << "    ";
     transfer_.write(Info);
     reportBalance();

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointPasses.H"
+#include "selector.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -33,7 +34,14 @@ Foam::mpm::pointPasses::New(const dictionary& dict, const hexGrid& grid)
         {
             try
             {
-                return iter.val()(grid);
+                autoPtr<pointPasses> passes(iter.val()(grid));
+                passes->cellMeans =
+                    oneOfOrDefault
+                    (
+                        dict, "dilatation", "point", {"point", "cellMean"}
+                    )
+                 == "cellMean";
+                return passes;
             }
             catch (const string& reason)
             {

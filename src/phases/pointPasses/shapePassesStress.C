@@ -14,6 +14,59 @@ namespace Foam
 namespace mpm
 {
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::shiftToMean
+(
+    const scalar* const (&diagonal)[nDiagonal],
+    const scalar* weight,
+    const label n,
+    scalar* shift
+)
+{
+    scalar sumW = 0, sum = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        scalar tr = 0;
+        for (int d = 0; d < nDiagonal; ++d)
+        {
+            tr += diagonal[d][i];
+        }
+        shift[i] = -tr/nDiagonal;
+        sumW += weight[i];
+        sum += weight[i]*shift[i];
+    }
+    const scalar mean = sum/sumW;
+    for (label i = 0; i < n; ++i)
+    {
+        shift[i] -= mean;
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::shiftStress
+(
+    const column& stress,
+    const scalar* volume,
+    const label begin,
+    const label end,
+    scalar* shift
+)
+{
+    const scalar* diagonal[nDiagonal];
+    for (int d = 0; d < DIM; ++d)
+    {
+        diagonal[d] = stress[symmSlot(d, d)] + begin;
+    }
+    if (HOOP)
+    {
+        diagonal[nDiagonal - 1] = stress[2] + begin;
+    }
+    shiftToMean(diagonal, volume + begin, end - begin, shift);
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<template<int> class Shape, int DIM, bool HOOP>
@@ -35,6 +88,7 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
     alignas(64) static thread_local scalar dL[N][bufferSize + W];
 
     alignas(64) static thread_local scalar width[bufferSize + W];
+    alignas(64) static thread_local scalar shift[bufferSize + W];
     const bool needsWidth =
         law.needsWidth() || (failure && failure->needsWidth());
 
@@ -115,6 +169,28 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                             dL[N - 1] + (p - begin),
                             dt*U[radial_]*inverseRadius(s, X)
                         );
+                    }
+                }
+                const label pBegin = max(first[k], begin);
+                if (cellMeans && pBegin < pEnd)
+                {
+                    const label i = pBegin - begin;
+                    const scalar* diagonal[nDiagonal];
+                    for (int d = 0; d < nDiagonal; ++d)
+                    {
+                        diagonal[d] = dL[d < DIM ? d*(DIM + 1) : N - 1] + i;
+                    }
+                    shiftToMean
+                    (
+                        diagonal, volume + pBegin, pEnd - pBegin, shift + i
+                    );
+                    for (int d = 0; d < nDiagonal; ++d)
+                    {
+                        scalar* to = dL[d < DIM ? d*(DIM + 1) : N - 1];
+                        for (label j = i; j < pEnd - begin; ++j)
+                        {
+                            to[j] += shift[j];
+                        }
                     }
                 }
             }
@@ -218,14 +294,24 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                 stencil s;
                 shape_.prepare(cells[k], s);
                 accumulator acc;
+                const label pBegin = max(first[k], begin);
                 const label pEnd = min(first[k + 1], end);
-                for (label p = max(first[k], begin); p < pEnd; p += W)
+                if (cellMeans && pBegin < pEnd)
+                {
+                    shiftStress
+                    (
+                        stress, volume, pBegin, pEnd, shift + (pBegin - begin)
+                    );
+                }
+                for (label p = pBegin; p < pEnd; p += W)
                 {
                     T X[DIM], L[DIM], F[DIM*DIM];
                     geo.load(p, X, L);
                     gradientsType S;
                     shape_.evaluate(s, X, L, S);
-                    minusVolumeStress(stress, volume, p, F);
+                    const T more =
+                        cellMeans ? load<W>(shift + (p - begin)) : T{};
+                    minusVolumeStress(stress, volume, p, more, F);
                     for (int i = 0; i < DIM*DIM; ++i)
                     {
                         notFinite += 0.0*F[i];
@@ -234,7 +320,7 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                     if constexpr (HOOP)
                     {
                         T q[DIM];
-                        minusHoopForce(s, stress, volume, p, X, q);
+                        minusHoopForce(s, stress, volume, p, more, X, q);
                         shapeType::template scatter<DIM>(S, q, n, acc);
                         for (int d = 0; d < DIM; ++d)
                         {

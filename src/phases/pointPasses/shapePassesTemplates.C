@@ -241,6 +241,20 @@ void shapePasses<Shape, DIM, HOOP>::force
         push[d] = (*cloud.gasForce())[d];
     }
 
+    static thread_local std::vector<scalar> shift;
+    if (cellMeans)
+    {
+        const labelList& first = cloud.start();
+        shift.resize(first.size() ? first.last() + W : 0);
+        for (label k = 0; k < cloud.cells().size(); ++k)
+        {
+            shiftStress
+            (
+                stress, volume, first[k], first[k + 1], shift.data() + first[k]
+            );
+        }
+    }
+
     accumulator acc;
     forGroups
     (
@@ -252,11 +266,12 @@ void shapePasses<Shape, DIM, HOOP>::force
             geo.load(p, X, L);
             gradientsType S;
             shape_.evaluate(s, X, L, S);
-            minusVolumeStress(stress, volume, p, F);
+            const T more = cellMeans ? load<W>(shift.data() + p) : T{};
+            minusVolumeStress(stress, volume, p, more, F);
             if constexpr (HOOP)
             {
                 T q[DIM];
-                minusHoopForce(s, stress, volume, p, X, q);
+                minusHoopForce(s, stress, volume, p, more, X, q);
                 shapeType::template scatter<DIM>(S, q, n, acc);
             }
             if (pressure)
