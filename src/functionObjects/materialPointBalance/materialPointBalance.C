@@ -38,6 +38,7 @@ struct sums
     label nPoints = 0, nFailed = 0;
     scalar mass = 0, kinetic = 0, strain = 0;
     vector momentum = Zero, angularMomentum = Zero;
+    mpm::erodedPoints eroded;
 
     void add(const sums& s)
     {
@@ -48,9 +49,10 @@ struct sums
         strain += s.strain;
         momentum += s.momentum;
         angularMomentum += s.angularMomentum;
+        eroded += s.eroded;
     }
 
-    void write(Ostream& os) const
+    void write(Ostream& os, const bool erodes) const
     {
         os  << tab << nPoints << tab << mass;
         for (const scalar c : momentum)
@@ -62,7 +64,17 @@ struct sums
             os  << tab << c;
         }
         os  << tab << kinetic << tab << strain << tab << kinetic + strain
-            << tab << nFailed << endl;
+            << tab << nFailed;
+        if (erodes)
+        {
+            os  << tab << eroded.n << tab << eroded.mass;
+            for (const scalar c : eroded.momentum)
+            {
+                os  << tab << c;
+            }
+            os  << tab << eroded.kinetic << tab << eroded.stored;
+        }
+        os  << endl;
     }
 };
 
@@ -141,7 +153,14 @@ void Foam::functionObjects::materialPointBalance::prepare
             << "\tnPoints\tmass[kg]"
             << "\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
             << "\tLx[kg.m2/s]\tLy[kg.m2/s]\tLz[kg.m2/s]"
-            << "\tkinetic[J]\tstrain[J]\ttotal[J]\tnFailed";
+            << "\tkinetic[J]\tstrain[J]\ttotal[J]\tnFailed"
+            << (
+                   points.erodes()
+                 ? "\tnEroded\terodedMass[kg]\terodedPx[kg.m/s]"
+                   "\terodedPy[kg.m/s]\terodedPz[kg.m/s]"
+                   "\terodedKinetic[J]\terodedStrain[J]"
+                 : ""
+               );
         headers[i] = os.str();
     }
     if (const mpm::pointCoupling* gas = points.coupling())
@@ -280,16 +299,23 @@ void Foam::functionObjects::materialPointBalance::sample
     sums total;
     forAll(phases_, phasei)
     {
-        const sums s(sumsOf(phase(points, phases_[phasei]), origin_));
+        sums s(sumsOf(phase(points, phases_[phasei]), origin_));
+        forAll(points.phases(), i)
+        {
+            if (points.phases()[i].name() == phases_[phasei])
+            {
+                s.eroded = points.eroded(i);
+            }
+        }
         total.add(s);
         if (Pstream::master())
         {
-            s.write(row(phasei));
+            s.write(row(phasei), points.erodes());
         }
     }
     if (Pstream::master())
     {
-        total.write(row(phases_.size()));
+        total.write(row(phases_.size()), points.erodes());
     }
     if (points.coupling())
     {

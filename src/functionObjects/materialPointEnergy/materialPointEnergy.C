@@ -54,6 +54,10 @@ void Foam::functionObjects::materialPointEnergy::prepare
             "\tgas[J]\tgasGained[J]\tgasBoundary[J]\tgasExternal[J]"
             "\tgasRigid[J]\tgasDry[J]\tgasFixups[J]";
     }
+    if (points.erodes())
+    {
+        header += "\terosion[J]";
+    }
     setFiles(wordList(1, "energy"), List<string>(1, header));
 }
 
@@ -84,6 +88,10 @@ void Foam::functionObjects::materialPointEnergy::sample
             {
                 os  << tab << e;
             }
+        }
+        if (points.erodes())
+        {
+            os  << tab << b->erosion();
         }
         os  << endl;
     }

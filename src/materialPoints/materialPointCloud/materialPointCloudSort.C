@@ -212,6 +212,47 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
 }
 
 
+Foam::label Foam::mpm::materialPointCloud::remove(const boolList& gone)
+{
+    labelList order(n_);
+    DynamicList<label> cells(cells_.size()), start(start_.size());
+    label n = 0;
+    forAll(cells_, k)
+    {
+        const label first = n;
+        for (label p = start_[k]; p < start_[k + 1]; ++p)
+        {
+            if (!gone[p])
+            {
+                order[n++] = p;
+            }
+        }
+        if (n > first)
+        {
+            cells.append(cells_[k]);
+            start.append(first);
+        }
+    }
+    start.append(n);
+    label last = n;
+    for (label p = 0; p < n_; ++p)
+    {
+        if (gone[p])
+        {
+            order[last++] = p;
+        }
+    }
+    forColumns([&](column& c) { c.permute(order.cdata(), 0, n_, scratch_); });
+    cells_.transfer(cells);
+    start_.transfer(start);
+    sorted_ = false;
+
+    const label nGone = n_ - n;
+    n_ = n;
+    return nGone;
+}
+
+
 void Foam::mpm::materialPointCloud::accept()
 {
     x_.swap(xNew_);

@@ -385,6 +385,15 @@ void Foam::mpm::gridState::accept()
 }
 
 
+void Foam::mpm::gridState::replace()
+{
+    active_.transfer(activeNew_);
+    rigid_.takeNew();
+    mU_.swap(mUNew_);
+    U_.swap(UNew_);
+}
+
+
 void Foam::mpm::gridState::reject()
 {
     activeNew_.clear();

@@ -10,6 +10,7 @@ License
 #include "selector.H"
 #include "phaseNames.H"
 #include "noTraps.H"
+#include "OSspecific.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -25,6 +26,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
 :
     name_(name),
     velocityField_(dict.getOrDefault<word>("velocityField", name)),
+    failedTime_(-1),
     rho_(0),
     largestMass_(0),
     grains_(false),
@@ -65,8 +67,8 @@ Foam::mpm::materialPointPhase::materialPointPhase
             dict,
             {
                 "type", "constitutiveModel", "failureModel", "bodyForce",
-                "velocityField", "volumeModel", "drag", "granularPressure",
-                "heatTransfer", "Cv"
+                "erosion", "velocityField", "volumeModel", "drag",
+                "granularPressure", "heatTransfer", "Cv"
             }
         );
         law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
@@ -127,6 +129,26 @@ Foam::mpm::materialPointPhase::materialPointPhase
     {
         failure_->connect(*law_, grid.nDim());
         history.append(failure_->history());
+    }
+    if (dict.found("erosion"))
+    {
+        erosion_ = erosionCriterion::New
+        (
+            requiredDict(dict, "erosion"),
+            erodible{*law_, grid.nDim(), bool(failure_)}
+        );
+        if (erosion_->needsFailedTime())
+        {
+            failedTime_ = 0;
+            for (const historyColumn& h : history)
+            {
+                failedTime_ += h.nComponents(grid.nDim());
+            }
+            history.append
+            (
+                historyColumn{"failedTime", historyColumn::scalars}
+            );
+        }
     }
     int nHistory = 0;
     for (const historyColumn& h : history)
@@ -198,7 +220,15 @@ void Foam::mpm::materialPointPhase::read()
 {
     const label n = cloud_.readPoints();
 
-    if (n <= 0)
+    // All points of a phase may have eroded
+    const bool gone =
+        erosion_
+     && isFile
+        (
+            cloud_.time().path()/cloud_.time().timeName()/"uniform"
+           /"materialPointState"
+        );
+    if (n <= 0 && !gone)
     {
         FatalErrorInFunction
             << "Phase " << name_ << " has no material points in "
@@ -319,32 +349,83 @@ void Foam::mpm::materialPointPhase::restoreStress()
 
 Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block()
 {
+    return block(0, cloud_.size());
+}
+
+
+Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block
+(
+    const label first,
+    const label n
+)
+{
     pointBlock b;
     b.nDim = cloud_.grid().nDim();
-    b.n = cloud_.size();
+    b.n = n;
     b.dt = 0;
     for (const scalar*& l : b.dL)
     {
         l = nullptr;
     }
-    b.mass = cloud_.mass()[0];
-    b.volume = cloud_.volume()[0];
+    b.mass = cloud_.mass()[0] + first;
+    b.volume = cloud_.volume()[0] + first;
     for (int i = 0; i < nStress(b.nDim); ++i)
     {
-        b.stress[i] = cloud_.stress()[i];
+        b.stress[i] = cloud_.stress()[i] + first;
     }
     int h = 0;
     for (column& c : cloud_.history())
     {
         for (int i = 0; i < c.nComponents(); ++i)
         {
-            b.history[h++] = c[i];
+            b.history[h++] = c[i] + first;
         }
     }
-    b.damage = cloud_.damage() ? (*cloud_.damage())[0] : nullptr;
-    b.strength = cloud_.strength() ? (*cloud_.strength())[0] : nullptr;
+    b.damage =
+        cloud_.damage() ? (*cloud_.damage())[0] + first : nullptr;
+    b.strength =
+        cloud_.strength() ? (*cloud_.strength())[0] + first : nullptr;
 
     return b;
+}
+
+
+Foam::mpm::erodedPoints
+Foam::mpm::materialPointPhase::erode(const scalar dt)
+{
+    const int D = cloud_.grid().nDim();
+    const pointBlock all(block());
+    scalar* failedTime = failedTime_ < 0 ? nullptr : all.history[failedTime_];
+    for (label p = 0; failedTime && p < all.n; ++p)
+    {
+        failedTime[p] += all.damage[p] >= 1 ? dt : 0;
+    }
+
+    erosionBlock b{all, {}, failedTime, cloud_.start()};
+    for (int d = 0; d < D; ++d)
+    {
+        b.U[d] = cloud_.U()[d];
+    }
+    boolList gone(all.n, false);
+    erosion_->mark(b, gone);
+
+    erodedPoints sums;
+    if (!gone.found(true))
+    {
+        return sums;
+    }
+    sums.n = cloud_.remove(gone);
+    const label first = cloud_.size();
+    sums.stored = law_->strainEnergy(block(first, sums.n));
+    for (label p = first; p < first + sums.n; ++p)
+    {
+        const scalar m = cloud_.mass()[0][p];
+        const vector U(cloud_.velocity(p));
+        sums.mass += m;
+        sums.momentum += m*U;
+        sums.kinetic += 0.5*m*magSqr(U);
+    }
+    return sums;
 }
 
 

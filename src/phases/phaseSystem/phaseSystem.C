@@ -409,6 +409,19 @@ void Foam::mpm::pointPhaseSystem::couple(pointCoupling& coupling)
             << " a gas, which has to act on the stress of the start of the"
             << " step." << nl << "Valid choice: MUSL" << exit(FatalIOError);
     }
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (phase.erosion())
+        {
+            FatalIOErrorInFunction(properties_.subDict(phase.name()))
+                << "Phase " << phase.name() << " has erosion, which does not"
+                << " work in a gas: the cell of a point that vanishes would"
+                << " have its gas expand at once into the free volume." << nl
+                << "Remove erosion; failureModel  { failed nothing; ... }"
+                << " keeps failed points without a stress."
+                << exit(FatalIOError);
+        }
+    }
     coupling_ = &coupling;
 }
 
@@ -481,6 +494,7 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
         coupling_->accepted();
     }
     stressUpdate_->end(*this, dt);
+    erode(dt);
     if (contact_)
     {
         // The strain has changed the points' volumes and boxes

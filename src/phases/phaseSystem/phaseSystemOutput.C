@@ -203,7 +203,8 @@ void Foam::mpm::pointPhaseSystem::report() const
             sumOp<label>()
         );
     }
-    Info<< "Material points: " << nPoints() << ", mass " << mass
+    const label nPresent = nPoints();
+    Info<< "Material points: " << nPresent << ", mass " << mass
         << ", momentum " << momentum << nl
         << "Energy: kinetic " << kinetic << ", strain " << strain
         << ", total " << kinetic + strain << nl;
@@ -215,6 +216,10 @@ void Foam::mpm::pointPhaseSystem::report() const
         if (contact_)
         {
             Info<< ", contact " << b->work.contact;
+        }
+        if (erodes_)
+        {
+            Info<< ", erosion " << b->erosion();
         }
         if (b->hasGas)
         {
@@ -233,6 +238,7 @@ void Foam::mpm::pointPhaseSystem::report() const
     }
     Info<< "Failed points: " << nFailed << ", steps redone: " << nRedone_
         << endl;
+    reportErosion(nPresent);
     forAll(phases_, phasei)
     {
         if (phases_[phasei].motion())

@@ -27,8 +27,6 @@ bool Foam::mpm::pointPhaseSystem::timeDependent() const
 
 void Foam::mpm::pointPhaseSystem::startNodes()
 {
-    const noTraps guard;
-
     for (materialPointPhase& phase : phases_)
     {
         if (phase.motion())
@@ -36,14 +34,25 @@ void Foam::mpm::pointPhaseSystem::startNodes()
             phase.motion()->setVelocity(phase.cloud());
         }
     }
+    for (gridState& field : fields_)
+    {
+        field.rigid().newTime();
+    }
+    projectAnew(0);
+}
+
+
+void Foam::mpm::pointPhaseSystem::projectAnew(const scalar dt)
+{
+    const noTraps guard;
+
     activate(true);
     projectAll(pointPasses::current);
     for (gridState& field : fields_)
     {
-        field.rigid().newTime();
-        field.accept();
+        field.replace();
     }
-    force(0);
+    force(dt);
 }
 
 

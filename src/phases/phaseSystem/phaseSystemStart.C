@@ -118,6 +118,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     g_(Zero),
     failed_(0),
     failedBefore_(0),
+    erodes_(false),
+    started_(0),
     rate_(0),
     waveRate_(0),
     nRedone_(0),
@@ -175,6 +177,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     phases_.setSize(names.size());
     fieldOf_.setSize(names.size());
     movers_.setSize(names.size());
+    eroded_.setSize(names.size());
 
     wordList fieldNames;
     forAll(names, phasei)
@@ -191,6 +194,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
                 transfer_.kind == transfer::APIC
             )
         );
+        erodes_ = erodes_ || phases_[phasei].erosion();
         const word& field = phases_[phasei].velocityField();
         fieldOf_[phasei] = fieldNames.find(field);
         if (fieldOf_[phasei] < 0)
@@ -290,6 +294,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     }
     rate_ = largestOfAll(rate_);
     updateWaveRate();
+    countStarted();
 
     contact_ = pointContact::New
     (

@@ -31,6 +31,7 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         );
     }
     state.add("failed", failed);
+    addErosionState(state);
     dictionary rigid;
     forAll(phases_, phasei)
     {
@@ -56,6 +57,8 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         energy.add("external", budget_.work.external);
         energy.add("boundary", budget_.work.boundary);
         energy.add("failure", returnReduce(failed_, sumOp<scalar>()));
+        energy.add("erodedKinetic", budget_.erodedKinetic);
+        energy.add("erodedStored", budget_.erodedStored);
         if (coupling_)
         {
             energy.add("gas", coupling_->balance().state());
@@ -73,8 +76,8 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
     (
         state,
         {
-            "rate", "waveRate", "stepsRedone", "failed", "rigid", "contact",
-            "energy"
+            "rate", "waveRate", "stepsRedone", "failed", "eroded", "rigid",
+            "contact", "energy"
         }
     );
 
@@ -118,6 +121,7 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         phase.nFailed() = Pstream::master() ? n : 0;
     }
     checkKeywords(failed, wordList(names));
+    setErosionState(state);
     if (state.found("rigid"))
     {
         checkKeywords(requiredDict(state, "rigid"), wordList(rigid));
@@ -137,6 +141,10 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         budget_.work.internal = required<scalar>(energy, "internal");
         budget_.work.external = required<scalar>(energy, "external");
         budget_.work.boundary = required<scalar>(energy, "boundary");
+        budget_.erodedKinetic =
+            energy.getOrDefault<scalar>("erodedKinetic", 0);
+        budget_.erodedStored =
+            energy.getOrDefault<scalar>("erodedStored", 0);
         failed_ =
             Pstream::master()
           ? energy.getOrDefault<scalar>("failure", 0) : 0;

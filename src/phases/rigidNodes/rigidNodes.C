@@ -234,12 +234,18 @@ void Foam::mpm::rigidNodes::newTime()
 }
 
 
-void Foam::mpm::rigidNodes::accept()
+void Foam::mpm::rigidNodes::takeNew()
 {
     now_.node.swap(next_.node);
     now_.phase.swap(next_.phase);
     now_.value.swap(next_.value);
     now_.part.swap(next_.part);
+}
+
+
+void Foam::mpm::rigidNodes::accept()
+{
+    takeNew();
     forAll(step_, phasei)
     {
         sum_[phasei] += step_[phasei];

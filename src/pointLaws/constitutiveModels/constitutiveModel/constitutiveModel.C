@@ -41,6 +41,36 @@ Foam::mpm::constitutiveModel::New(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+int Foam::mpm::constitutiveModel::columnOf
+(
+    const word& name,
+    const int nDim
+) const
+{
+    int n = 0;
+    for (const historyColumn& h : history())
+    {
+        if (h.name == name)
+        {
+            return n;
+        }
+        n += h.nComponents(nDim);
+    }
+    return -1;
+}
+
+
+int Foam::mpm::constitutiveModel::nColumns(const int nDim) const
+{
+    int n = 0;
+    for (const historyColumn& h : history())
+    {
+        n += h.nComponents(nDim);
+    }
+    return n;
+}
+
+
 void Foam::mpm::constitutiveModel::initialise(pointBlock& block) const
 {
     for (int i = 0; i < nStress(block.nDim); ++i)

@@ -64,9 +64,9 @@ void Foam::mpm::JohnsonCookDamage::connect
     const int nDim
 )
 {
-    plastic_ = columnOf(law, nDim, "plasticStrain");
-    temperature_ = columnOf(law, nDim, "T");
-    counted_ = nColumns(law, nDim);
+    plastic_ = law.columnOf("plasticStrain", nDim);
+    temperature_ = law.columnOf("T", nDim);
+    counted_ = law.nColumns(nDim);
     if (plastic_ < 0 || (temperature_ < 0 && D5_ != 0))
     {
         FatalErrorInFunction

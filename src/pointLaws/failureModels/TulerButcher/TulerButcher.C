@@ -43,7 +43,7 @@ void Foam::mpm::TulerButcher::connect
     const int nDim
 )
 {
-    column_ = nColumns(law, nDim);
+    column_ = law.nColumns(nDim);
 }
 
 

@@ -155,39 +155,4 @@ Foam::mpm::failureModel::releaseTension(pointBlock& b, const label p) const
     }
 }
 
-
-int Foam::mpm::failureModel::columnOf
-(
-    const constitutiveModel& law,
-    const int nDim,
-    const word& name
-)
-{
-    int n = 0;
-    for (const historyColumn& h : law.history())
-    {
-        if (h.name == name)
-        {
-            return n;
-        }
-        n += h.nComponents(nDim);
-    }
-    return -1;
-}
-
-
-int Foam::mpm::failureModel::nColumns
-(
-    const constitutiveModel& law,
-    const int nDim
-)
-{
-    int n = 0;
-    for (const historyColumn& h : law.history())
-    {
-        n += h.nComponents(nDim);
-    }
-    return n;
-}
-
 // ************************************************************************* //

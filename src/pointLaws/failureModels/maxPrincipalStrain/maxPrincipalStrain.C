@@ -42,8 +42,8 @@ void Foam::mpm::maxPrincipalStrain::connect
     const int nDim
 )
 {
-    stretch_ = columnOf(law, nDim, "leftStretch") == 0;
-    if (!stretch_ && columnOf(law, nDim, "elasticStrain") != 0)
+    stretch_ = law.columnOf("leftStretch", nDim) == 0;
+    if (!stretch_ && law.columnOf("elasticStrain", nDim) != 0)
     {
         FatalErrorInFunction
             << "The failure model " << type() << " needs a law with a column"
