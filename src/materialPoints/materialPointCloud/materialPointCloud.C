@@ -384,6 +384,71 @@ void Foam::mpm::materialPointCloud::add(const UList<newPoint>& points)
 }
 
 
+void Foam::mpm::materialPointCloud::take
+(
+    materialPointCloud& from,
+    const UList<label>& cells
+)
+{
+    const label n = n_ + cells.size();
+    reserve(n);
+
+    DynamicList<const scalar*> values;
+    from.forColumns
+    (
+        [&](const column& c)
+        {
+            for (int i = 0; i < c.nComponents(); ++i)
+            {
+                values.append(c[i] + from.n_);
+            }
+        }
+    );
+    label k = 0;
+    forColumns
+    (
+        [&](column& c)
+        {
+            for (int i = 0; i < c.nComponents(); ++i, ++k)
+            {
+                std::copy(values[k], values[k] + cells.size(), c[i] + n_);
+            }
+        }
+    );
+
+    labelList cell(n);
+    forAll(cells_, c)
+    {
+        for (label p = start_[c]; p < start_[c + 1]; ++p)
+        {
+            cell[p] = cells_[c];
+        }
+    }
+    forAll(cells, i)
+    {
+        cell[n_ + i] = cells[i];
+    }
+    nextId_ = max(nextId_, from.nextId_);
+    n_ = n;
+    order(cell);
+    sorted_ = false;
+}
+
+
+Foam::wordList Foam::mpm::materialPointCloud::columnNames()
+{
+    DynamicList<word> names;
+    forColumns
+    (
+        [&](const column& c)
+        {
+            names.append(c.name() + '(' + Foam::name(c.nComponents()) + ')');
+        }
+    );
+    return wordList(names);
+}
+
+
 void Foam::mpm::materialPointCloud::keepStress()
 {
     size_t k = 0;

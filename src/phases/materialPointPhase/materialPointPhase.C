@@ -132,9 +132,15 @@ Foam::mpm::materialPointPhase::materialPointPhase
     }
     if (dict.found("erosion"))
     {
+        dictionary criterion(requiredDict(dict, "erosion"));
+        if (criterion.found("to"))
+        {
+            debris_ = criterion.get<word>("to");
+            criterion.remove("to");
+        }
         erosion_ = erosionCriterion::New
         (
-            requiredDict(dict, "erosion"),
+            criterion,
             erodible{*law_, grid.nDim(), bool(failure_)}
         );
         if (erosion_->needsFailedTime())
@@ -216,7 +222,7 @@ Foam::wordList Foam::mpm::materialPointPhase::names(const dictionary& dict)
 }
 
 
-void Foam::mpm::materialPointPhase::read()
+void Foam::mpm::materialPointPhase::read(const bool mayBeEmpty)
 {
     const label n = cloud_.readPoints();
 
@@ -228,7 +234,7 @@ void Foam::mpm::materialPointPhase::read()
             cloud_.time().path()/cloud_.time().timeName()/"uniform"
            /"materialPointState"
         );
-    if (n <= 0 && !gone)
+    if (n <= 0 && !gone && !mayBeEmpty)
     {
         FatalErrorInFunction
             << "Phase " << name_ << " has no material points in "
@@ -391,7 +397,11 @@ Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block
 
 
 Foam::mpm::erodedPoints
-Foam::mpm::materialPointPhase::erode(const scalar dt)
+Foam::mpm::materialPointPhase::erode
+(
+    const scalar dt,
+    materialPointCloud* debris
+)
 {
     const int D = cloud_.grid().nDim();
     const pointBlock all(block());
@@ -414,6 +424,14 @@ Foam::mpm::materialPointPhase::erode(const scalar dt)
     {
         return sums;
     }
+    DynamicList<label> cells;
+    for (label p = 0; debris && p < all.n; ++p)
+    {
+        if (gone[p])
+        {
+            cells.append(cloud_.cellOf(p));
+        }
+    }
     sums.n = cloud_.remove(gone);
     const label first = cloud_.size();
     sums.stored = law_->strainEnergy(block(first, sums.n));
@@ -424,6 +442,10 @@ Foam::mpm::materialPointPhase::erode(const scalar dt)
         sums.mass += m;
         sums.momentum += m*U;
         sums.kinetic += 0.5*m*magSqr(U);
+    }
+    if (debris)
+    {
+        debris->take(cloud_, cells);
     }
     return sums;
 }

@@ -26,7 +26,12 @@ void Foam::mpm::pointPhaseSystem::erode(const scalar dt)
     {
         if (phases_[phasei].erosion())
         {
-            step[phasei] = phases_[phasei].erode(dt);
+            const label to = debris_[phasei];
+            step[phasei] = phases_[phasei].erode
+            (
+                dt,
+                to < 0 ? nullptr : &phases_[to].cloud()
+            );
             n += step[phasei].n;
         }
     }
@@ -42,7 +47,7 @@ void Foam::mpm::pointPhaseSystem::erode(const scalar dt)
         {
             step[phasei].reduceAll();
             eroded_[phasei] += step[phasei];
-            if (budget_.active)
+            if (budget_.active && debris_[phasei] < 0)
             {
                 budget_.erodedKinetic += step[phasei].kinetic;
                 budget_.erodedStored += step[phasei].stored;
@@ -68,6 +73,58 @@ void Foam::mpm::pointPhaseSystem::erode(const scalar dt)
 }
 
 
+void Foam::mpm::pointPhaseSystem::connectDebris()
+{
+    wordList names(phases_.size());
+    forAll(phases_, phasei)
+    {
+        names[phasei] = phases_[phasei].name();
+    }
+    forAll(phases_, phasei)
+    {
+        const word& debris = phases_[phasei].debris();
+        if (debris.empty())
+        {
+            continue;
+        }
+        const dictionary& dict =
+            properties_.subDict(names[phasei]).subDict("erosion");
+        const label to = names.find(debris);
+        if (to < 0 || to == phasei || phases_[to].motion())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The eroded points of " << names[phasei] << " go to "
+                << debris << ", which is no other phase of material points."
+                << nl << "The phases are: " << names << exit(FatalIOError);
+        }
+        if (debris_.found(to))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The eroded points of " << names[phasei] << " and of "
+                << names[debris_.find(to)] << " both go to " << debris
+                << ": their ids would be the same." << nl
+                << "Give each a phase of its own; they may share a"
+                << " velocityField." << exit(FatalIOError);
+        }
+        const wordList own(phases_[phasei].cloud().columnNames());
+        const wordList its(phases_[to].cloud().columnNames());
+        if (own != its || phases_[phasei].law().type() != phases_[to].law().type())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The eroded points of " << names[phasei] << " go to "
+                << debris << ", whose law or columns are others." << nl
+                << names[phasei] << ": " << phases_[phasei].law().type()
+                << ' ' << own << nl
+                << debris << ": " << phases_[to].law().type() << ' ' << its
+                << nl << "Give " << debris << " the constitutiveModel and the"
+                << " failureModel of " << names[phasei] << '.'
+                << exit(FatalIOError);
+        }
+        debris_[phasei] = to;
+    }
+}
+
+
 void Foam::mpm::pointPhaseSystem::countStarted()
 {
     started_ = nPoints() + nEroded();
@@ -77,9 +134,9 @@ void Foam::mpm::pointPhaseSystem::countStarted()
 Foam::label Foam::mpm::pointPhaseSystem::nEroded() const
 {
     label n = 0;
-    for (const erodedPoints& e : eroded_)
+    forAll(eroded_, phasei)
     {
-        n += e.n;
+        n += debris_[phasei] < 0 ? eroded_[phasei].n : 0;
     }
     return n;
 }
@@ -102,7 +159,12 @@ void Foam::mpm::pointPhaseSystem::reportErosion(const label nPresent) const
             Info<< "Eroded " << phases_[phasei].name() << ": " << e.n
                 << " points, mass " << e.mass << ", momentum " << e.momentum
                 << ", energy: kinetic " << e.kinetic << ", stored "
-                << e.stored << endl;
+                << e.stored;
+            if (debris_[phasei] >= 0)
+            {
+                Info<< ", to " << phases_[debris_[phasei]].name();
+            }
+            Info<< endl;
         }
     }
 }

@@ -178,6 +178,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     fieldOf_.setSize(names.size());
     movers_.setSize(names.size());
     eroded_.setSize(names.size());
+    debris_.setSize(names.size(), -1);
 
     wordList fieldNames;
     forAll(names, phasei)
@@ -232,9 +233,11 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         fields_[fieldi].rigid().setPhases(phases_.size());
     }
 
-    for (materialPointPhase& phase : phases_)
+    connectDebris();
+    forAll(phases_, phasei)
     {
-        phase.read();
+        materialPointPhase& phase = phases_[phasei];
+        phase.read(debris_.found(phasei));
         Info<< "Phase " << phase.name() << ": "
             << returnReduce(phase.cloud().size(), sumOp<label>())
             << " points of ";
