@@ -300,13 +300,7 @@ void Foam::functionObjects::materialPointBalance::sample
     forAll(phases_, phasei)
     {
         sums s(sumsOf(phase(points, phases_[phasei]), origin_));
-        forAll(points.phases(), i)
-        {
-            if (points.phases()[i].name() == phases_[phasei])
-            {
-                s.eroded = points.eroded(i);
-            }
-        }
+        s.eroded = points.eroded(points.indexOf(phases_[phasei]));
         total.add(s);
         if (Pstream::master())
         {

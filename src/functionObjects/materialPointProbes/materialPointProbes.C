@@ -12,6 +12,7 @@ License
 #include "pointQuantity.H"
 #include "selector.H"
 #include <algorithm>
+#include <limits>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -77,7 +78,7 @@ void Foam::functionObjects::materialPointProbes::prepare
     {
         start_.reset(new mpm::startState(dict_, material));
     }
-    select(material, pointsDict);
+    select(material, pointsDict, points.eroded(points.indexOf(phase_)).n);
     if (start_)
     {
         shareStart();
@@ -155,29 +156,46 @@ void Foam::functionObjects::materialPointProbes::writeRow
     const UList<scalar>& V
 ) const
 {
+    // A volume of 0: eroded
+    const scalar none = std::numeric_limits<scalar>::quiet_NaN();
     if (operation_ == "none")
     {
-        for (const scalar v : values)
+        forAll(V, i)
         {
-            os  << tab << v;
+            for (int c = 0; c < n; ++c)
+            {
+                os  << tab << (V[i] > 0 ? values[n*i + c] : none);
+            }
         }
     }
     else
     {
         for (int c = 0; c < n; ++c)
         {
-            scalar result = values[c], sum = 0, volume = 0;
+            scalar result = none, sum = 0, volume = 0;
             forAll(V, i)
             {
                 const scalar v = values[n*i + c];
+                const bool first = !(volume > 0);
                 sum += V[i]*v;
                 volume += V[i];
-                if (operation_ == "min" ? v < result : v > result)
+                if
+                (
+                    V[i] > 0
+                 && (
+                        first
+                     || (operation_ == "min" ? v < result : v > result)
+                    )
+                )
                 {
                     result = v;
                 }
             }
-            os  << tab << (operation_ == "mean" ? sum/volume : result);
+            if (operation_ == "mean" && volume > 0)
+            {
+                result = sum/volume;
+            }
+            os  << tab << result;
         }
     }
     os  << endl;
@@ -208,7 +226,7 @@ void Foam::functionObjects::materialPointProbes::sample
     }
     Pstream::listCombineGather(found, maxEqOp<label>());
     Pstream::listCombineScatter(found);
-    if (found.found(0))
+    if (found.found(0) && !material.erosion())
     {
         FatalErrorInFunction
             << type() << ' ' << name() << ": point " << id_[found.find(0)]

@@ -15,7 +15,8 @@ License
 void Foam::functionObjects::materialPointProbes::checkIds
 (
     const mpm::materialPointPhase& phase,
-    const dictionary& dict
+    const dictionary& dict,
+    const label nEroded
 ) const
 {
     const mpm::materialPointCloud& cloud = phase.cloud();
@@ -34,7 +35,12 @@ void Foam::functionObjects::materialPointProbes::checkIds
     Pstream::listCombineGather(known, orEqOp<bool>());
     Pstream::listCombineScatter(known);
 
-    if (known.found(false))
+    label nMissing = 0;
+    for (const bool k : known)
+    {
+        nMissing += !k;
+    }
+    if (nMissing > nEroded)
     {
         const label n = returnReduce(there.size(), sumOp<label>());
         const label first = gMin(there), last = gMax(there);
@@ -174,7 +180,8 @@ void Foam::functionObjects::materialPointProbes::selectBox
 void Foam::functionObjects::materialPointProbes::select
 (
     const mpm::materialPointPhase& phase,
-    const dictionary& dict
+    const dictionary& dict,
+    const label nEroded
 )
 {
     mpm::checkKeywords(dict, {"ids", "nearest", "box"});
@@ -215,7 +222,7 @@ void Foam::functionObjects::materialPointProbes::select
                 << exit(FatalIOError);
         }
     }
-    checkIds(phase, dict);
+    checkIds(phase, dict, nEroded);
     table_ = mpm::idTable(id_, phase.cloud().size());
 }
 

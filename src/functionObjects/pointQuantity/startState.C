@@ -150,12 +150,17 @@ void Foam::mpm::startState::read
 (
     const dictionary& dict,
     const materialPointCloud& cloud,
-    const word& time
+    const word& time,
+    const bool withHalfSize
 )
 {
     const bool hasPoints = hasFile(cloud, time, "m");
-
-    for (const word field : {"x", "V"})
+    wordList fields({"x", "V"});
+    if (withHalfSize)
+    {
+        fields.append("halfSize");
+    }
+    for (const word& field : fields)
     {
         const bool missing = hasPoints && !hasFile(cloud, time, field);
         if (returnReduce(missing, orOp<bool>()))
@@ -175,6 +180,10 @@ void Foam::mpm::startState::read
     }
     readFile(dict, cloud, time, "x", x_, -1);
     readFile(dict, cloud, time, "V", V_, x_.size());
+    if (withHalfSize)
+    {
+        readFile(dict, cloud, time, "halfSize", halfSize_, x_.size());
+    }
 
     // Without the files points are numbered as they stand
     id_ = identity(x_.size());
@@ -195,7 +204,8 @@ void Foam::mpm::startState::read
 Foam::mpm::startState::startState
 (
     const dictionary& dict,
-    const materialPointPhase& phase
+    const materialPointPhase& phase,
+    const bool withHalfSize
 )
 {
     const materialPointCloud& cloud = phase.cloud();
@@ -221,9 +231,9 @@ Foam::mpm::startState::startState
             << exit(FatalIOError);
     }
 
-    if (!now)
+    if (!now || withHalfSize)
     {
-        read(dict, cloud, time_);
+        read(dict, cloud, time_, withHalfSize);
     }
     else
     {

@@ -117,6 +117,19 @@ void Foam::mpm::pointPhaseSystem::projectAll
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::label Foam::mpm::pointPhaseSystem::indexOf(const word& phase) const
+{
+    forAll(phases_, phasei)
+    {
+        if (phases_[phasei].name() == phase)
+        {
+            return phasei;
+        }
+    }
+    return -1;
+}
+
+
 Foam::label Foam::mpm::pointPhaseSystem::nPoints() const
 {
     label n = 0;

@@ -149,6 +149,12 @@ def several(*changes):
     return change
 
 
+def eroding(entries):
+    """Erosion of the phases, which have the same entries."""
+    return lambda case: case.sub(PHASES, r"(velocityField\s+body;)",
+                                 r"\1 erosion { " + entries + " }")
+
+
 # --- what the message must hold ----------------------------------------------
 
 def line(name):
@@ -169,6 +175,7 @@ BLOCK = "0/lagrangian/block/"
 
 inPhases = [line("phaseProperties")]
 inLaw = [line("phaseProperties"), r"constitutiveModel"]
+inErosion = [line("phaseProperties"), "erosion"]
 inContact = [line("phaseProperties"), "contact"]
 inRegion = [line("setMaterialPointsDict")]
 inControl = [line("controlDict")]
@@ -768,6 +775,49 @@ ROWS = [
      inControl + ["maxCo is 2", r"\[.*\]"]),
     ("maxDeltaT 0", SOLVE, replace(CONTROL, "maxCo", "maxDeltaT 0; maxCo"),
      inControl + ["maxDeltaT is 0"]),
+
+    #- erosion
+    ("allowed: erosion", SOLVE, eroding("type volumeRatio; max 5;"), None,
+     {"has": "Eroded block: 0 points"}),
+    ("allowed: erosion, any", SOLVE,
+     eroding("type any; a { type lone; } b { type damage; time 9; }"), None,
+     {"has": "Eroded block: 0 points"}),
+    ("erosion unknown", SET, eroding("type vanish;"),
+     inErosion + ["vanish", VALID, "plasticStrain"]),
+    ("erosion without type", SOLVE, eroding("limit 1;"), inErosion + ["type"]),
+    ("erosion without limit", SOLVE, eroding("type speed;"), inErosion + ["limit"]),
+    ("erosion limit -1", SOLVE, eroding("type speed; limit -1;"),
+     inErosion + ["limit is -1", "greater than 0"]),
+    ("erosion, keyword", SOLVE, eroding("type lone; limit 1;"),
+     inErosion + ["limit", VALID]),
+    ("erosion time -1", SOLVE, eroding("type damage; time -1;"),
+     inErosion + ["time is -1", r"\[0"]),
+    ("erosion by a column that the law lacks", SOLVE,
+     eroding("type plasticStrain; limit 1;"),
+     inErosion + ["plasticStrain", "linearElastic has none"]),
+    ("erosion by temperature without one", SOLVE, eroding("type temperature; limit 900;"),
+     inErosion + ["column T", "linearElastic has none"]),
+    ("erosion by damage without failureModel", SOLVE,
+     several(eroding("type lone;"), replace(PHASES, r"failureModel\s*\{.*?\}", "")),
+     inErosion + ["lone", "failureModel"]),
+    ("erosion by no volumeRatio", SOLVE, eroding("type volumeRatio;"),
+     inErosion + ["min", "max"]),
+    ("erosion volumeRatio min 2", SOLVE, eroding("type volumeRatio; min 2;"),
+     inErosion + ["min is 2", r"\[0, 1\]"]),
+    ("erosion volumeRatio max 0.5", SOLVE, eroding("type volumeRatio; max 0.5;"),
+     inErosion + ["max is 0.5", r"\[1"]),
+    ("erosion by any of none", SOLVE, eroding("type any;"), inErosion + ["any"]),
+    ("erosion, word in any", SOLVE, eroding("type any; lone yes;"),
+     inErosion + ["lone"]),
+    ("erosion, any of a bad one", SOLVE, eroding("type any; a { type speed; limit 0; }"),
+     inErosion + ["limit is 0"]),
+    ("word for erosion", SOLVE,
+     replace(PHASES, r"(velocityField\s+body;)", r"\1 erosion yes;"), inErosion),
+    ("erosion of a rigid phase", SOLVE,
+     replace(PHASES, r"block\s*\{.*?\}",
+             "block { type rigid; rho 1000; velocityField body;"
+             " erosion { type speed; limit 1; } }"),
+     inErosion + [VALID, "motion"]),
 
     #- entries of the wrong type
     ("word for rho", SOLVE, replace(PHASES, "1000", "heavy"), inLaw + ["heavy|rho"]),
