@@ -3,6 +3,12 @@ matter is. Lengths in m, times in s, pressures in Pa; the target's face is at x 
 
     1/2 rho_p (v - u)^2 + Y = 1/2 rho_t u^2 + R      at the nose, speed u
     dv/dt = -Y/(rho_p L),   dL/dt = -(v - u)         of the rod that is left
+
+The resistance R that the constants of a steel have by themselves is that of a cavity
+which opens quasi-statically in it, incompressible, with the flow stress s(e) of the
+logarithmic strain e of the target in adiabatic flow (Hill 1950; the usual estimate of R):
+
+    R = int_0^inf s(e)/(exp(3 e/2) - 1) de
 """
 
 import glob
@@ -43,17 +49,50 @@ def tate(R, end, dt=2e-8):
     return np.array(rows).T
 
 
+def flowStress(law, rate, strains):
+    """Adiabatic flow stress of Johnson and Cook's law (entries as numbers)."""
+    T, before, stress = law["referenceTemperature"], 0.0, []
+    for e in strains:
+        hot = min((T - law["referenceTemperature"])
+                  / (law["meltTemperature"] - law["referenceTemperature"]), 1.0)
+        s = (law["A"] + law["B"]*e**law["n"])*(1 - hot**law["m"])
+        s *= 1 + law["C"]*np.log(rate/law["referenceRate"])
+        T += law["beta"]*s*(e - before)/(law["rho"]*law["cp"])
+        before = e
+        stress.append(s)
+    return np.array(stress)
+
+
+def cavityResistance(law, rate=1e5):
+    """R of the cavity; rate is of the order u over the rod's radius."""
+    K = law["rho"]*law["C0"]**2
+    E = 9*K*law["G"]/(3*K + law["G"])
+    plastic = np.concatenate(([0], np.logspace(-7, 1.5, 5000)))
+    stress = flowStress(law, rate, plastic)
+    strain = plastic + stress/E
+    elastic = np.linspace(1e-9, strain[0], 2000)
+    return (np.trapz(E*elastic/np.expm1(1.5*elastic), elastic)
+            + np.trapz(stress/np.expm1(1.5*strain), strain))
+
+
+def material(name):
+    """Numbers of a file of etc/materials."""
+    with open(os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/materials", name)) as f:
+        text = re.sub(r"//.*|/\*.*?\*/", "", f.read())
+    return {k: float(v) for k, v in re.findall(r"^\s*(\w+)\s+(-?[\d.]+(?:e-?\d+)?);", text, re.M)}
+
+
 def table(case, folder, name):
     path = sorted(glob.glob(f"{case}/postProcessing/{folder}/*/{name}"))[0]
     return np.loadtxt(path)
 
 
 class Path:
-    """Nose, the foremost point of the rod, and tail over time."""
+    """Nose, the foremost point of rod and debris, and tail over time."""
 
     def __init__(self, case="."):
-        record = table(case, "extent", "rod.dat")
-        self.t, self.nose = record[:, 0], record[:, 4]
+        rod, debris = (table(case, "extent", p + ".dat") for p in ("rod", "debris"))
+        self.t, self.nose = rod[:, 0], np.maximum(rod[:, 4], debris[:, 4])
         t, moved = table(case, "tail", "displacement_x.dat").T
         self.tail = np.interp(self.t, t, moved) - LENGTH
 
@@ -95,22 +134,28 @@ def points(case, time, phase):
     return Points([f"{case}/{time}/lagrangian/{phase}"])
 
 
+def matter(case, time, phase, name):
+    """A column of a phase by id, of the rod with its debris."""
+    clouds = [points(case, time, p) for p in ((phase, "debris") if phase == "rod" else (phase,))
+              if os.path.isdir(f"{case}/{time}/lagrangian/{p}")]
+    ids = np.concatenate([c["id"] for c in clouds])
+    return np.concatenate([c[name] for c in clouds])[np.argsort(ids)]
+
+
 def coating(case, time, h, cells=2.0):
     """Part of the rod's mass with a point of the target within so many cells."""
-    rod, target = points(case, time, "rod"), points(case, time, "target")
-    x, wall = rod["x"][:, :2], target["x"][:, :2]
+    x, wall = (matter(case, time, p, "x")[:, :2] for p in ("rod", "target"))
     low, high = x.min(axis=0) - cells*h, x.max(axis=0) + cells*h
     wall = wall[np.all((wall > low) & (wall < high), axis=1)]
     near = np.array([np.min(np.sum((wall - p)**2, axis=1)) < (cells*h)**2 for p in x]) \
         if len(wall) else np.zeros(len(x), bool)
-    m = rod["m"]
+    m = matter(case, time, "rod", "m")
     return np.sum(m[near])/np.sum(m)
 
 
 def fractured(case, time, phase, h):
     """Part of the neighbours of the start that are more than a cell apart now."""
-    X = points(case, "0", phase).byId("x")[:, :2]
-    x = points(case, time, phase).byId("x")[:, :2]
+    X, x = (matter(case, t, phase, "x")[:, :2] for t in ("0", time))
     apart = []
     for d in (0, 1):
         key = np.round(X/h*1e3).astype(int)

@@ -13,12 +13,14 @@ import penetration as p
 LIMITS = (4.5e9, 5.5e9)
 
 
-def tell(name, case, h):
+def tell(name, case, h, steel="steelHzB"):
     path = p.Path(case)
     speed = path.speed()
     band = [p.tateSpeed(R) for R in reversed(LIMITS)]
+    own = p.cavityResistance(p.material(steel))
     print(f"{name}: interface speed {speed:.1f} m/s at 10 to 40 us, Tate"
-          f" {band[0]:.1f} to {band[1]:.1f}; effective Rt {p.effectiveR(speed)/1e9:.2f} GPa")
+          f" {band[0]:.1f} to {band[1]:.1f}; effective Rt {p.effectiveR(speed)/1e9:.2f} GPa,"
+          f" cavity in {steel} {own/1e9:.2f}: {p.tateSpeed(own):.1f} m/s")
     tails = [p.tate(R, 40e-6)[2] for R in LIMITS]
     times = p.tate(LIMITS[0], 40e-6)[0]
     some = (times >= 10e-6)
@@ -26,9 +28,12 @@ def tell(name, case, h):
     print(f"    tail beside Tate's, Rt 4.5: {1e3*np.abs(here - tails[0][some]).max():.2f} mm,"
           f" Rt 5.5: {1e3*np.abs(here - tails[1][some]).max():.2f} mm")
     end = p.times(case)[-1]
-    nose, tail = path.at(float(end))
-    print(f"    at {float(end)*1e6:.0f} us nose {nose*1e3:.2f} mm, tail {tail*1e3:.2f} mm;"
-          f" {100*p.coating(case, end, h):.1f} % of the rod's"
+    depth = path.nose.max()
+    finals = [p.tate(R, 90e-6)[1][-1] for R in (*LIMITS, own)]
+    print(f"    deepest {depth*1e3:.2f} mm at {path.t[path.nose.argmax()]*1e6:.0f} us, P/L"
+          f" {depth/p.LENGTH:.3f}; Tate {finals[1]/p.LENGTH:.3f} to {finals[0]/p.LENGTH:.3f},"
+          f" with the cavity's Rt {finals[2]/p.LENGTH:.3f}")
+    print(f"    at {float(end)*1e6:.0f} us {100*p.coating(case, end, h):.1f} % of the rod's"
           f" mass within 2 cells of the target")
     print(f"    neighbours more than a cell apart: rod"
           f" {100*p.fractured(case, end, 'rod', h):.1f} %, target"
@@ -36,18 +41,20 @@ def tell(name, case, h):
     return path
 
 
-paths = {"cells of 0.5 mm": tell("cells of 0.5 mm", ".", 0.5e-3)}
+paths = {"HzB, cells of 0.5 mm": tell("HzB, cells of 0.5 mm", ".", 0.5e-3),
+         "4340, cells of 0.5 mm": tell("4340, cells of 0.5 mm", "variants/steel4340", 0.5e-3,
+                                       "steel4340")}
 if os.path.isdir("variants/fine/postProcessing"):
-    paths["cells of 0.25 mm"] = tell("cells of 0.25 mm", "variants/fine", 0.25e-3)
+    paths["HzB, cells of 0.25 mm"] = tell("HzB, cells of 0.25 mm", "variants/fine", 0.25e-3)
 weak = p.Path("variants/hydrodynamic").speed(10e-6, 40e-6)
 exact = p.SPEED/(1 + np.sqrt(p.RHO_T/p.RHO_P))
 print(f"without strength: {weak:.1f} m/s at 10 to 40 us, exact {exact:.1f}"
       f" ({100*(weak/exact - 1):+.2f} %)")
 
 figure, ax = plt.subplots(figsize=(7.5, 6), constrained_layout=True)
-times = p.tate(LIMITS[0], 60e-6)[0]*1e6
-nose = [p.tate(R, 60e-6)[1]*1e3 for R in LIMITS]
-tail = [p.tate(R, 60e-6)[2]*1e3 for R in LIMITS]
+times = p.tate(LIMITS[0], 80e-6)[0]*1e6
+nose = [p.tate(R, 80e-6)[1]*1e3 for R in LIMITS]
+tail = [p.tate(R, 80e-6)[2]*1e3 for R in LIMITS]
 ax.fill_between(times, *nose, color="0.8", label="Alekseevskii-Tate, Rt 4.5 to 5.5 GPa")
 ax.fill_between(times, *tail, color="0.8")
 table = np.loadtxt("tate_1250.csv", delimiter=",", skiprows=2)
@@ -63,9 +70,11 @@ ax.legend(fontsize=8)
 figure.savefig("penetration.png", dpi=130)
 
 figure, axes = plt.subplots(1, 4, figsize=(14, 6), sharey=True, constrained_layout=True)
-for ax, want in zip(axes, (10e-6, 20e-6, 30e-6, 45e-6)):
+for ax, want in zip(axes, (10e-6, 25e-6, 40e-6, 80e-6)):
     name = min(p.times(), key=lambda d: abs(float(d) - want))
-    for phase, colour in (("target", "0.75"), ("rod", "C1")):
+    for phase, colour in (("target", "0.75"), ("rod", "C1"), ("debris", "C3")):
+        if not os.path.isdir(f"{name}/lagrangian/{phase}"):
+            continue
         cloud = p.points(".", name, phase)
         x, T = cloud["x"]*1e3, cloud["T"]
         # Materials on the left half, temperature on the right
@@ -77,6 +86,6 @@ for ax, want in zip(axes, (10e-6, 20e-6, 30e-6, 45e-6)):
     ax.set_aspect("equal")
     ax.set_title(f"{float(name)*1e6:.0f} us", fontsize=9)
     ax.set_xlabel("r [mm]")
-axes[0].set_ylabel("x [mm]; left: rod orange, target grey")
+axes[0].set_ylabel("x [mm]; left: rod orange, its debris red, target grey")
 figure.colorbar(image, ax=axes, label="T [K]")
 figure.savefig("materials.png", dpi=130)

@@ -1,5 +1,6 @@
-"""The rod without strength (hydrodynamic limit), in variants/; with the argument
-fine also the case itself on cells of 0.25 mm up to 8 mm from the axis (minutes)."""
+"""In variants/: the rod without strength (hydrodynamic limit); a target of 4340 steel;
+with the argument fine also the case itself on cells of 0.25 mm up to 8 mm from the axis
+(minutes)."""
 
 import os
 import re
@@ -39,6 +40,10 @@ def weaken(case):
     replace(control, r"^writeInterval .*", "writeInterval 42e-6;")
 
 
+def soften(case):
+    replace(os.path.join(case, "constant/phaseProperties"), r"steelHzB", "steel4340")
+
+
 def refine(case):
     mesh = os.path.join(case, "system/blockMeshDict")
     replace(mesh, r"^nx .*", "nx 512;")
@@ -52,7 +57,7 @@ def run(case, *command):
             sys.exit(f"variants.py: {command[0]} failed, see {log.name}")
 
 
-VARIANTS = {"hydrodynamic": weaken}
+VARIANTS = {"hydrodynamic": weaken, "steel4340": soften}
 FINE = {"fine": refine}
 
 if __name__ == "__main__":
@@ -63,7 +68,7 @@ if __name__ == "__main__":
         for folder in ("constant", "system"):
             shutil.copytree(folder, os.path.join(case, folder),
                             ignore=shutil.ignore_patterns("polyMesh"))
-        for phase in ("rod", "target"):
+        for phase in ("rod", "target", "debris"):
             shutil.copy(f"0/U.{phase}", os.path.join(case, "0"))
         change(case)
         print(f"Running {case}", flush=True)

@@ -9,6 +9,7 @@ booked      a block hits a plate that erodes: mass and momentum of left and erod
             points in every step, energies against the run without erosion, restart
             bit by bit, two and three processors, a criterion that nothing meets
 gone        all points of one phase, then of all
+debris      the same into a phase of its own: nothing leaves, every column goes along
 separation  neighbours of the start against pairs that are counted here
 """
 
@@ -350,6 +351,76 @@ def gone(table):
                 case.log().count("All points have eroded") == 1)
 
 
+# --- debris ------------------------------------------------------------------
+
+def debrisCase(name, function=None):
+    """A block hits a plate, whose eroded points have a velocity field of their own."""
+    law = {"constitutiveModel": METAL}
+    case = planeCase(
+        name,
+        {"target": {**law, "erosion": {"type": "plasticStrain", "limit": 0.4,
+                                       "to": "dust"}},
+         "flyer": law, "dust": law},
+        {"target": box("target", (8, 4), (11, 20)),
+         "flyer": box("flyer", (2, 10), (8, 14), velocity=(40, 1, 0))},
+        (28, 24), controlDict(END, END/4, maxCo=0.3, functions={
+            "balance": FUNCTIONS["balance"], "energy": FUNCTIONS["energy"]}),
+        contact={"all": {"type": "frictionless"}})
+    case.change("system/controlDict", "startFrom.*?;", "startFrom latestTime;")
+    return case
+
+
+def debris(table):
+    phases = ("target", "flyer", "dust")
+    case = debrisCase("debris")
+    case.run("materialPointFoam")
+    s = {p: case.series("balance", p + ".dat") for p in (*phases, "total")}
+    total, moved = s["total"], s["dust"][:, 1]
+    table.check("debris: points of the target have gone there",
+                moved[0] == 0 and moved[-1] > 10, f"{moved[-1]:.0f} points")
+    table.check("debris: points of target and dust, every step",
+                np.all(s["target"][:, 1] + moved == 192))
+    table.check("debris: nothing is booked as gone", np.all(total[:, 13:] == 0)
+                and total.shape[1] > 13)
+    table.row("debris: mass, worst step", 0,
+              np.abs(total[:, 2]/total[0, 2] - 1).max(), 1e-12)
+    P = total[:, 3:6]
+    table.row("debris: momentum, worst step", 0,
+              np.linalg.norm(P - P[0], axis=1).max()/np.linalg.norm(P[0]), 1e-12)
+    table.check("debris: the log has it", re.findall(
+        r"^Eroded target: (\d+) points.*to dust$", case.log(), re.M)[-1:]
+        == [f"{moved[-1]:.0f}"])
+
+    # A step in which one point goes over: all that it had at the written time before
+    times = case.times()
+    start = case.points("0", "target")
+    dust = case.points(times[-1], "dust")
+    order = np.argsort(start["id"])
+    table.row("debris: mass of each point, by id", 0,
+              np.abs(dust["m"] - start["m"][order][dust["id"].astype(int)]).max(), 0)
+    table.check("debris: above the limit", np.all(dust["plasticStrain"] > 0.4)
+                and np.all(case.points(times[-1], "target")["plasticStrain"] <= 0.4))
+
+    half = times[2]
+    again = debrisCase("debris-again")
+    shutil.copytree(case.file(half), again.file(half))
+    again.run("materialPointFoam")
+    table.check("debris: restart bit by bit", all(
+        sameFiles(case, again, times[-1], p) for p in phases)
+        and state(case, times[-1]) == state(again, times[-1]))
+    split = debrisCase("debris-2")
+    split.decompose((2, 1, 1))
+    split.runParallel()
+    for p in phases:
+        one, two = (c.points(times[-1], p) for c in (case, split))
+        a, b = np.argsort(one["id"]), np.argsort(two["id"])
+        same = np.array_equal(one["id"][a], two["id"][b])
+        table.check(f"debris, 2 processors: points of {p}", same)
+        if same:
+            table.row(f"debris, 2 processors: places of {p} [cells]", 0,
+                      np.abs(one["x"][a] - two["x"][b]).max()/H, 1e-9)
+
+
 # --- separation --------------------------------------------------------------
 
 def separation(table):
@@ -389,7 +460,7 @@ def separation(table):
 
 def main():
     table = Report("erosion")
-    for part in (marked, bar, booked, gone, separation):
+    for part in (marked, bar, booked, gone, debris, separation):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
