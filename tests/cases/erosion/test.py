@@ -391,7 +391,6 @@ def debris(table):
         r"^Eroded target: (\d+) points.*to dust$", case.log(), re.M)[-1:]
         == [f"{moved[-1]:.0f}"])
 
-    # A step in which one point goes over: all that it had at the written time before
     times = case.times()
     start = case.points("0", "target")
     dust = case.points(times[-1], "dust")
