@@ -33,19 +33,21 @@ def noseSpeed(v, R, strength=Y):
 
 
 def tate(R, end, dt=2e-8):
-    """Columns time, nose, tail, u, v."""
+    """Columns time, nose, tail, u, v; the nose stays where it stops."""
     L, v, P, t = LENGTH, SPEED, 0.0, 0.0
     rows = []
     while t <= end + 0.5*dt:
         u = noseSpeed(v, R)
         rows.append((t, P, P - L, u, v))
+        t += dt
+        if u == 0 or L < 1e-3*LENGTH:
+            continue
         # Midpoint rule
         vm, Lm = v - 0.5*dt*Y/(RHO_P*L), L - 0.5*dt*(v - u)
         um = noseSpeed(vm, R)
         P += dt*um
         L -= dt*(vm - um)
         v -= dt*Y/(RHO_P*Lm)
-        t += dt
     return np.array(rows).T
 
 
