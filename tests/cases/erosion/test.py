@@ -8,6 +8,7 @@ bar         a bar that swings: first erosion where and when the exact strain pas
 booked      a block hits a plate that erodes: mass and momentum of left and eroded
             points in every step, energies against the run without erosion, restart
             bit by bit, two and three processors, a criterion that nothing meets
+anvil       the load on a rigid body that erodes a block
 gone        all points of one phase, then of all
 debris      the same into a phase of its own: nothing leaves, every column goes along
 separation  neighbours of the start against pairs that are counted here
@@ -325,13 +326,47 @@ def booked(table):
                               flags=re.S))
 
 
+# --- anvil -------------------------------------------------------------------
+
+def anvil(table):
+    """The load on a rigid body is what left and eroded points lost."""
+    case = planeCase(
+        "anvil", {
+            "block": {"constitutiveModel": METAL, "velocityField": "solids",
+                      "erosion": {"type": "plasticStrain", "limit": 0.2}},
+            "plate": {"type": "rigid", "rho": 1000, "velocityField": "solids", "motion": {
+                "type": "translation", "velocity": (0, 2, 0)}}},
+        {"block": box("block", (6, 5), (10, 12), velocity=(1, -30, 0)),
+         "plate": box("plate", (2, 3), (14, 5))},
+        (16, 16), controlDict(END, END, maxCo=0.3, functions=FUNCTIONS))
+    case.run("materialPointFoam")
+    s = case.series("balance", "block.dat")
+    start = case.points("0", "block")
+    P0 = (start["m"][:, None]*start["U"]).sum(axis=0)
+    load = re.findall(r"Load on plate: force .* N, impulse \((\S+) (\S+) (\S+)\)",
+                      case.log())[-1]
+    wrong = s[-1, 3:6] + s[-1, 15:18] + np.array(load, float) - P0
+    table.check("anvil: points erode", s[-1, 13] > 5, s[-1, 13])
+    table.row("anvil: momentum left, eroded and taken by the rigid body, less that of the "
+              "start", 0, np.linalg.norm(wrong)/np.linalg.norm(P0), 1e-12)
+
+
 # --- gone --------------------------------------------------------------------
 
 def gone(table):
     law = {"constitutiveModel": METAL}
     regions = {"fast": box("fast", (2, 2), (4, 4), velocity=(3, 0, 0)),
                "slow": box("slow", (12, 2), (14, 4), velocity=(0.1, 0, 0))}
-    control = controlDict(4*DT, 2*DT, deltaT=DT, functions=FUNCTIONS)
+    probes = {"type": "materialPointProbes", **LIBS, "phase": "fast", "fields": ["U_x"]}
+    functions = {
+        **FUNCTIONS, "each": {**probes, "points": {"ids": [0, 7]}},
+        "mean": {**probes, "points": {"box": "(0 0 0) (1 1 1)"}},
+        "extent": {"type": "materialPointExtent", **LIBS},
+        "xt": {"type": "materialPointXT", **LIBS, "field": "U_x", "direction": "x",
+               "range": [0, 20*H], "nBins": 4},
+        "smooth": {"type": "materialPointFields", "libs": "(mpmFunctionObjects)",
+                   "fields": ["alpha", "U"]}}
+    control = controlDict(4*DT, 2*DT, deltaT=DT, functions=functions)
     case = planeCase("gone", {"fast": {**law, "erosion": {"type": "speed", "limit": 2}},
                               "slow": law}, regions, (20, 6), control)
     case.change("system/controlDict", "startFrom.*?;", "startFrom latestTime;")
@@ -339,6 +374,10 @@ def gone(table):
     last = case.series("balance", "fast.dat")[-1]
     table.check("all points of a phase erode, the other goes on",
                 last[1] == 0 and last[13] == 16 and case.times()[-1] == f"{4*DT:g}", last[13])
+    for name in ("each", "mean"):
+        values = case.series(name, "U_x.dat")[:, 1:]
+        table.check(f"probes of points that have eroded: {name}", np.all(np.isnan(values)),
+                    values.shape)
     case.change("system/controlDict", "endTime .*?;", f"endTime {6*DT};")
     case.run("materialPointFoam")
     table.check("restart with no point of a phase",
@@ -459,7 +498,7 @@ def separation(table):
 
 def main():
     table = Report("erosion")
-    for part in (marked, bar, booked, gone, debris, separation):
+    for part in (marked, bar, booked, anvil, gone, debris, separation):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
