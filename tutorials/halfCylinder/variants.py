@@ -23,9 +23,8 @@ def seed(i):
              rf"\1 weibull {{ modulus 10; seed {i}; }}")]
 
 
-#: Half-cylinder of 100 mm, free ends. With cells of 4 mm Gf 5 would be brittle
-SOLID = [("constant/phaseProperties", r"Gf .*?;", "Gf 20;"),
-         ("system/blockMeshDict", r"frontAndBack\s*\{\s*type\s+empty;",
+#: Half-cylinder of 100 mm, free ends
+SOLID = [("system/blockMeshDict", r"frontAndBack\s*\{\s*type\s+empty;",
           "frontAndBack { type patch;"),
          ("0/U.body", r"empty;", "calculated;")]
 
