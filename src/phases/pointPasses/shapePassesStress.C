@@ -119,46 +119,6 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                 }
             }
 
-            pointBlock block;
-            block.nDim = DIM;
-            block.n = end - begin;
-            block.dt = dt;
-            for (int i = 0; i < DIM*DIM; ++i)
-            {
-                block.dL[i] = dL[i];
-            }
-            block.hoop = HOOP ? dL[N - 1] : nullptr;
-            block.mass = mass + begin;
-            block.volume = volume + begin;
-            for (int i = 0; i < nStress(DIM); ++i)
-            {
-                block.stress[i] = stress[i] + begin;
-            }
-            int h = 0;
-            for (column& c : cloud.history())
-            {
-                for (int i = 0; i < c.nComponents(); ++i)
-                {
-                    block.history[h++] = c[i] + begin;
-                }
-            }
-            block.damage =
-                cloud.damage() ? (*cloud.damage())[0] + begin : nullptr;
-            block.strength =
-                cloud.strength() ? (*cloud.strength())[0] + begin : nullptr;
-
-            block.width = needsWidth ? width : nullptr;
-
-            if (failure && failure->shares())
-            {
-                scalar* rows[N];
-                for (int i = 0; i < N; ++i)
-                {
-                    rows[i] = dL[i];
-                }
-                failure->share(block, rows, first.begin() + k0, k1 - k0, begin);
-            }
-
             // v <- v det(exp(dt L)) = v exp(dt tr L)
             T largest = {};
             const label nHere = end - begin;
@@ -203,6 +163,36 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
             }
 
             // Law and failure
+            pointBlock block;
+            block.nDim = DIM;
+            block.n = nHere;
+            block.dt = dt;
+            for (int i = 0; i < DIM*DIM; ++i)
+            {
+                block.dL[i] = dL[i];
+            }
+            block.hoop = HOOP ? dL[N - 1] : nullptr;
+            block.mass = mass + begin;
+            block.volume = volume + begin;
+            for (int i = 0; i < nStress(DIM); ++i)
+            {
+                block.stress[i] = stress[i] + begin;
+            }
+            int h = 0;
+            for (column& c : cloud.history())
+            {
+                for (int i = 0; i < c.nComponents(); ++i)
+                {
+                    block.history[h++] = c[i] + begin;
+                }
+            }
+            block.damage =
+                cloud.damage() ? (*cloud.damage())[0] + begin : nullptr;
+            block.strength =
+                cloud.strength() ? (*cloud.strength())[0] + begin : nullptr;
+
+            block.width = needsWidth ? width : nullptr;
+
             law.correct(block);
             result.waveSpeed = max(result.waveSpeed, block.waveSpeed);
             if (failure)
