@@ -86,12 +86,26 @@ void Foam::mpm::pointContact::meet(const label pairi)
     const auto stampHeavy = [&](const gridState& field)
     {
         ++stamp_;
-        for (const label n : field.rigid().nodes())
+        const rigidNodes& rigid = field.rigid();
+        forAll(rigid.nodes(), i)
         {
-            heavy_[n] = stamp_;
+            heavy_[rigid.nodes()[i]] = stamp_;
+            owner_[rigid.nodes()[i]] = -1;
+            forAll(bodies_, b)
+            {
+                if (bodies_[b].phase == rigid.nodePhases()[i])
+                {
+                    owner_[rigid.nodes()[i]] = b;
+                }
+            }
         }
         for (const label n : field.fixedNodes())
         {
+            if (heavy_[n] == stamp_)
+            {
+                continue;
+            }
+            owner_[n] = -1;
             if (field.momentum()[field.stride()*n + nDim_] > 0)
             {
                 heavy_[n] = stamp_;
@@ -106,6 +120,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         for (const label n : B.active())
         {
             other_[n] = inverse(B, n);
+            otherOwner_[n] = heavy_[n] == stamp_ ? owner_[n] : -1;
         }
     }
 
@@ -125,7 +140,9 @@ void Foam::mpm::pointContact::meet(const label pairi)
                 ib = pair.wall[nDim_*n + d] != 0 ? 0 : ib;
             }
         }
-        if (ia < 0 || ib < 0 || ia + ib <= 0)
+        const label bodyA = heavy_[n] == stamp_ ? owner_[n] : -1;
+        const label bodyB = pair.b >= 0 ? otherOwner_[n] : -1;
+        if (ia < 0 || ib < 0 || (ia + ib <= 0 && bodyA < 0 && bodyB < 0))
         {
             continue;
         }
@@ -138,6 +155,16 @@ void Foam::mpm::pointContact::meet(const label pairi)
         m.node = n;
         m.ia = ia;
         m.ib = ib;
+        m.bodyA = bodyA;
+        m.bodyB = bodyB;
+        if (ia + ib <= 0)
+        {
+            // The lighter of two
+            constexpr scalar soft = 1e-6;
+            const scalar a = bodyA < 0 ? 0 : soft/bodies_[bodyA].body->mass();
+            const scalar b = bodyB < 0 ? 0 : soft/bodies_[bodyB].body->mass();
+            (a >= b ? m.ia : m.ib) = max(a, b);
+        }
         meetings_.append(m);
     }
 

@@ -350,6 +350,10 @@ Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block()
 
 Foam::scalar Foam::mpm::materialPointPhase::kineticEnergy() const
 {
+    if (motion_ && motion_->free())
+    {
+        return motion_->free()->kineticEnergy();
+    }
     scalar sum = 0;
     for (label p = 0; p < cloud_.size(); ++p)
     {
@@ -378,6 +382,10 @@ Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
 
 Foam::scalar Foam::mpm::materialPointPhase::mass() const
 {
+    if (motion_ && motion_->free())
+    {
+        return motion_->free()->mass();
+    }
     scalar sum = 0;
     for (label p = 0; p < cloud_.size(); ++p)
     {
@@ -389,6 +397,10 @@ Foam::scalar Foam::mpm::materialPointPhase::mass() const
 
 Foam::vector Foam::mpm::materialPointPhase::momentum() const
 {
+    if (motion_ && motion_->free())
+    {
+        return motion_->free()->momentum();
+    }
     vector sum(Zero);
     for (label p = 0; p < cloud_.size(); ++p)
     {
