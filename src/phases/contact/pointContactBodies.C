@@ -41,13 +41,13 @@ void Foam::mpm::pointContact::setNodes
 }
 
 
-Eigen::Matrix3d Foam::mpm::pointContact::stiffness(const meeting& m) const
+Eigen::Matrix3d Foam::mpm::pointContact::stiffness
+(
+    const meeting& m,
+    const bool increment
+) const
 {
     Eigen::Matrix3d P(Eigen::Matrix3d::Zero());
-    if (!m.closed)
-    {
-        return P;
-    }
     Eigen::Vector3d n(Eigen::Vector3d::Zero()), t(n);
     for (int d = 0; d < nDim_; ++d)
     {
@@ -66,7 +66,7 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness(const meeting& m) const
     else
     {
         P = n*n.transpose();
-        if (Jt > 0)
+        if (Jt > 0 && !increment)
         {
             // J_t = mu J_n along t; only its direction follows the slip
             t /= Jt;
@@ -79,7 +79,7 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness(const meeting& m) const
             P += Jt/m.want*across;
         }
     }
-    return -M*P;
+    return M*P;
 }
 
 
@@ -125,21 +125,27 @@ Foam::mpm::pointContact::pushes() const
 
 Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
 (
-    const List<freeBody::vector6>& r
+    const List<freeBody::vector6>& r,
+    const bool increment
 ) const
 {
-    // C - sum G^T dJ/du G over bodies
+    // C + sum G^T (-dJ/du) G over bodies
     const label n = 6*bodies_.size();
     scalarList sums(n*n, scalar(0));
     for (const meeting& m : meetings_)
     {
-        if ((m.bodyA < 0 && m.bodyB < 0) || !m.closed)
+        if
+        (
+            (m.bodyA < 0 && m.bodyB < 0)
+         || !m.closed
+         || (increment && hard(m))
+        )
         {
             continue;
         }
         const Eigen::Matrix3d K
         (
-            fields_[pairs_[m.pair].a].part(m.node)*stiffness(m)
+            fields_[pairs_[m.pair].a].part(m.node)*stiffness(m, increment)
         );
         const label body[2] = {m.bodyA, m.bodyB};
         for (int i = 0; i < 2; ++i)
@@ -153,7 +159,7 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
                 const point& x = position_[m.node];
                 const freeBody::matrix6 A
                 (
-                    (i == j ? -1 : 1)
+                    (i == j ? 1 : -1)
                    *bodies_[body[i]].body->at(x, false).transpose()
                    *K*bodies_[body[j]].body->at(x, false)
                 );
@@ -184,7 +190,7 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
         A.block<6, 6>(6*b, 6*b) += bodies_[b].body->combined();
         rhs.segment<6>(6*b) = -r[b];
     }
-    const Eigen::VectorXd x(A.partialPivLu().solve(rhs));
+    const Eigen::VectorXd x(A.fullPivLu().solve(rhs));
 
     List<freeBody::vector6> dV(bodies_.size());
     forAll(dV, b)
@@ -227,6 +233,7 @@ void Foam::mpm::pointContact::settle
     {
         V[b] = bodies_[b].body->step();
     }
+    const List<freeBody::vector6> free(V);
     scalar before = GREAT, length = 1;
     for (label i = 0; i < maxSteps; ++i)
     {
@@ -242,7 +249,7 @@ void Foam::mpm::pointContact::settle
             all += V[b].dot(body.combined()*V[b])
               + body.response(J[b]).dot(J[b]);
         }
-        const List<freeBody::vector6> dV(newton(r));
+        const List<freeBody::vector6> dV(newton(r, false));
         scalar size = 0;
         forAll(bodies_, b)
         {
@@ -261,14 +268,12 @@ void Foam::mpm::pointContact::settle
         }
     }
 
+    // gridState::addImpulse gives the nodes their change
+    setNodes(u, step, free);
     forAll(bodies_, b)
     {
-        freeBody& body = *bodies_[b].body;
-        const freeBody::vector6 dV(body.response(J[b]));
-        body.change(dV);
-        V[b] = body.step();
+        bodies_[b].body->change(bodies_[b].body->response(J[b]));
     }
-    setNodes(u, step, V);
     for (gridState& field : fields_)
     {
         field.rigid().renew();
@@ -330,7 +335,7 @@ void Foam::mpm::pointContact::shareIncrement()
         }
         r[b] = bodies_[b].body->masked(r[b]);
     }
-    const List<freeBody::vector6> W(newton(r));
+    const List<freeBody::vector6> W(newton(r, true));
     forAll(bodies_, b)
     {
         gridState& field = fields_[bodies_[b].field];

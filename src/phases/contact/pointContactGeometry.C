@@ -160,7 +160,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         if (ia + ib <= 0)
         {
             // The lighter of two
-            constexpr scalar soft = 1e-6;
+            constexpr scalar soft = 1e-4;
             const scalar a = bodyA < 0 ? 0 : soft/bodies_[bodyA].body->mass();
             const scalar b = bodyB < 0 ? 0 : soft/bodies_[bodyB].body->mass();
             (a >= b ? m.ia : m.ib) = max(a, b);
@@ -247,6 +247,9 @@ void Foam::mpm::pointContact::sumGradients()
 
 void Foam::mpm::pointContact::setNormals()
 {
+    // |g| where the normal is that of the points
+    DynamicList<scalar> steep;
+    scalarList steepest(pairs_.size(), scalar(0));
     label kept = 0;
     for (const meeting& from : meetings_)
     {
@@ -254,7 +257,7 @@ void Foam::mpm::pointContact::setNormals()
         const pairOf& pair = pairs_[m.pair];
         const gridState& A = fields_[pair.a];
         const bool given = mag(pair.how.normal) > 0;
-        scalar wa = 1, wb = 1;
+        scalar wa = 1, wb = 1, size2 = GREAT;
         if (pair.b >= 0 && !given)
         {
             // The body whose surface is flat at the node counts, not the edge
@@ -266,8 +269,20 @@ void Foam::mpm::pointContact::setNormals()
                 square[1] += sqr(gradient_[pair.b][A.stride()*m.node + d]);
             }
             const scalar larger = max(max(square[0], square[1]), VSMALL);
+            size2 = larger;
+            steepest[m.pair] = max(steepest[m.pair], std::sqrt(larger));
             wa = std::pow(square[0]/larger, 50);
             wb = std::pow(square[1]/larger, 50);
+            if (hard(m))
+            {
+                // One of them, if they are alike the one that is prescribed:
+                // a normal that turns from node to node would lift the body
+                const bool takeA =
+                    square[0] > (m.bodyA < 0 ? 0.6 : m.bodyB < 0 ? 1.6 : 1)
+                   *square[1];
+                wa = takeA ? 1 : 0;
+                wb = 1 - wa;
+            }
         }
         for (int d = 0; d < nDim_; ++d)
         {
@@ -299,6 +314,30 @@ void Foam::mpm::pointContact::setNormals()
             {
                 m.n[d] /= std::sqrt(size);
             }
+            meetings_[kept++] = m;
+            steep.append(std::sqrt(size2));
+        }
+    }
+    meetings_.resize(kept);
+    if (bodies_.empty())
+    {
+        return;
+    }
+
+    // At nodes that surfaces hardly reach the normal is that of a corner: light
+    // nodes would not feel it, but a body has no light nodes
+    Pstream::listCombineGather(steepest, maxEqOp<scalar>());
+    Pstream::listCombineScatter(steepest);
+    kept = 0;
+    forAll(meetings_, i)
+    {
+        const meeting m = meetings_[i];
+        if
+        (
+            (m.bodyA < 0 && m.bodyB < 0)
+         || steep[i] > 0.25*steepest[m.pair]
+        )
+        {
             meetings_[kept++] = m;
         }
     }

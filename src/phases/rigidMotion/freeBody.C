@@ -250,7 +250,7 @@ Foam::vector Foam::mpm::freeBody::spin
 {
     vector6 momentum(vector6::Zero());
     momentum.tail<3>() << L.x(), L.y(), L.z();
-    return part(massMatrix(q).partialPivLu().solve(masked(momentum)), 3);
+    return part(massMatrix(q).ldlt().solve(masked(momentum)), 3);
 }
 
 
@@ -416,7 +416,7 @@ void Foam::mpm::freeBody::combine(const matrix6& A, const vector6& rhs)
     startNew_ = velocityOf(new_);
     if (sharesNew_)
     {
-        startNew_ += masked(combinedNew_.partialPivLu().solve(rhs));
+        startNew_ += masked(combinedNew_.ldlt().solve(rhs));
     }
 }
 
@@ -438,7 +438,7 @@ void Foam::mpm::freeBody::begin(const scalar dt, const vector& g)
         (vector6() << gravity_.x(), gravity_.y(), gravity_.z(), 0, 0, 0)
        .finished()
     ).head<3>();
-    step_ += massMatrix(now_.q).partialPivLu().solve
+    step_ += massMatrix(now_.q).ldlt().solve
     (
         masked(dt*sumOfAll(push_))
     );
@@ -450,7 +450,7 @@ void Foam::mpm::freeBody::begin(const scalar dt, const vector& g)
 Foam::mpm::freeBody::vector6
 Foam::mpm::freeBody::response(const vector6& impulse) const
 {
-    return masked(combined_.partialPivLu().solve(masked(impulse)));
+    return masked(combined_.ldlt().solve(masked(impulse)));
 }
 
 
@@ -475,7 +475,7 @@ void Foam::mpm::freeBody::addLoad(const vector& impulse, const point& x)
 void Foam::mpm::freeBody::finish(const scalar dt, const scalar a)
 {
     const matrix6 B(massMatrix(now_.q));
-    step_ += B.partialPivLu().solve(masked(sumOfAll(load_)));
+    step_ += B.ldlt().solve(masked(sumOfAll(load_)));
 
     const vector6 V(velocityOf(now_));
     const vector6 dV(step_ - start_);
