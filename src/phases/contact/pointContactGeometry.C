@@ -273,13 +273,12 @@ void Foam::mpm::pointContact::setNormals()
             steepest[m.pair] = max(steepest[m.pair], std::sqrt(larger));
             wa = std::pow(square[0]/larger, 50);
             wb = std::pow(square[1]/larger, 50);
-            if (hard(m))
+            if (hard(m) && (m.bodyA < 0 || m.bodyB < 0))
             {
                 // One of them, if they are alike the one that is prescribed:
                 // a normal that turns from node to node would lift the body
                 const bool takeA =
-                    square[0] > (m.bodyA < 0 ? 0.6 : m.bodyB < 0 ? 1.6 : 1)
-                   *square[1];
+                    square[0] > (m.bodyA < 0 ? 0.64 : 1/0.64)*square[1];
                 wa = takeA ? 1 : 0;
                 wb = 1 - wa;
             }

@@ -489,13 +489,14 @@ void Foam::mpm::freeBody::finish(const scalar dt, const scalar a)
 
     const vector6 change(a*(start_ - V) + dV);
     const vector6 momentum(B*change);
-    new_.shift = now_.shift + dt*part(step_, 0);
+    const vector6 meanNodes(0.5*(start_ + step_));
+    new_.shift = now_.shift + dt*part(meanNodes, 0);
     new_.V = now_.V + part(change, 0);
     new_.L = now_.L + part(momentum, 3);
 
-    // Midpoint, with the angular momentum of V^L
-    const vector L(part(B*step_, 3));
-    vector w(part(step_, 3));
+    // Midpoint, with the angular momentum of the mean
+    const vector L(part(B*meanNodes, 3));
+    vector w(part(meanNodes, 3));
     for (int i = 0; i < 50 && grid_.nDim() == 3; ++i)
     {
         quaternion half(turn(0.5*dt*w)*now_.q);
