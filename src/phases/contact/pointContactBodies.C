@@ -29,7 +29,7 @@ void Foam::mpm::pointContact::setNodes
             }
             const Eigen::Vector3d ub
             (
-                bodies_[b].body->at(position_[m.node], false)*V[b]
+                bodies_[b].body->at(m.at, false)*V[b]
             );
             scalar* to = u[side == 0 ? pair.a : pair.b] + step*m.node;
             for (int d = 0; d < nDim_; ++d)
@@ -44,7 +44,7 @@ void Foam::mpm::pointContact::setNodes
 Eigen::Matrix3d Foam::mpm::pointContact::stiffness
 (
     const meeting& m,
-    const bool increment
+    const slope kind
 ) const
 {
     Eigen::Matrix3d P(Eigen::Matrix3d::Zero());
@@ -66,12 +66,16 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness
     else
     {
         P = n*n.transpose();
-        if (Jt > 0 && !increment)
+        if (Jt > 0 && kind != filtered)
         {
             // J_t = mu J_n along t; only its direction follows the slip
-            t /= Jt;
-            P += pairs_[m.pair].how.mu*t*n.transpose();
-            Eigen::Matrix3d across(-n*n.transpose() - t*t.transpose());
+            Eigen::Matrix3d across(-n*n.transpose());
+            if (kind == tangent)
+            {
+                t /= Jt;
+                P += pairs_[m.pair].how.mu*t*n.transpose();
+                across -= t*t.transpose();
+            }
             for (int d = 0; d < nDim_; ++d)
             {
                 across(grid_.direction(d), grid_.direction(d)) += 1;
@@ -103,7 +107,7 @@ Foam::mpm::pointContact::pushes() const
             {
                 sums[2*b] += J;
                 sums[2*b + 1] +=
-                    (position_[m.node] - bodies_[b].body->centre(false)) ^ J;
+                    (m.at - bodies_[b].body->centre(false)) ^ J;
             }
         }
     }
@@ -126,7 +130,7 @@ Foam::mpm::pointContact::pushes() const
 Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
 (
     const List<freeBody::vector6>& r,
-    const bool increment
+    const slope kind
 ) const
 {
     // C + sum G^T (-dJ/du) G over bodies
@@ -138,14 +142,14 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
         (
             (m.bodyA < 0 && m.bodyB < 0)
          || !m.closed
-         || (increment && hard(m))
+         || (kind == filtered && hard(m))
         )
         {
             continue;
         }
         const Eigen::Matrix3d K
         (
-            fields_[pairs_[m.pair].a].part(m.node)*stiffness(m, increment)
+            fields_[pairs_[m.pair].a].part(m.node)*stiffness(m, kind)
         );
         const label body[2] = {m.bodyA, m.bodyB};
         for (int i = 0; i < 2; ++i)
@@ -156,7 +160,7 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
                 {
                     continue;
                 }
-                const point& x = position_[m.node];
+                const point& x = m.at;
                 const freeBody::matrix6 A
                 (
                     (i == j ? 1 : -1)
@@ -227,13 +231,13 @@ void Foam::mpm::pointContact::settle
 )
 {
     constexpr label maxSteps = 100;
+    slope kind = tangent;
     const label n = bodies_.size();
-    List<freeBody::vector6> V(n), r(n), J;
+    List<freeBody::vector6> V(n), r(n), J, dV;
     forAll(bodies_, b)
     {
         V[b] = bodies_[b].body->step();
     }
-    const List<freeBody::vector6> free(V);
     scalar before = GREAT, length = 1;
     for (label i = 0; i < maxSteps; ++i)
     {
@@ -241,7 +245,7 @@ void Foam::mpm::pointContact::settle
         setNodes(u, step, V);
         collide(u, step, dt, true);
         J = pushes();
-        scalar all = 0;
+        scalar all = 0, size = 0;
         forAll(bodies_, b)
         {
             const freeBody& body = *bodies_[b].body;
@@ -249,27 +253,63 @@ void Foam::mpm::pointContact::settle
             all += V[b].dot(body.combined()*V[b])
               + body.response(J[b]).dot(J[b]);
         }
-        const List<freeBody::vector6> dV(newton(r, false));
-        scalar size = 0;
+        kind = i < 10 ? tangent : secant;
+        dV = newton(r, kind);
         forAll(bodies_, b)
         {
             size += dV[b].dot(bodies_[b].body->combined()*dV[b]);
         }
-        if (!(size > 1e-28*all))
+        if (!(size > 1e-24*all))
         {
             break;
         }
         // Where nodes open and close by turns, half of the way
-        length = size < before ? 1 : max(0.5*length, scalar(0.1));
+        length = size < before || i == 10 ? 1 : max(0.5*length, scalar(0.1));
         before = size;
         forAll(bodies_, b)
         {
-            V[b] += length*dV[b];
+            V[b] += (i + 1 < maxSteps ? length : 0)*dV[b];
         }
     }
 
+    // The last step in J, not in V: rounding does not grow by the stiffness, and
+    // what did not converge stays that of a linear contact
+    for (meeting& m : meetings_)
+    {
+        if ((m.bodyA < 0 && m.bodyB < 0) || !m.closed)
+        {
+            continue;
+        }
+        Eigen::Vector3d du(Eigen::Vector3d::Zero());
+        if (m.bodyA >= 0)
+        {
+            du -= bodies_[m.bodyA].body->at(m.at, false)*dV[m.bodyA];
+        }
+        if (m.bodyB >= 0)
+        {
+            du += bodies_[m.bodyB].body->at(m.at, false)*dV[m.bodyB];
+        }
+        const Eigen::Vector3d dJ(-stiffness(m, kind)*du);
+        const pairOf& pair = pairs_[m.pair];
+        const label at = fields_[pair.a].stride()*m.node;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            const scalar more = dJ(grid_.direction(d));
+            m.Jt[d] += more;
+            impulse_[pair.a][at + d] -= more;
+            if (pair.b >= 0)
+            {
+                impulse_[pair.b][at + d] += more;
+            }
+        }
+    }
+    J = pushes();
+
     // gridState::addImpulse gives the nodes their change
-    setNodes(u, step, free);
+    forAll(fields_, fieldi)
+    {
+        fields_[fieldi].rigid().impose(u[fieldi], step, false, false);
+    }
     forAll(bodies_, b)
     {
         bodies_[b].body->change(bodies_[b].body->response(J[b]));
@@ -319,7 +359,7 @@ void Foam::mpm::pointContact::shareIncrement()
                 const vector J(side == 0 ? take : -take);
                 sums[2*b] += J;
                 sums[2*b + 1] +=
-                    (position_[m.node] - bodies_[b].body->centre(false)) ^ J;
+                    (m.at - bodies_[b].body->centre(false)) ^ J;
             }
         }
     }
@@ -335,7 +375,7 @@ void Foam::mpm::pointContact::shareIncrement()
         }
         r[b] = bodies_[b].body->masked(r[b]);
     }
-    const List<freeBody::vector6> W(newton(r, true));
+    const List<freeBody::vector6> W(newton(r, filtered));
     forAll(bodies_, b)
     {
         gridState& field = fields_[bodies_[b].field];

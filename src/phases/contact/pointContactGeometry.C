@@ -44,7 +44,7 @@ void Foam::mpm::pointContact::forPoints
                 const label celli = cloud.cells()[k];
                 for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
                 {
-                    scalar x[3], l[3];
+                    scalar x[3], l[3] = {0, 0, 0};
                     for (int d = 0; d < nDim_; ++d)
                     {
                         x[d] = cloud.x()[d][p];
@@ -344,8 +344,33 @@ void Foam::mpm::pointContact::setNormals()
 }
 
 
+Foam::scalar Foam::mpm::pointContact::reach
+(
+    const meeting& m,
+    const scalar* x,
+    const scalar* l,
+    const scalar sign
+) const
+{
+    scalar along = 0, R = 0;
+    for (int d = 0; d < nDim_; ++d)
+    {
+        scalar dx = x[d] - position_[m.node][grid_.direction(d)];
+        if (grid_.period(d) > 0)
+        {
+            dx -= grid_.period(d)*std::round(dx/grid_.period(d));
+        }
+        along += dx*m.n[d];
+        R += sqr(l[d]*m.n[d]);
+    }
+    return sign*along + std::sqrt(R);
+}
+
+
 void Foam::mpm::pointContact::setGaps()
 {
+    scalarList reachA(bodies_.size() ? meetings_.size() : 0);
+    scalarList reachB(reachA.size());
     label first = 0;
     forAll(pairs_, pairi)
     {
@@ -384,21 +409,8 @@ void Foam::mpm::pointContact::setGaps()
                             continue;
                         }
                         const meeting& m = meetings_[place];
-                        scalar along = 0, R = 0;
-                        for (int d = 0; d < nDim_; ++d)
-                        {
-                            scalar dx =
-                                x[d] - position_[m.node][grid_.direction(d)];
-                            if (grid_.period(d) > 0)
-                            {
-                                dx -= grid_.period(d)
-                                   *std::round(dx/grid_.period(d));
-                            }
-                            along += dx*m.n[d];
-                            R += sqr(l[d]*m.n[d]);
-                        }
                         scalar& e = reach_[2*m.node + side];
-                        e = max(e, (side == 0 ? along : -along) + std::sqrt(R));
+                        e = max(e, reach(m, x, l, side == 0 ? 1 : -1));
                     }
                 }
             );
@@ -411,7 +423,140 @@ void Foam::mpm::pointContact::setGaps()
             placeOf_[m.node] = -1;
             scalar* e = reach_.data() + 2*m.node;
             m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
+            m.at = position_[m.node];
+            if (bodies_.size())
+            {
+                reachA[i] = e[0];
+                reachB[i] = e[1];
+            }
             e[0] = e[1] = -GREAT;
+        }
+        first = last;
+    }
+    if (bodies_.size())
+    {
+        setPlaces(reachA, reachB);
+    }
+}
+
+void Foam::mpm::pointContact::setPlaces
+(
+    const UList<scalar>& reachA,
+    const UList<scalar>& reachB
+)
+{
+    label first = 0;
+    forAll(pairs_, pairi)
+    {
+        const pairOf& pair = pairs_[pairi];
+        label last = first;
+        for (; last < meetings_.size() && meetings_[last].pair == pairi; ++last)
+        {
+            if (hard(meetings_[last]))
+            {
+                placeOf_[meetings_[last].node] = last;
+            }
+        }
+        for (const label fieldi : {pair.a, pair.b})
+        {
+            if (fieldi < 0 || fields_[fieldi].rigid().bodies().empty())
+            {
+                continue;
+            }
+            gridState& field = fields_[fieldi];
+            const bool isA = fieldi == pair.a;
+            const int stride = field.stride();
+
+            // Sum of weights times distance from the node, and of weights
+            scalarList& sums = impulse_[fieldi];
+            const auto clear = [&]
+            {
+                for (const label n : field.active())
+                {
+                    for (int c = 0; c < stride; ++c)
+                    {
+                        sums[stride*n + c] = 0;
+                    }
+                }
+            };
+            clear();
+            forPoints
+            (
+                fieldi,
+                [&]
+                (
+                    const materialPointCloud&,
+                    const label,
+                    const scalar* x,
+                    const scalar* l,
+                    const UList<label>& nodes,
+                    const UList<scalar>& S,
+                    const UList<scalar>&
+                )
+                {
+                    forAll(nodes, i)
+                    {
+                        const label place =
+                            nodes[i] < 0 ? -1 : placeOf_[nodes[i]];
+                        if (place < 0 || !(S[i] > 0))
+                        {
+                            continue;
+                        }
+                        const meeting& m = meetings_[place];
+                        const scalar behind =
+                            (isA ? reachA : reachB)[place]
+                          - reach(m, x, l, isA ? 1 : -1);
+                        const scalar near =
+                            1 - behind/(0.05*max(l[0], max(l[1], l[2])));
+                        if (near <= 0)
+                        {
+                            continue;
+                        }
+                        const scalar w = near*S[i]/(S[i] + 0.05);
+                        scalar* sum = sums.data() + stride*nodes[i];
+                        for (int d = 0; d < nDim_; ++d)
+                        {
+                            sum[d] +=
+                                w
+                               *(
+                                    x[d]
+                                  - position_[m.node][grid_.direction(d)]
+                                );
+                        }
+                        sum[nDim_] += w;
+                    }
+                }
+            );
+            field.sumWithMass(sums.data());
+            for (label i = first; i < last; ++i)
+            {
+                meeting& m = meetings_[i];
+                const label body = isA ? m.bodyA : m.bodyB;
+                const scalar* sum = sums.cdata() + stride*m.node;
+                if (!hard(m) || body < 0 || !(sum[nDim_] > 0))
+                {
+                    continue;
+                }
+                // Along n where the first point ends. Of two free bodies the
+                // first
+                scalar along = 0;
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    along += sum[d]*m.n[d];
+                }
+                for (int d = 0; d < nDim_ && (isA || m.bodyA < 0); ++d)
+                {
+                    m.at[grid_.direction(d)] =
+                        position_[m.node][grid_.direction(d)]
+                      + (sum[d] - along*m.n[d])/sum[nDim_]
+                      + (isA ? reachA[i] : -reachB[i])*m.n[d];
+                }
+            }
+            clear();
+        }
+        for (label i = first; i < last; ++i)
+        {
+            placeOf_[meetings_[i].node] = -1;
         }
         first = last;
     }

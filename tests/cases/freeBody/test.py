@@ -9,7 +9,7 @@ bar        a rigid mass hits an elastic bar, with contact and with a shared velo
 collide    a rigid disc meets an elastic one off centre, and one that is half rigid:
            momentum; a restart bit by bit, 1 and 2 processors
 slide      a rigid block slides on a slope, on a patch and on a rigid slab: Coulomb
-roll       a rigid disc rolls on an elastic floor: 2/3 g sin
+roll       a rigid disc rolls, or slides, down a patch: 2/3 g sin
 piston     a rigid piston between two gases: period, momentum, energy
 """
 
@@ -201,18 +201,22 @@ def bar(table):
         table.row(f"bar, {label}: velocity of the mass / V - exp(-t/tau)", 0,
                   np.abs(P[:, 0]/(m[0]*v) - np.exp(-t/tau)).max(), 0.01)
         s = case.series("face", "sigma_xx.dat")
-        late = (s[:, 0] > 10*h/c) & (s[:, 0] < 1.8*L/c)
+        late = (s[:, 0] > 20*h/c) & (s[:, 0] < 1.8*L/c)
         exact = -Z*v*np.exp(-(s[late, 0] - 2.5*h/c)/tau)
         error = s[late, 1] - exact
         print(f"bar, {label}: largest error of the stress {np.abs(error).max()/(Z*v):.4f},"
               f" mean {np.abs(error).mean()/(Z*v):.4f}")
         residual = np.array(re.findall(r"residual (\S+)", case.log()), float)
-        table.row(f"bar, {label}: energy residual / kinetic energy", 0,
-                  np.abs(residual).max()/(0.5*m[0]*v**2), 0.01)
-        if numerics is FMPM:
+        if numerics is FLIP:
+            # The filter of the strain of FMPM is in the residual
+            table.row(f"bar, {label}: energy residual / kinetic energy", 0,
+                      np.abs(residual).max()/(0.5*m[0]*v**2), 0.01)
+        else:
             # FLIP rings behind the front
-            table.row(f"bar, {label}: stress at the face, mean error / (Z V)", 0,
-                      np.abs(error).mean()/(Z*v), 0.01)
+            # Where the mass sticks to a cell of the bar it rings a little
+            kind = "mean" if shared else "largest"
+            table.row(f"bar, {label}: stress at the face, {kind} error / (Z V)", 0,
+                      getattr(np.abs(error), "mean" if shared else "max")()/(Z*v), 0.01)
 
 
 def collideCase(name, kind, end, writeInterval, numerics=FLIP):
@@ -306,47 +310,46 @@ def slide(table):
 
 
 def smooth(case, phase, centre, R, spacing):
-    """Move the outermost points of a disc out to its edge: without steps."""
+    """Move the outer points of a disc to its edge, evenly: a polygon of many sides."""
     points = case.points("0", phase)
+    x = points["x"].copy()
+    arm = x[:, :2] - centre
+    out = np.nonzero(np.linalg.norm(arm, axis=1) > R - 4*spacing)[0]
+    out = out[np.argsort(np.arctan2(arm[out, 1], arm[out, 0]))]
+    angle = 2*np.pi*np.arange(len(out))/len(out) - np.pi
+    x[out, :2] = centre + (R - 0.5*spacing)*np.column_stack([np.cos(angle), np.sin(angle)])
     for column in ("x", "X"):
-        if column not in points:
-            continue
-        x = points[column].copy()
-        arm = x[:, :2] - centre
-        far = np.linalg.norm(arm, axis=1)
-        out = far > R - 1.2*spacing
-        x[out, :2] = centre + arm[out]*((R - 0.5*spacing)/far[out])[:, None]
         writeField(case.file("0", "lagrangian", phase, column), x)
+    return len(out)
 
 
 def roll(table):
-    """A disc rolls down a layer of a soft solid that lies on a patch."""
-    g, slope, h, R, end = 9.81, np.radians(10), 0.05, 0.4, 1.2
+    """A disc with a smooth edge rolls down a patch, and with too little friction
+    slides."""
+    g, slope, h, R, end = 9.81, np.radians(20), 0.1, 0.4, 0.8
     gravity = g*np.array((np.sin(slope), -np.cos(slope), 0))
-    for how in ({"type": "stick"}, {"type": "Coulomb", "mu": 0.5}):
-        label = how["type"]
+    M = 500*np.pi*R**2*h
+    rolling = 2/3*g*np.sin(slope)
+    for label, how, exact in (
+            ("stick", {"type": "stick"}, rolling),
+            ("mu 0.5", {"type": "Coulomb", "mu": 0.5}, rolling),
+            ("mu 0.05", {"type": "Coulomb", "mu": 0.05},
+             g*(np.sin(slope) - 0.05*np.cos(slope)))):
         case = build(
-            f"roll {label}", (0, -4*h), h, (48, 24),
-            {"disc": body(rho=500),
-             "floor": {"type": "materialPoints", "constitutiveModel": {
-                 "type": "linearElastic", "rho": 1000, "E": 1e6, "nu": 0.3}},
-             "base": {"type": "rigid", "rho": 1000, "velocityField": "floor"}},
+            f"roll {label}", (0, 0), h, (24, 12),
+            {"disc": body(rho=500, mass=M, inertia=0.5*M*R**2)},
             {"disc": {"type": "sphere", "centre": (0.6, R, 0.5*h), "radius": R,
-                      "pointsPerCell": 4},
-             "floor": {"min": (0, -2*h, 0), "max": (48*h, 0, h)},
-             "base": {"min": (0, -4*h, 0), "max": (48*h, -2*h, h)}},
-            controlDict(end, end, 0.3, functions=BALANCE), FLIP, gravity,
-            {"floor": {"fields": "(floor disc)", **how}})
-        smooth(case, "disc", (0.6, R), R, 0.25*h)
+                      "pointsPerCell": 8}},
+            controlDict(end, end, deltaT=5e-4, functions=BALANCE), FLIP, gravity,
+            {"floor": {"fields": "(disc)", "patch": "floor", **how}}, {"floor": ["y-"]})
+        sides = smooth(case, "disc", (0.6, R), R, h/8)
         case.run("materialPointFoam", limit=300)
-        t, m, P, L, _ = balance(case, "disc")
+        t, m, P, _, K = balance(case, "disc")
         v = P[:, 0]/m[0]
-        late = t > 0.2
-        a = np.polyfit(t[late], v[late], 1)[0]
-        table.row(f"roll, {label}: acceleration / (2/3 g sin)", 1,
-                  a/(2/3*g*np.sin(slope)), 0.01)
-        print(f"roll, {label}: end velocity {v[-1]:.4f}, 2/3 g sin t"
-              f" {2/3*g*np.sin(slope)*t[-1]:.4f}")
+        table.row(f"roll on a patch, {label}: velocity / a t", 1, v[-1]/(exact*t[-1]), 0.01)
+        print(f"roll on a patch, {label}: {sides} sides, spin energy / translation"
+              f" {K[-1]/(0.5*m[0]*v[-1]**2) - 1:.4f}, velocity across"
+              f" {np.abs(P[:, 1]).max()/m[0]:.2e}")
 
 
 def piston(table):
