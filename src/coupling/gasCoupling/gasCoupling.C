@@ -440,6 +440,10 @@ void Foam::mpm::gasCoupling::force()
                 push_[phasei][sums_.grid().direction(d)] =
                     std::accumulate(F, F + cloud.size(), scalar(0));
             }
+            if (freeBody* body = phase.motion()->free())
+            {
+                pushBody(*body, cloud, push_[phasei]);
+            }
             continue;
         }
 

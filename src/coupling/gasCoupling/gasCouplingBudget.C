@@ -26,12 +26,36 @@ void Foam::mpm::gasCoupling::loadRigid(const scalar dt)
 }
 
 
+void Foam::mpm::gasCoupling::pushBody
+(
+    freeBody& body,
+    materialPointCloud& cloud,
+    const vector& force
+) const
+{
+    const int D = sums_.grid().nDim();
+    vector torque(Zero);
+    for (label p = 0; p < cloud.size(); ++p)
+    {
+        vector arm(Zero), F(Zero);
+        for (int d = 0; d < D; ++d)
+        {
+            const int c = sums_.grid().direction(d);
+            arm[c] = cloud.x()[d][p] - body.centre(false)[c];
+            F[c] = (*cloud.gasForce())[d][p];
+        }
+        torque += arm ^ F;
+    }
+    body.setPush(force, torque);
+}
+
+
 void Foam::mpm::gasCoupling::bookRigid()
 {
     const int D = sums_.grid().nDim();
     for (materialPointPhase& phase : points_.phases())
     {
-        if (!phase.motion())
+        if (!phase.prescribed())
         {
             continue;
         }

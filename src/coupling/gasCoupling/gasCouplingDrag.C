@@ -45,7 +45,8 @@ Foam::vector Foam::mpm::gasCoupling::exchange
     }
     Kc_[celli] += K;
 
-    // Harmonic masses; a rigid phase has no end of it
+    // Harmonic masses; a rigid phase has no end of it: a free body takes
+    // the impulse at the end of the step
     const scalar shared = M < GREAT ? rho*M/(rho + M) : rho;
     const scalar a = dt*K/shared;
     const vector J(a/(1 + a)*shared*relative);
@@ -138,13 +139,15 @@ void Foam::mpm::gasCoupling::dragRigid(const label phasei, const scalar dt)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
     rigidNodes& rigid = points_.fields()[points_.fieldOf(phasei)].rigid();
+    freeBody* body = points_.phases()[phasei].motion()->free();
     forAll(cloud.cells(), k)
     {
         scalar m = 0, v = 0;
-        vector mU(Zero);
+        vector mU(Zero), mx(Zero);
         for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
         {
             m += cloud.mass()[0][p];
+            mx += cloud.mass()[0][p]*cloud.position(p, cloud.cells()[k]);
             mU += cloud.mass()[0][p]*cloud.velocity(p);
             v += (*cloud.gasVolume())[0][p];
         }
@@ -163,7 +166,14 @@ void Foam::mpm::gasCoupling::dragRigid(const label phasei, const scalar dt)
             )
         );
         rigid.addLoad(phasei, -J);
-        rigidWork_ += J & mU/m;
+        if (body)
+        {
+            body->addLoad(-J, mx/m);
+        }
+        else
+        {
+            rigidWork_ += J & mU/m;
+        }
     }
 }
 

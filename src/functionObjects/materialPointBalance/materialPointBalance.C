@@ -112,6 +112,10 @@ sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
     reduce(s.nPoints, sumOp<label>());
     reduce(s.nFailed, sumOp<label>());
     reduce(s.angularMomentum, sumOp<vector>());
+    if (phase.motion() && phase.motion()->free())
+    {
+        s.angularMomentum = phase.motion()->free()->angularMomentum(origin);
+    }
 
     return s;
 }
@@ -217,7 +221,7 @@ bool Foam::functionObjects::materialPointBalance::execute()
     scalar mass = 0;
     for (const mpm::materialPointPhase& phase : points.phases())
     {
-        mass += phase.motion() ? 0 : phase.mass();
+        mass += phase.prescribed() ? 0 : phase.mass();
     }
     vector J(Zero);
     for (const mpm::gridState& field : points.fields())
@@ -247,7 +251,7 @@ void Foam::functionObjects::materialPointBalance::sampleGas
     forAll(points.phases(), phasei)
     {
         const mpm::materialPointPhase& phase = points.phases()[phasei];
-        if (phase.motion())
+        if (phase.prescribed())
         {
             J -= points.rigidImpulse(phasei);
         }

@@ -58,6 +58,7 @@ void Foam::mpm::pointContact::collide
 
     for (meeting& m : meetings_)
     {
+        m.want = 0;
         m.Jn = m.Jt[0] = m.Jt[1] = m.Jt[2] = 0;
     }
     for (label sweep = 0; sweep < sweeps; ++sweep)
@@ -96,6 +97,7 @@ void Foam::mpm::pointContact::collide
                 m.Jt[d] = Jt;
             }
             m.Jn = Jn;
+            m.want = size;
             if (keep)
             {
                 m.closed = Jn > 0;
@@ -130,6 +132,8 @@ Foam::mpm::pointContact::pointContact
     impulse_(fields.size()),
     heavy_(grid.nNodes(), label(-1)),
     stamp_(0),
+    owner_(grid.nNodes(), label(-1)),
+    otherOwner_(grid.nNodes(), label(-1)),
     placeOf_(grid.nNodes(), label(-1)),
     other_(grid.nNodes(), scalar(-1)),
     reach_(2*grid.nNodes(), -GREAT)
@@ -137,6 +141,10 @@ Foam::mpm::pointContact::pointContact
     read(dict);
     forAll(fields_, fieldi)
     {
+        for (const rigidNodes::bodyOf& b : fields_[fieldi].rigid().bodies())
+        {
+            bodies_.append(bodyOf{fieldi, b.phase, b.body});
+        }
         if (has_[fieldi])
         {
             impulse_[fieldi].setSize
@@ -216,7 +224,14 @@ Foam::scalar Foam::mpm::pointContact::push
         u[fieldi] = fields_[fieldi].UL();
     }
     const int step = 2*fields_[0].stride();
-    collide(u, step, dt, true);
+    if (bodies_.size())
+    {
+        settle(u, step, dt);
+    }
+    else
+    {
+        collide(u, step, dt, true);
+    }
 
     for (const meeting& m : meetings_)
     {
@@ -240,7 +255,12 @@ Foam::scalar Foam::mpm::pointContact::push
                 fields_[fieldi].stride()
             );
             boundary +=
-                fields_[fieldi].addImpulse(impulse_[fieldi].cdata(), withWork);
+                fields_[fieldi].addImpulse
+                (
+                    impulse_[fieldi].cdata(),
+                    withWork,
+                    true
+                );
         }
     }
 
@@ -258,7 +278,10 @@ Foam::scalar Foam::mpm::pointContact::push
             const gridState& field = fields_[fieldi];
             const int stride = field.stride();
             scalar* J = impulse_[fieldi].data() + stride*m.node;
-            const bool prescribed = (fieldi == pair.a ? m.ia : m.ib) <= 0;
+            const bool prescribed =
+                fieldi == pair.a
+              ? m.ia <= 0 && m.bodyA < 0
+              : m.ib <= 0 && m.bodyB < 0;
             for (int d = 0; d < nDim_; ++d)
             {
                 if (!prescribed)
@@ -315,15 +338,19 @@ void Foam::mpm::pointContact::pushStrain(const scalar dt)
 }
 
 
-void Foam::mpm::pointContact::filter()
+void Foam::mpm::pointContact::filter(const bool changes)
 {
     if (!any_)
     {
         return;
     }
+    if (changes && bodies_.size())
+    {
+        shareIncrement();
+    }
     for (const meeting& m : meetings_)
     {
-        if (!m.closed)
+        if (!m.closed || hard(m))
         {
             continue;
         }

@@ -44,7 +44,7 @@ void Foam::mpm::pointContact::forPoints
                 const label celli = cloud.cells()[k];
                 for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
                 {
-                    scalar x[3], l[3];
+                    scalar x[3], l[3] = {0, 0, 0};
                     for (int d = 0; d < nDim_; ++d)
                     {
                         x[d] = cloud.x()[d][p];
@@ -86,12 +86,26 @@ void Foam::mpm::pointContact::meet(const label pairi)
     const auto stampHeavy = [&](const gridState& field)
     {
         ++stamp_;
-        for (const label n : field.rigid().nodes())
+        const rigidNodes& rigid = field.rigid();
+        forAll(rigid.nodes(), i)
         {
-            heavy_[n] = stamp_;
+            heavy_[rigid.nodes()[i]] = stamp_;
+            owner_[rigid.nodes()[i]] = -1;
+            forAll(bodies_, b)
+            {
+                if (bodies_[b].phase == rigid.nodePhases()[i])
+                {
+                    owner_[rigid.nodes()[i]] = b;
+                }
+            }
         }
         for (const label n : field.fixedNodes())
         {
+            if (heavy_[n] == stamp_)
+            {
+                continue;
+            }
+            owner_[n] = -1;
             if (field.momentum()[field.stride()*n + nDim_] > 0)
             {
                 heavy_[n] = stamp_;
@@ -106,6 +120,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         for (const label n : B.active())
         {
             other_[n] = inverse(B, n);
+            otherOwner_[n] = heavy_[n] == stamp_ ? owner_[n] : -1;
         }
     }
 
@@ -125,7 +140,9 @@ void Foam::mpm::pointContact::meet(const label pairi)
                 ib = pair.wall[nDim_*n + d] != 0 ? 0 : ib;
             }
         }
-        if (ia < 0 || ib < 0 || ia + ib <= 0)
+        const label bodyA = heavy_[n] == stamp_ ? owner_[n] : -1;
+        const label bodyB = pair.b >= 0 ? otherOwner_[n] : -1;
+        if (ia < 0 || ib < 0 || (ia + ib <= 0 && bodyA < 0 && bodyB < 0))
         {
             continue;
         }
@@ -138,6 +155,16 @@ void Foam::mpm::pointContact::meet(const label pairi)
         m.node = n;
         m.ia = ia;
         m.ib = ib;
+        m.bodyA = bodyA;
+        m.bodyB = bodyB;
+        if (ia + ib <= 0)
+        {
+            // The lighter of two
+            constexpr scalar soft = 1e-4;
+            const scalar a = bodyA < 0 ? 0 : soft/bodies_[bodyA].body->mass();
+            const scalar b = bodyB < 0 ? 0 : soft/bodies_[bodyB].body->mass();
+            (a >= b ? m.ia : m.ib) = max(a, b);
+        }
         meetings_.append(m);
     }
 
@@ -220,6 +247,9 @@ void Foam::mpm::pointContact::sumGradients()
 
 void Foam::mpm::pointContact::setNormals()
 {
+    // |g| where the normal is that of the points
+    DynamicList<scalar> steep;
+    scalarList steepest(pairs_.size(), scalar(0));
     label kept = 0;
     for (const meeting& from : meetings_)
     {
@@ -227,7 +257,7 @@ void Foam::mpm::pointContact::setNormals()
         const pairOf& pair = pairs_[m.pair];
         const gridState& A = fields_[pair.a];
         const bool given = mag(pair.how.normal) > 0;
-        scalar wa = 1, wb = 1;
+        scalar wa = 1, wb = 1, size2 = GREAT;
         if (pair.b >= 0 && !given)
         {
             // The body whose surface is flat at the node counts, not the edge
@@ -239,8 +269,19 @@ void Foam::mpm::pointContact::setNormals()
                 square[1] += sqr(gradient_[pair.b][A.stride()*m.node + d]);
             }
             const scalar larger = max(max(square[0], square[1]), VSMALL);
+            size2 = larger;
+            steepest[m.pair] = max(steepest[m.pair], std::sqrt(larger));
             wa = std::pow(square[0]/larger, 50);
             wb = std::pow(square[1]/larger, 50);
+            if (hard(m) && (m.bodyA < 0 || m.bodyB < 0))
+            {
+                // One of them, if they are alike the one that is prescribed:
+                // a normal that turns from node to node would lift the body
+                const bool takeA =
+                    square[0] > (m.bodyA < 0 ? 0.64 : 1/0.64)*square[1];
+                wa = takeA ? 1 : 0;
+                wb = 1 - wa;
+            }
         }
         for (int d = 0; d < nDim_; ++d)
         {
@@ -273,14 +314,63 @@ void Foam::mpm::pointContact::setNormals()
                 m.n[d] /= std::sqrt(size);
             }
             meetings_[kept++] = m;
+            steep.append(std::sqrt(size2));
+        }
+    }
+    meetings_.resize(kept);
+    if (bodies_.empty())
+    {
+        return;
+    }
+
+    // At nodes that surfaces hardly reach the normal is that of a corner: light
+    // nodes would not feel it, but a body has no light nodes
+    Pstream::listCombineGather(steepest, maxEqOp<scalar>());
+    Pstream::listCombineScatter(steepest);
+    kept = 0;
+    forAll(meetings_, i)
+    {
+        const meeting m = meetings_[i];
+        if
+        (
+            (m.bodyA < 0 && m.bodyB < 0)
+         || steep[i] > 0.25*steepest[m.pair]
+        )
+        {
+            meetings_[kept++] = m;
         }
     }
     meetings_.resize(kept);
 }
 
 
+Foam::scalar Foam::mpm::pointContact::reach
+(
+    const meeting& m,
+    const scalar* x,
+    const scalar* l,
+    const scalar sign
+) const
+{
+    scalar along = 0, R = 0;
+    for (int d = 0; d < nDim_; ++d)
+    {
+        scalar dx = x[d] - position_[m.node][grid_.direction(d)];
+        if (grid_.period(d) > 0)
+        {
+            dx -= grid_.period(d)*std::round(dx/grid_.period(d));
+        }
+        along += dx*m.n[d];
+        R += sqr(l[d]*m.n[d]);
+    }
+    return sign*along + std::sqrt(R);
+}
+
+
 void Foam::mpm::pointContact::setGaps()
 {
+    scalarList reachA(bodies_.size() ? meetings_.size() : 0);
+    scalarList reachB(reachA.size());
     label first = 0;
     forAll(pairs_, pairi)
     {
@@ -319,21 +409,8 @@ void Foam::mpm::pointContact::setGaps()
                             continue;
                         }
                         const meeting& m = meetings_[place];
-                        scalar along = 0, R = 0;
-                        for (int d = 0; d < nDim_; ++d)
-                        {
-                            scalar dx =
-                                x[d] - position_[m.node][grid_.direction(d)];
-                            if (grid_.period(d) > 0)
-                            {
-                                dx -= grid_.period(d)
-                                   *std::round(dx/grid_.period(d));
-                            }
-                            along += dx*m.n[d];
-                            R += sqr(l[d]*m.n[d]);
-                        }
                         scalar& e = reach_[2*m.node + side];
-                        e = max(e, (side == 0 ? along : -along) + std::sqrt(R));
+                        e = max(e, reach(m, x, l, side == 0 ? 1 : -1));
                     }
                 }
             );
@@ -346,7 +423,140 @@ void Foam::mpm::pointContact::setGaps()
             placeOf_[m.node] = -1;
             scalar* e = reach_.data() + 2*m.node;
             m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
+            m.at = position_[m.node];
+            if (bodies_.size())
+            {
+                reachA[i] = e[0];
+                reachB[i] = e[1];
+            }
             e[0] = e[1] = -GREAT;
+        }
+        first = last;
+    }
+    if (bodies_.size())
+    {
+        setPlaces(reachA, reachB);
+    }
+}
+
+void Foam::mpm::pointContact::setPlaces
+(
+    const UList<scalar>& reachA,
+    const UList<scalar>& reachB
+)
+{
+    label first = 0;
+    forAll(pairs_, pairi)
+    {
+        const pairOf& pair = pairs_[pairi];
+        label last = first;
+        for (; last < meetings_.size() && meetings_[last].pair == pairi; ++last)
+        {
+            if (hard(meetings_[last]))
+            {
+                placeOf_[meetings_[last].node] = last;
+            }
+        }
+        for (const label fieldi : {pair.a, pair.b})
+        {
+            if (fieldi < 0 || fields_[fieldi].rigid().bodies().empty())
+            {
+                continue;
+            }
+            gridState& field = fields_[fieldi];
+            const bool isA = fieldi == pair.a;
+            const int stride = field.stride();
+
+            // Sum of weights times distance from the node, and of weights
+            scalarList& sums = impulse_[fieldi];
+            const auto clear = [&]
+            {
+                for (const label n : field.active())
+                {
+                    for (int c = 0; c < stride; ++c)
+                    {
+                        sums[stride*n + c] = 0;
+                    }
+                }
+            };
+            clear();
+            forPoints
+            (
+                fieldi,
+                [&]
+                (
+                    const materialPointCloud&,
+                    const label,
+                    const scalar* x,
+                    const scalar* l,
+                    const UList<label>& nodes,
+                    const UList<scalar>& S,
+                    const UList<scalar>&
+                )
+                {
+                    forAll(nodes, i)
+                    {
+                        const label place =
+                            nodes[i] < 0 ? -1 : placeOf_[nodes[i]];
+                        if (place < 0 || !(S[i] > 0))
+                        {
+                            continue;
+                        }
+                        const meeting& m = meetings_[place];
+                        const scalar behind =
+                            (isA ? reachA : reachB)[place]
+                          - reach(m, x, l, isA ? 1 : -1);
+                        const scalar near =
+                            1 - behind/(0.05*max(l[0], max(l[1], l[2])));
+                        if (near <= 0)
+                        {
+                            continue;
+                        }
+                        const scalar w = near*S[i]/(S[i] + 0.05);
+                        scalar* sum = sums.data() + stride*nodes[i];
+                        for (int d = 0; d < nDim_; ++d)
+                        {
+                            sum[d] +=
+                                w
+                               *(
+                                    x[d]
+                                  - position_[m.node][grid_.direction(d)]
+                                );
+                        }
+                        sum[nDim_] += w;
+                    }
+                }
+            );
+            field.sumWithMass(sums.data());
+            for (label i = first; i < last; ++i)
+            {
+                meeting& m = meetings_[i];
+                const label body = isA ? m.bodyA : m.bodyB;
+                const scalar* sum = sums.cdata() + stride*m.node;
+                if (!hard(m) || body < 0 || !(sum[nDim_] > 0))
+                {
+                    continue;
+                }
+                // Along n where the first point ends. Of two free bodies the
+                // first
+                scalar along = 0;
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    along += sum[d]*m.n[d];
+                }
+                for (int d = 0; d < nDim_ && (isA || m.bodyA < 0); ++d)
+                {
+                    m.at[grid_.direction(d)] =
+                        position_[m.node][grid_.direction(d)]
+                      + (sum[d] - along*m.n[d])/sum[nDim_]
+                      + (isA ? reachA[i] : -reachB[i])*m.n[d];
+                }
+            }
+            clear();
+        }
+        for (label i = first; i < last; ++i)
+        {
+            placeOf_[meetings_[i].node] = -1;
         }
         first = last;
     }

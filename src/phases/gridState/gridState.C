@@ -222,6 +222,7 @@ void Foam::mpm::gridState::velocity()
             U[stride_*n + d] = rm*mU[stride_*n + d];
         }
     }
+    rigid_.combine(U, mU, stride_);
     constrain(U, stride_, false, true);
 }
 
@@ -254,6 +255,8 @@ void Foam::mpm::gridState::momentumStep(const scalar dt, const vector& g)
         reactions_->start(dt, active_, shared_);
         reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
     }
+    rigid_.begin(dt, g);
+    rigid_.take(UL, 2*stride_, mU, stride_);
     rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
     constrain(UL, 2*stride_, false, false);
     if (reactions_)
@@ -276,7 +279,18 @@ Foam::labelList Foam::mpm::gridState::constrained() const
 {
     labelHashSet nodes(fixedNode_);
     nodes.insert(slipNode_);
-    nodes.insert(rigid_.nodes());
+    forAll(rigid_.nodes(), i)
+    {
+        // What a free body takes it has
+        if (!rigid_.isFree(rigid_.nodePhases()[i]))
+        {
+            nodes.insert(rigid_.nodes()[i]);
+        }
+        else
+        {
+            nodes.erase(rigid_.nodes()[i]);
+        }
+    }
     // Columns of other nodes are of a step long ago
     nodes &= labelHashSet(active_);
     return nodes.sortedToc();
@@ -315,7 +329,8 @@ Foam::scalar Foam::mpm::gridState::boundaryWork
 Foam::scalar Foam::mpm::gridState::addImpulse
 (
     const scalar* impulse,
-    const bool withWork
+    const bool withWork,
+    const bool bodiesKnow
 )
 {
     const scalar* mU = mU_.data();
@@ -346,6 +361,10 @@ Foam::scalar Foam::mpm::gridState::addImpulse
     if (reactions_)
     {
         reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+    }
+    if (!bodiesKnow)
+    {
+        rigid_.take(UL, 2*stride_, mU, stride_);
     }
     rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
     constrain(UL, 2*stride_, false, false);

@@ -135,6 +135,7 @@ void Foam::mpm::gridState::nextIncrement(const series s)
     {
         reactions_->add(active_, -1, v, 2*stride_, mU, stride_);
     }
+    rigid_.takeIncrement(v, 2*stride_, mU, stride_, s != strain);
     if (s != strain)
     {
         rigid_.addImpulse(v, 2*stride_, true, mU, stride_);

@@ -453,6 +453,10 @@ Foam::mpm::materialPointPhase::erode
 
 Foam::scalar Foam::mpm::materialPointPhase::kineticEnergy() const
 {
+    if (motion_ && motion_->free())
+    {
+        return motion_->free()->kineticEnergy();
+    }
     scalar sum = 0;
     for (label p = 0; p < cloud_.size(); ++p)
     {
@@ -481,6 +485,10 @@ Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
 
 Foam::scalar Foam::mpm::materialPointPhase::mass() const
 {
+    if (motion_ && motion_->free())
+    {
+        return motion_->free()->mass();
+    }
     scalar sum = 0;
     for (label p = 0; p < cloud_.size(); ++p)
     {
@@ -492,6 +500,10 @@ Foam::scalar Foam::mpm::materialPointPhase::mass() const
 
 Foam::vector Foam::mpm::materialPointPhase::momentum() const
 {
+    if (motion_ && motion_->free())
+    {
+        return motion_->free()->momentum();
+    }
     vector sum(Zero);
     for (label p = 0; p < cloud_.size(); ++p)
     {

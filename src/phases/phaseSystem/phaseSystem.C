@@ -56,6 +56,11 @@ void Foam::mpm::pointPhaseSystem::updateWaveRate()
             const scalar c = phase.waveSpeed();
             rate = max(rate, c/shortestSide(phase));
         }
+        else if (phase.motion()->free())
+        {
+            // A body that starts from rest
+            rate = max(rate, std::sqrt(mag(g_)/shortestSide(phase)));
+        }
     }
     waveRate_ = largestOfAll(rate);
 }
@@ -234,6 +239,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     }
 
     scalar travel = 0, rate = 0, work = 0, body = 0;
+    scalar bodyWork = 0, gravityWork = 0;
     vector momentum(Zero);
     badPoint bad{-1, -1, false};
     forAll(phases_, phasei)
@@ -252,6 +258,13 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
                 moment ? field.UL() : field.U(),
                 moment ? 2*field.stride() : field.stride()
             );
+        }
+        if (phase.motion() && phase.motion()->free())
+        {
+            freeBody& b = *phase.motion()->free();
+            b.finish(dt, projected);
+            bodyWork += b.work();
+            gravityWork += b.gravityWork();
         }
         const pointPasses::moveResult result
         (
@@ -295,9 +308,9 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
         reduce(momentum, sumOp<vector>());
         reduce(body, sumOp<scalar>());
         forceWork& step = budget_.step;
-        step.external = dt*((g_ & momentum) + body);
+        step.external = dt*((g_ & momentum) + body) + gravityWork;
         step.internal =
-            work - step.external - step.boundary - step.contact;
+            work + bodyWork - step.external - step.boundary - step.contact;
     }
 
     for (gridState& field : fields_)

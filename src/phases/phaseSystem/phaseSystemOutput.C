@@ -351,7 +351,7 @@ void Foam::mpm::pointPhaseSystem::updateBudget() const
     for (const materialPointPhase& phase : phases_)
     {
         // What moves as prescribed does work on the others: boundary
-        if (!phase.motion())
+        if (!phase.prescribed())
         {
             budget_.kinetic += phase.kineticEnergy();
             budget_.strain += phase.strainEnergy();

@@ -64,7 +64,10 @@ void Foam::mpm::pointPhaseSystem::advanceRigid(const scalar dt)
         if (rigidMotion* motion = phases_[phasei].motion())
         {
             motion->advance(time, time + dt);
-            fields_[fieldOf_[phasei]].rigid().newVelocity(phasei, *motion);
+            if (!motion->free())
+            {
+                fields_[fieldOf_[phasei]].rigid().newVelocity(phasei, *motion);
+            }
         }
     }
 }

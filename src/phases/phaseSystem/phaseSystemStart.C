@@ -231,6 +231,14 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
             )
         );
         fields_[fieldi].rigid().setPhases(phases_.size());
+        forAll(phases_, phasei)
+        {
+            rigidMotion* motion = phases_[phasei].motion();
+            if (motion && motion->free() && fieldOf_[phasei] == fieldi)
+            {
+                fields_[fieldi].rigid().addBody(phasei, *motion->free());
+            }
+        }
     }
 
     connectDebris();
@@ -244,13 +252,17 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         if (phase.motion())
         {
             Info<< "a rigid body, motion " << phase.motion()->type();
-            phase.motion()->start(mesh_.time().value(), Zero);
+            phase.motion()->start(mesh_.time().value(), phase.cloud());
             phase.motion()->setVelocity(phase.cloud());
         }
         else
         {
             Info<< phase.law().type() << ", wave speed "
                 << phase.law().waveSpeed() << " m/s";
+        }
+        if (const freeBody* b = phase.motion() ? phase.motion()->free() : nullptr)
+        {
+            Info<< ", mass " << b->mass() << " kg";
         }
         Info<< ", velocity field " << phase.velocityField() << nl;
 

@@ -37,8 +37,7 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
     {
         if (const rigidMotion* motion = phases_[phasei].motion())
         {
-            dictionary body;
-            body.add("path", motion->path());
+            dictionary body(motion->state());
             body.add("impulse", rigidImpulse(phasei));
             rigid.add(phases_[phasei].name(), body);
         }
@@ -173,7 +172,7 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
                 requiredDict(state, "rigid"),
                 phases_[phasei].name()
             );
-            motion->start(mesh_.time().value(), required<vector>(body, "path"));
+            motion->setState(mesh_.time().value(), body);
             fields_[fieldOf_[phasei]].rigid().setImpulse
             (
                 phasei,

@@ -53,7 +53,7 @@ void Foam::mpm::pointPhaseSystem::filter
         }
         if (contact_)
         {
-            contact_->filter();
+            contact_->filter(s != gridState::strain);
         }
         for (gridState& field : fields_)
         {

@@ -8,7 +8,6 @@ License
 
 #include "rigidMotion.H"
 #include "selector.H"
-#include "ListOps.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -25,8 +24,6 @@ namespace mpm
 
 Foam::mpm::rigidMotion::rigidMotion(const hexGrid& grid)
 :
-    path_(Zero),
-    pathNew_(Zero),
     grid_(grid)
 {}
 
@@ -74,50 +71,6 @@ void Foam::mpm::rigidMotion::checkDirection
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::mpm::rigidMotion::start(const scalar time, const vector& path)
-{
-    path_ = pathNew_ = path;
-    placement_ = place(path, rate(time));
-    checkDirection(placement_.velocity, "velocity");
-}
-
-
-void Foam::mpm::rigidMotion::advance(const scalar t0, const scalar t1)
-{
-    // Gauss' points and weights on [-1, 1]
-    static const scalar at[5] =
-    {
-        0, 0.538469310105683091, -0.538469310105683091,
-        0.906179845938663993, -0.906179845938663993
-    };
-    static const scalar weight[5] =
-    {
-        0.568888888888888889, 0.478628670499366468, 0.478628670499366468,
-        0.236926885056189088, 0.236926885056189088
-    };
-
-    DynamicList<scalar> ends;
-    addKinks(t0, t1, ends);
-    Foam::sort(ends);
-    ends.append(t1);
-
-    vector sum(Zero);
-    scalar from = t0;
-    for (const scalar to : ends)
-    {
-        const scalar half = 0.5*(to - from), middle = 0.5*(from + to);
-        for (int i = 0; i < 5; ++i)
-        {
-            sum += half*weight[i]*rate(middle + half*at[i]);
-        }
-        from = to;
-    }
-    pathNew_ = path_ + sum;
-    placement_ = place(pathNew_, rate(t1));
-    checkDirection(placement_.velocity, "velocity");
-}
-
 
 void Foam::mpm::rigidMotion::setVelocity(materialPointCloud& cloud) const
 {

@@ -35,6 +35,103 @@ void Foam::mpm::rigidNodes::setVelocity
     }
 }
 
+
+void Foam::mpm::rigidNodes::setVelocity
+(
+    const bodyOf& b,
+    const freeBody::vector6& V,
+    const bool tentative,
+    const nodeSet& set,
+    DynamicList<scalar>& to
+) const
+{
+    const int D = grid_.nDim();
+    to.resize(D*set.node.size());
+    forAll(set.node, i)
+    {
+        if (set.phase[i] == b.phase)
+        {
+            const Eigen::Matrix<scalar, 3, 1> u
+            (
+                b.body->at(position_[set.node[i]], tentative)*V
+            );
+            for (int d = 0; d < D; ++d)
+            {
+                to[D*i + d] = u(grid_.direction(d));
+            }
+        }
+    }
+}
+
+
+Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
+(
+    const bodyOf& b,
+    const bool tentative,
+    const scalar* u,
+    const int stride,
+    const freeBody::vector6& V,
+    const scalar* mU,
+    const int massStride,
+    freeBody::matrix6* A
+) const
+{
+    const nodeSet& set = tentative ? next_ : now_;
+    const int D = grid_.nDim();
+
+    // The vector, then the upper half of A
+    scalarList sums(A ? 27 : 6, scalar(0));
+    freeBody::vector6 rhs(freeBody::vector6::Zero());
+    freeBody::matrix6 mass(freeBody::matrix6::Zero());
+    forAll(set.node, i)
+    {
+        const label n = set.node[i];
+        const scalar m = set.part[i]*mU[massStride*n + D];
+        if (set.phase[i] != b.phase || !(m > 0))
+        {
+            continue;
+        }
+        const freeBody::matrix36 G(b.body->at(position_[n], tentative));
+        Eigen::Matrix<scalar, 3, 1> un(Eigen::Matrix<scalar, 3, 1>::Zero());
+        for (int d = 0; d < D; ++d)
+        {
+            un(grid_.direction(d)) = u[stride*n + d];
+        }
+        rhs += m*(G.transpose()*(un - G*V));
+        if (A)
+        {
+            mass += m*(G.transpose()*G);
+        }
+    }
+    label k = 0;
+    for (int i = 0; i < 6; ++i)
+    {
+        sums[k++] = rhs(i);
+    }
+    for (int i = 0; A && i < 6; ++i)
+    {
+        for (int j = i; j < 6; ++j)
+        {
+            sums[k++] = mass(i, j);
+        }
+    }
+    Pstream::listCombineGather(sums, plusEqOp<scalar>());
+    Pstream::listCombineScatter(sums);
+    k = 0;
+    for (int i = 0; i < 6; ++i)
+    {
+        rhs(i) = sums[k++];
+    }
+    for (int i = 0; A && i < 6; ++i)
+    {
+        for (int j = i; j < 6; ++j)
+        {
+            (*A)(i, j) = (*A)(j, i) = sums[k++];
+        }
+    }
+    return rhs;
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::rigidNodes::rigidNodes(const hexGrid& grid)
@@ -78,6 +175,7 @@ void Foam::mpm::rigidNodes::clear()
     next_.node.clear();
     next_.phase.clear();
     next_.value.clear();
+    next_.increment.clear();
     next_.part.clear();
 }
 
@@ -134,6 +232,148 @@ void Foam::mpm::rigidNodes::setParts(const scalar* marks, const int stride)
 }
 
 
+void Foam::mpm::rigidNodes::combine
+(
+    const scalar* u,
+    const scalar* mU,
+    const int stride
+)
+{
+    for (const bodyOf& b : bodies_)
+    {
+        freeBody::matrix6 A;
+        const freeBody::vector6 rhs
+        (
+            sumOver
+            (
+                b,
+                true,
+                u,
+                stride,
+                b.body->velocityNew(),
+                mU,
+                stride,
+                &A
+            )
+        );
+        b.body->combine(A, rhs);
+        setVelocity(b, b.body->start(true), true, next_, next_.value);
+    }
+    if (bodies_.size())
+    {
+        next_.increment.resize(next_.value.size());
+        next_.increment = 0;
+    }
+}
+
+
+void Foam::mpm::rigidNodes::begin(const scalar dt, const vector& g)
+{
+    for (const bodyOf& b : bodies_)
+    {
+        b.body->begin(dt, g);
+    }
+    renew();
+}
+
+
+void Foam::mpm::rigidNodes::take
+(
+    const scalar* u,
+    const int stride,
+    const scalar* mU,
+    const int massStride
+)
+{
+    for (const bodyOf& b : bodies_)
+    {
+        if (b.body->shares())
+        {
+            b.body->change
+            (
+                b.body->response
+                (
+                    sumOver
+                    (
+                        b,
+                        false,
+                        u,
+                        stride,
+                        b.body->step(),
+                        mU,
+                        massStride,
+                        nullptr
+                    )
+                )
+            );
+        }
+    }
+    renew();
+}
+
+
+void Foam::mpm::rigidNodes::takeIncrement
+(
+    const scalar* u,
+    const int stride,
+    const scalar* mU,
+    const int massStride,
+    const bool changes
+)
+{
+    for (const bodyOf& b : bodies_)
+    {
+        freeBody::vector6 W(freeBody::vector6::Zero());
+        if (b.body->shares())
+        {
+            W = b.body->response
+            (
+                sumOver(b, false, u, stride, W, mU, massStride, nullptr)
+            );
+        }
+        setVelocity(b, W, false, now_, now_.increment);
+        if (changes)
+        {
+            b.body->change(W);
+        }
+    }
+    if (changes)
+    {
+        renew();
+    }
+}
+
+
+void Foam::mpm::rigidNodes::renew()
+{
+    for (const bodyOf& b : bodies_)
+    {
+        setVelocity(b, b.body->step(), false, now_, now_.value);
+    }
+}
+
+
+void Foam::mpm::rigidNodes::addIncrement
+(
+    const bodyOf& b,
+    const freeBody::vector6& W
+)
+{
+    DynamicList<scalar> more;
+    setVelocity(b, W, false, now_, more);
+    const int D = grid_.nDim();
+    forAll(now_.node, i)
+    {
+        for (int d = 0; now_.phase[i] == b.phase && d < D; ++d)
+        {
+            now_.increment[D*i + d] += more[D*i + d];
+        }
+    }
+    b.body->change(W);
+    renew();
+}
+
+
 void Foam::mpm::rigidNodes::newVelocity
 (
     const label phasei,
@@ -158,7 +398,7 @@ void Foam::mpm::rigidNodes::impose
     {
         for (int d = 0; d < D; ++d)
         {
-            u[stride*set.node[i] + d] = homogeneous ? 0 : set.value[D*i + d];
+            u[stride*set.node[i] + d] = imposed(set, homogeneous, D*i + d);
         }
     }
 }
@@ -181,7 +421,7 @@ void Foam::mpm::rigidNodes::addImpulse
         for (int d = 0; d < D; ++d)
         {
             step_[now_.phase[i]][grid_.direction(d)] +=
-                m*(u[stride*n + d] - (homogeneous ? 0 : now_.value[D*i + d]));
+                m*(u[stride*n + d] - imposed(now_, homogeneous, D*i + d));
         }
     }
 }
@@ -239,6 +479,11 @@ void Foam::mpm::rigidNodes::takeNew()
     now_.node.swap(next_.node);
     now_.phase.swap(next_.phase);
     now_.value.swap(next_.value);
+    now_.increment.swap(next_.increment);
+    for (const bodyOf& b : bodies_)
+    {
+        b.body->acceptNodes();
+    }
     now_.part.swap(next_.part);
 }
 

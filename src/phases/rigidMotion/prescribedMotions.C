@@ -5,11 +5,11 @@ License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
 Description
-    The motions of rigidMotion: fixed, translation, rotation.
+    The motions of prescribedMotion: fixed, translation, rotation.
 
 \*---------------------------------------------------------------------------*/
 
-#include "rigidMotion.H"
+#include "prescribedMotion.H"
 #include "selector.H"
 #include "TableBase.H"
 #include "addToRunTimeSelectionTable.H"
@@ -22,7 +22,7 @@ namespace mpm
 // * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
 
 template<class Type>
-void rigidMotion::kinks
+void prescribedMotion::kinks
 (
     const Function1<Type>& f,
     const scalar t0,
@@ -48,7 +48,7 @@ void rigidMotion::kinks
 //- Stays where it is
 class fixedMotion
 :
-    public rigidMotion
+    public prescribedMotion
 {
 public:
 
@@ -56,7 +56,7 @@ public:
 
     fixedMotion(const dictionary& dict, const hexGrid& grid)
     :
-        rigidMotion(grid)
+        prescribedMotion(grid)
     {
         checkKeywords(dict, {"type"});
     }
@@ -80,7 +80,7 @@ public:
 //- Moves with a velocity over time, without turning
 class translationMotion
 :
-    public rigidMotion
+    public prescribedMotion
 {
     autoPtr<Function1<vector>> velocity_;
 
@@ -90,7 +90,7 @@ public:
 
     translationMotion(const dictionary& dict, const hexGrid& grid)
     :
-        rigidMotion(grid)
+        prescribedMotion(grid)
     {
         checkKeywords(dict, {"type", "velocity", "velocityCoeffs"});
         requireKeyword(dict, "velocity");
@@ -125,7 +125,7 @@ public:
 //- Turns about an axis that stays
 class rotationMotion
 :
-    public rigidMotion
+    public prescribedMotion
 {
     const point origin_;
     vector axis_;
@@ -137,7 +137,7 @@ public:
 
     rotationMotion(const dictionary& dict, const hexGrid& grid)
     :
-        rigidMotion(grid),
+        prescribedMotion(grid),
         origin_(required<point>(dict, "origin")),
         axis_(required<vector>(dict, "axis"))
     {

@@ -1,0 +1,392 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointContact.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pointContact::setNodes
+(
+    const List<scalar*>& u,
+    const int step,
+    const List<freeBody::vector6>& V
+)
+{
+    for (const meeting& m : meetings_)
+    {
+        const pairOf& pair = pairs_[m.pair];
+        for (int side = 0; side < 2; ++side)
+        {
+            const label b = side == 0 ? m.bodyA : m.bodyB;
+            if (b < 0)
+            {
+                continue;
+            }
+            const Eigen::Vector3d ub
+            (
+                bodies_[b].body->at(m.at, false)*V[b]
+            );
+            scalar* to = u[side == 0 ? pair.a : pair.b] + step*m.node;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                to[d] = ub(grid_.direction(d));
+            }
+        }
+    }
+}
+
+
+Eigen::Matrix3d Foam::mpm::pointContact::stiffness
+(
+    const meeting& m,
+    const slope kind
+) const
+{
+    Eigen::Matrix3d P(Eigen::Matrix3d::Zero());
+    Eigen::Vector3d n(Eigen::Vector3d::Zero()), t(n);
+    for (int d = 0; d < nDim_; ++d)
+    {
+        n(grid_.direction(d)) = m.n[d];
+        t(grid_.direction(d)) = m.Jt[d];
+    }
+    const scalar M = 1/(m.ia + m.ib);
+    const scalar Jt = t.norm();
+    if (m.stuck)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            P(grid_.direction(d), grid_.direction(d)) = 1;
+        }
+    }
+    else
+    {
+        P = n*n.transpose();
+        if (Jt > 0 && kind != filtered)
+        {
+            // J_t = mu J_n along t; only its direction follows the slip
+            Eigen::Matrix3d across(-n*n.transpose());
+            if (kind == tangent)
+            {
+                t /= Jt;
+                P += pairs_[m.pair].how.mu*t*n.transpose();
+                across -= t*t.transpose();
+            }
+            for (int d = 0; d < nDim_; ++d)
+            {
+                across(grid_.direction(d), grid_.direction(d)) += 1;
+            }
+            P += Jt/m.want*across;
+        }
+    }
+    return M*P;
+}
+
+
+Foam::List<Foam::mpm::freeBody::vector6>
+Foam::mpm::pointContact::pushes() const
+{
+    List<vector> sums(2*bodies_.size(), vector(Zero));
+    for (const meeting& m : meetings_)
+    {
+        const scalar part = fields_[pairs_[m.pair].a].part(m.node);
+        for (int side = 0; side < 2; ++side)
+        {
+            const label b = side == 0 ? m.bodyA : m.bodyB;
+            vector J(Zero);
+            for (int d = 0; b >= 0 && d < nDim_; ++d)
+            {
+                J[grid_.direction(d)] =
+                    (side == 0 ? -part : part)*(m.Jn*m.n[d] + m.Jt[d]);
+            }
+            if (b >= 0)
+            {
+                sums[2*b] += J;
+                sums[2*b + 1] +=
+                    (m.at - bodies_[b].body->centre(false)) ^ J;
+            }
+        }
+    }
+    Pstream::listCombineGather(sums, plusEqOp<vector>());
+    Pstream::listCombineScatter(sums);
+
+    List<freeBody::vector6> J(bodies_.size());
+    forAll(J, b)
+    {
+        for (int d = 0; d < 3; ++d)
+        {
+            J[b](d) = sums[2*b][d];
+            J[b](3 + d) = sums[2*b + 1][d];
+        }
+    }
+    return J;
+}
+
+
+Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
+(
+    const List<freeBody::vector6>& r,
+    const slope kind
+) const
+{
+    // C + sum G^T (-dJ/du) G over bodies
+    const label n = 6*bodies_.size();
+    scalarList sums(n*n, scalar(0));
+    for (const meeting& m : meetings_)
+    {
+        if
+        (
+            (m.bodyA < 0 && m.bodyB < 0)
+         || !m.closed
+         || (kind == filtered && hard(m))
+        )
+        {
+            continue;
+        }
+        const Eigen::Matrix3d K
+        (
+            fields_[pairs_[m.pair].a].part(m.node)*stiffness(m, kind)
+        );
+        const label body[2] = {m.bodyA, m.bodyB};
+        for (int i = 0; i < 2; ++i)
+        {
+            for (int j = 0; j < 2; ++j)
+            {
+                if (body[i] < 0 || body[j] < 0)
+                {
+                    continue;
+                }
+                const point& x = m.at;
+                const freeBody::matrix6 A
+                (
+                    (i == j ? 1 : -1)
+                   *bodies_[body[i]].body->at(x, false).transpose()
+                   *K*bodies_[body[j]].body->at(x, false)
+                );
+                for (int a = 0; a < 6; ++a)
+                {
+                    for (int c = 0; c < 6; ++c)
+                    {
+                        sums[n*(6*body[i] + a) + 6*body[j] + c] += A(a, c);
+                    }
+                }
+            }
+        }
+    }
+    Pstream::listCombineGather(sums, plusEqOp<scalar>());
+    Pstream::listCombineScatter(sums);
+
+    Eigen::MatrixXd A(n, n);
+    Eigen::VectorXd rhs(n);
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j < n; ++j)
+        {
+            A(i, j) = sums[n*i + j];
+        }
+    }
+    forAll(bodies_, b)
+    {
+        A.block<6, 6>(6*b, 6*b) += bodies_[b].body->combined();
+        rhs.segment<6>(6*b) = -r[b];
+    }
+    const Eigen::VectorXd x(A.fullPivLu().solve(rhs));
+
+    List<freeBody::vector6> dV(bodies_.size());
+    forAll(dV, b)
+    {
+        dV[b] = x.segment<6>(6*b);
+    }
+    return dV;
+}
+
+
+void Foam::mpm::pointContact::clearImpulses()
+{
+    for (const meeting& m : meetings_)
+    {
+        const pairOf& pair = pairs_[m.pair];
+        const int stride = fields_[pair.a].stride();
+        for (int d = 0; d < nDim_; ++d)
+        {
+            impulse_[pair.a][stride*m.node + d] = 0;
+            if (pair.b >= 0)
+            {
+                impulse_[pair.b][stride*m.node + d] = 0;
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::pointContact::settle
+(
+    const List<scalar*>& u,
+    const int step,
+    const scalar dt
+)
+{
+    constexpr label maxSteps = 100;
+    slope kind = tangent;
+    const label n = bodies_.size();
+    List<freeBody::vector6> V(n), r(n), J, dV;
+    forAll(bodies_, b)
+    {
+        V[b] = bodies_[b].body->step();
+    }
+    scalar before = GREAT, length = 1;
+    for (label i = 0; i < maxSteps; ++i)
+    {
+        clearImpulses();
+        setNodes(u, step, V);
+        collide(u, step, dt, true);
+        J = pushes();
+        scalar all = 0, size = 0;
+        forAll(bodies_, b)
+        {
+            const freeBody& body = *bodies_[b].body;
+            r[b] = body.combined()*(V[b] - body.step()) - body.masked(J[b]);
+            all += V[b].dot(body.combined()*V[b])
+              + body.response(J[b]).dot(J[b]);
+        }
+        kind = i < 10 ? tangent : secant;
+        dV = newton(r, kind);
+        forAll(bodies_, b)
+        {
+            size += dV[b].dot(bodies_[b].body->combined()*dV[b]);
+        }
+        if (!(size > 1e-24*all))
+        {
+            break;
+        }
+        // Where nodes open and close by turns, half of the way
+        length = size < before || i == 10 ? 1 : max(0.5*length, scalar(0.1));
+        before = size;
+        forAll(bodies_, b)
+        {
+            V[b] += (i + 1 < maxSteps ? length : 0)*dV[b];
+        }
+    }
+
+    // The last step in J, not in V: rounding does not grow by the stiffness, and
+    // what did not converge stays that of a linear contact
+    for (meeting& m : meetings_)
+    {
+        if ((m.bodyA < 0 && m.bodyB < 0) || !m.closed)
+        {
+            continue;
+        }
+        Eigen::Vector3d du(Eigen::Vector3d::Zero());
+        if (m.bodyA >= 0)
+        {
+            du -= bodies_[m.bodyA].body->at(m.at, false)*dV[m.bodyA];
+        }
+        if (m.bodyB >= 0)
+        {
+            du += bodies_[m.bodyB].body->at(m.at, false)*dV[m.bodyB];
+        }
+        const Eigen::Vector3d dJ(-stiffness(m, kind)*du);
+        const pairOf& pair = pairs_[m.pair];
+        const label at = fields_[pair.a].stride()*m.node;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            const scalar more = dJ(grid_.direction(d));
+            m.Jt[d] += more;
+            impulse_[pair.a][at + d] -= more;
+            if (pair.b >= 0)
+            {
+                impulse_[pair.b][at + d] += more;
+            }
+        }
+    }
+    J = pushes();
+
+    // gridState::addImpulse gives the nodes their change
+    forAll(fields_, fieldi)
+    {
+        fields_[fieldi].rigid().impose(u[fieldi], step, false, false);
+    }
+    forAll(bodies_, b)
+    {
+        bodies_[b].body->change(bodies_[b].body->response(J[b]));
+    }
+    for (gridState& field : fields_)
+    {
+        field.rigid().renew();
+    }
+}
+
+
+void Foam::mpm::pointContact::shareIncrement()
+{
+    // r of W = 0: what the others' increments push
+    List<vector> sums(2*bodies_.size(), vector(Zero));
+    for (const meeting& m : meetings_)
+    {
+        if (!m.closed || hard(m) || (m.bodyA < 0 && m.bodyB < 0))
+        {
+            continue;
+        }
+        const pairOf& pair = pairs_[m.pair];
+        const int step = 2*fields_[pair.a].stride();
+        const scalar part = fields_[pair.a].part(m.node);
+        scalar dv[3] = {0, 0, 0}, dvn = 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            dv[d] =
+                (
+                    pair.b < 0
+                  ? 0 : fields_[pair.b].increment()[step*m.node + d]
+                )
+              - fields_[pair.a].increment()[step*m.node + d];
+            dvn += dv[d]*m.n[d];
+        }
+        vector take(Zero);
+        for (int d = 0; d < nDim_; ++d)
+        {
+            take[grid_.direction(d)] =
+                part*(m.stuck ? dv[d] : dvn*m.n[d])/(m.ia + m.ib);
+        }
+        for (int side = 0; side < 2; ++side)
+        {
+            const label b = side == 0 ? m.bodyA : m.bodyB;
+            if (b >= 0)
+            {
+                const vector J(side == 0 ? take : -take);
+                sums[2*b] += J;
+                sums[2*b + 1] +=
+                    (m.at - bodies_[b].body->centre(false)) ^ J;
+            }
+        }
+    }
+    Pstream::listCombineGather(sums, plusEqOp<vector>());
+    Pstream::listCombineScatter(sums);
+    List<freeBody::vector6> r(bodies_.size());
+    forAll(r, b)
+    {
+        for (int d = 0; d < 3; ++d)
+        {
+            r[b](d) = -sums[2*b][d];
+            r[b](3 + d) = -sums[2*b + 1][d];
+        }
+        r[b] = bodies_[b].body->masked(r[b]);
+    }
+    const List<freeBody::vector6> W(newton(r, filtered));
+    forAll(bodies_, b)
+    {
+        gridState& field = fields_[bodies_[b].field];
+        rigidNodes& rigid = field.rigid();
+        rigid.addIncrement
+        (
+            rigidNodes::bodyOf{bodies_[b].phase, bodies_[b].body},
+            W[b]
+        );
+        rigid.impose(field.increment(), 2*field.stride(), true, false);
+    }
+}
+
+// ************************************************************************* //
