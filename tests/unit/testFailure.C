@@ -9,6 +9,7 @@ License
 #include <doctest/doctest.h>
 #include "testPoints.H"
 #include "failureModel.H"
+#include <sstream>
 
 namespace
 {
@@ -50,6 +51,59 @@ TEST_CASE("failed nothing: a failed point has no stress")
     CHECK(model->correct(b) == 1);
     for (int k = 0; k < 4; ++k) CHECK(p.stress[k][0] == 0);
     CHECK(p.stress[1][1] == -5e6);
+}
+
+
+TEST_CASE("2D points lose the tension that 3D points lose")
+{
+    // Closed form in the plane against Eigen, whole, softening and failed, with
+    // and without a gas; all signs of the principal values
+    for (const std::string& gas : {"", "ambientPressure 3e5;"})
+    for (const scalar d : {0.4, 1.0})
+    for (int k = 0; k < 200; ++k)
+    {
+        auto model
+        (
+            failureOf("type maxPrincipalStress; strength 1e12; " + gas)
+        );
+        points p(2, 1, 1), q(3, 1, 1);
+        for (int i = 0; i < 4; ++i)
+        {
+            const scalar s = 2e6*(uniformOf(7, uint64_t(4*k + i)) - 0.5);
+            p.stress[i][0] = q.stress[i][0] = k == 0 ? 1e6*(i < 2) : s;
+        }
+        p.damage[0] = q.damage[0] = d;
+        pointBlock b(p.block()), c(q.block());
+        model->correct(b);
+        model->correct(c);
+        for (int i = 0; i < 4; ++i)
+        {
+            CHECK(std::abs(p.stress[i][0] - q.stress[i][0]) < 1e-6);
+        }
+    }
+}
+
+
+TEST_CASE("crack band: a band oblique to the cells is wider")
+{
+    // Uniaxial stress at 30 degrees: l = h (cos + sin), in 2D as in 3D
+    const scalar f = 10e6, Gf = 500, E = 70e9, h = 0.1, s = 3*f;
+    const scalar c = std::sqrt(0.75), t = 0.5;
+    const scalar r = 2*E*Gf/(f*f*h*(c + t));
+    for (int D = 2; D <= 3; ++D)
+    {
+        const auto law(lawOf(elasticLaw));
+        auto model(failureOf("type maxPrincipalStress; strength 10e6; Gf 500;"));
+        model->connect(*law, D);
+        points p(D, 1, 2700);
+        p.width[0] = h;
+        p.stress[0][0] = s*c*c;
+        p.stress[1][0] = s*t*t;
+        p.stress[3][0] = -s*c*t;
+        pointBlock b(p.block());
+        model->correct(b);
+        CHECK(p.damage[0] == doctest::Approx(r/(r - 1)*(1 - f/s)).epsilon(1e-9));
+    }
 }
 
 
@@ -178,6 +232,64 @@ TEST_CASE("TulerButcher: time to failure under constant stress")
 }
 
 
+TEST_CASE("GradyKipp: stress at fragmentation over the strain rate")
+{
+    // Uniaxial, small strains at a constant rate: the closed form of the header
+    const scalar E = 70e9, k = 1e28, c = 2000;
+    for (const scalar m : {6.0, 9.0})
+    for (const scalar rate : {10.0, 1e3})
+    {
+        const auto law(lawOf(elasticLaw));
+        std::ostringstream text;
+        text << "type GradyKipp; k " << k << "; m " << m << "; crackSpeed "
+             << c << ";";
+        auto model(failureOf(text.str()));
+        model->connect(*law, 1);
+        CHECK(model->softens());
+        const scalar A =
+            8*std::acos(-1.0)*k*c*c*c/((m + 1)*(m + 2)*(m + 3));
+        const scalar ef = std::pow(rate*rate*rate/((m + 4)*A), 1/(m + 3));
+
+        points p(1, 2, 2700);
+        const int n = 20000;
+        p.dt = 2*ef/rate/n;
+        std::vector<scalar> L(9, 0);
+        L[0] = rate*p.dt;
+        scalar largest = 0, at = 0;
+        label failed = 0;
+        for (int i = 0; i < n; ++i)
+        {
+            p.apply(*law, L);
+            pointBlock b(p.block());
+            failed += model->correct(b);
+            if (p.stress[0][1] > largest)
+            {
+                largest = p.stress[0][1];
+                at = p.damage[1];
+            }
+        }
+        CHECK
+        (
+            largest
+         == doctest::Approx(E*ef*(m + 3)/(m + 4)).epsilon(2e-3 + ef)
+        );
+        CHECK(at == doctest::Approx(1/(m + 4)).epsilon(0.02));
+        CHECK(failed == 2);
+        CHECK(std::abs(p.stress[0][1]) < 1);
+    }
+
+    // Compression grows no crack
+    const auto law(lawOf(elasticLaw));
+    auto model(failureOf("type GradyKipp; k 1e28; m 9; crackSpeed 2000;"));
+    model->connect(*law, 2);
+    points p(2, 1, 2700);
+    p.apply(*law, {-0.01, 0, 0, -0.01});
+    pointBlock b(p.block());
+    model->correct(b);
+    CHECK(p.damage[0] == 0);
+}
+
+
 TEST_CASE("JohnsonCookDamage: strain to failure")
 {
     const auto law(lawOf(copperLaw));
@@ -275,6 +387,9 @@ TEST_CASE("input errors of failure models")
         std::string("type maxPrincipalStrain; strain 0;"),
         std::string("type TulerButcher; strength 1; exponent 2;"),
         std::string("type TulerButcher; strength 1; exponent 0; impulse 1;"),
+        std::string("type GradyKipp; k 0; m 9; crackSpeed 1;"),
+        std::string("type GradyKipp; k 1; m 0; crackSpeed 1;"),
+        std::string("type GradyKipp; k 1; m 9;"),
         copperDamage + "limitOn total;",
         copperDamage.substr(0, copperDamage.find("D5")) + "meltTemperature 1356;"
     })

@@ -22,11 +22,13 @@ def label(name):
 
 
 def draw(ax, case, time, title):
-    x, d, U = (results.points(case, time, name) for name in ("x", "damage", "U"))
+    x, w = results.points(case, time, "x"), results.spent(case, time)
     if np.ptp(x[:, 2]) > 0:     # 3D: the middle of its length
         slab = abs(x[:, 2] - 0.06) < 0.003
-        x, d = x[slab], d[slab]
-    image = ax.scatter(*(1e3*x[:, :2].T), c=d, s=5e4/len(d), cmap="inferno_r", vmin=0, vmax=1,
+        x, w = x[slab], w[slab]
+    order = np.argsort(w)
+    x, w = x[order], w[order]
+    image = ax.scatter(*(1e3*x[:, :2].T), c=w, s=4e4/len(w), cmap="YlOrRd", vmin=0, vmax=1,
                        linewidths=0)
     ax.axhline(0, color="k", lw=1)
     ax.set_aspect("equal")
@@ -38,29 +40,27 @@ def draw(ax, case, time, title):
 
 present = [name for name in SERIES if os.path.isdir(place(name))
            and results.times(place(name))[-1:] > ["0"]]
-print(f"{'case':10s} {'points':>7s}  failed  damaged  left/right  peak force  residual  "
-      "failure  CPU [s]")
+print(f"{'case':10s} {'points':>7s}  damaged  failed  left/right     length  peak force  "
+      "residual  in cracks  CPU [s]")
 for name in present:
     case = place(name)
-    failed, some, ratio = results.damaged(case)
+    part, ratio, length = results.cracks(case)
     e, start = results.energy(case)
     _, force = results.floor(case)
     with open(os.path.join(case, "log.materialPointFoam")) as f:
         seconds = [line.split()[2] for line in f if line.startswith("ExecutionTime")][-1]
-    print(f"{label(name):10s} {len(results.points(case, '0', 'm')):7d}  {100*failed:5.1f} %"
-          f"  {100*some:5.1f} %  {ratio:9.4f}  {force.max()*1e-3:7.1f} kN"
-          f"  {100*abs(e['residual']).max()/start:6.2f} %"
-          f"  {-100*e['failure'][-1]/start:5.1f} %  {float(seconds):6.1f}")
-if "fine" in present:
-    a, b = (results.damaged(place(name))[0] for name in (".", "fine"))
-    print(f"failed area, middle over fine: {a/b:.3f}")
+    print(f"{label(name):10s} {len(results.points(case, '0', 'm')):7d}  "
+          f"{100*part['damaged']:5.1f} %  {100*part['failed']:4.1f} %  "
+          f"{ratio['damaged']:.3f} {ratio['failed']:.3f}  {1e3*length:5.0f} mm  "
+          f"{force.max()*1e-3:7.1f} kN  {100*abs(e['residual']).max()/start:6.2f} %  "
+          f"{-100*e['failure'][-1]/start:6.1f} %  {float(seconds):6.1f}")
 
 names = results.times()
 figure, axes = plt.subplots(2, 3, figsize=(13, 5.4), constrained_layout=True)
 for ax, want in zip(axes.flat, (2e-5, 6e-5, 1e-4, 1.4e-4, 2e-4, 4e-4)):
     name = min(names, key=lambda n: abs(float(n) - want))
     image = draw(ax, ".", name, f"{1e6*float(name):.0f} us")
-figure.colorbar(image, ax=axes, label="damage")
+figure.colorbar(image, ax=axes, label="part of Gf that is spent")
 figure.savefig("crack.png", dpi=120)
 
 e, start = results.energy()
@@ -85,5 +85,5 @@ if len(present) > 1:
     for ax, name in zip(axes.flat, present):
         case = place(name)
         image = draw(ax, case, results.times(case)[-1], label(name))
-    figure.colorbar(image, ax=axes, label="damage")
+    figure.colorbar(image, ax=axes, label="part of Gf that is spent")
     figure.savefig("series.png", dpi=120)

@@ -5,6 +5,9 @@ import re
 
 import numpy as np
 
+#: Radius [m]
+R = 0.05
+
 
 def times(case="."):
     """Names of the time folders with points, in order."""
@@ -27,15 +30,38 @@ def points(case, time, name):
     return np.frombuffer(raw, "f8", size*int(count[1]), count.end()).reshape(-1, size).squeeze()
 
 
-def damaged(case=".", time=None):
-    """Parts of the mass: failed (damage 1), damaged at all; failed mass on the left over
-    that on the right."""
+def entry(case, file, name):
+    """A number of a dictionary."""
+    with open(os.path.join(case, file)) as f:
+        return float(re.search(rf"^\s*{name}\s+([\d.eE+-]+)", f.read(), re.M)[1])
+
+
+def cellWidth(case="."):
+    return R/entry(case, "system/blockMeshDict", "n")
+
+
+def spent(case, time):
+    """Part of the fracture energy that each point has spent: of a crack along the cells;
+    maxPrincipalStress.H has the equation of the damage."""
+    E, f, Gf = (entry(case, "constant/phaseProperties", k) for k in ("E", "strength", "Gf"))
+    r = 2*E*Gf/(f**2*cellWidth(case))
+    d = points(case, time, "damage")
+    return d/(d + r*(1 - d))
+
+
+def cracks(case=".", time=None):
+    """Parts of the mass: damaged (the strength was reached), failed (damage 1); both on
+    the left over those on the right; and length of a crack one cell wide that has the
+    failed mass [m] (3D: area over the length of the body)."""
     time = time or times(case)[-1]
     x, d, m = (points(case, time, name) for name in ("x", "damage", "m"))
-    failed, left = d >= 1, x[:, 0] < 0
-    right = m[failed & ~left].sum()
-    return (m[failed].sum()/m.sum(), m[d > 0].sum()/m.sum(),
-            m[failed & left].sum()/right if right else np.nan)
+    left = x[:, 0] < 0
+    part, ratio = {}, {}
+    for name, there in (("damaged", d > 0), ("failed", d >= 1)):
+        right = m[there & ~left].sum()
+        part[name] = m[there].sum()/m.sum()
+        ratio[name] = m[there & left].sum()/right if right else np.nan
+    return part, ratio, part["failed"]*0.5*np.pi*R**2/cellWidth(case)
 
 
 def energy(case="."):

@@ -46,6 +46,16 @@ double Foam::mpm::largestPrincipal(const double (&A)[9])
 }
 
 
+double Foam::mpm::largestPrincipal(const double (&A)[9], double (&n)[3])
+{
+    typedef Eigen::Matrix3d matrix;
+
+    const Eigen::SelfAdjointEigenSolver<matrix> s(Eigen::Map<const matrix>(A, 3, 3));
+    Eigen::Map<Eigen::Vector3d>(n, 3) = s.eigenvectors().col(2);
+    return s.eigenvalues()(2);
+}
+
+
 template void Foam::mpm::isotropicFunction<1>
 (const double (&)[1], double (*)(double), double (&)[1]);
 template void Foam::mpm::isotropicFunction<2>

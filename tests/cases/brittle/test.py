@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""Cracks of the crack band: the cases of tutorials/brazilianDisc and halfCylinder.
+"""Cracks of the crack band: a bar with one crack, and the cases of
+tutorials/brazilianDisc and halfCylinder.
 
+bar        energy of one crack over Gf: cells, points per cell, angle to the mesh
 disc       first damage on the loaded diameter about the centre, peak load
 half       half-cylinder on a rigid floor at two resolutions (MPM_VERIFY=1: also the
-           third): symmetry, damaged area, energy
+           third): symmetry, damaged area, length and energy of the cracks
 air        the same in air
 """
 
 import importlib.util
+import math
 import os
 import re
 import sys
@@ -17,6 +20,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from foamCase import PROJECT, VERIFY, FoamCase, RunFailed
 from report import Report
+from crackBar import crackBar
 
 
 def tutorialCase(tutorial, name):
@@ -42,6 +46,19 @@ def run(case, limit=300):
     case.run("blockMesh")
     case.run("setMaterialPoints")
     return case.run("materialPointFoam", limit=limit)
+
+
+def bar(table):
+    for h, points, angle, limit in (
+            (2.5e-3, 2, 0, 0.05), (1.25e-3, 2, 0, 0.05), (0.625e-3, 2, 0, 0.05),
+            (1.25e-3, 3, 0, 0.05), (1.25e-3, 4, 0, 0.05),
+            (1.25e-3, 2, 30, 0.15), (0.625e-3, 2, 30, 0.15),
+            (1.25e-3, 2, 45, 0.15), (0.625e-3, 2, 45, 0.15)):
+        energy, residual = crackBar(f"bar{1e3*h:g}_{points}_{angle}", h, points,
+                                    math.radians(angle))
+        table.row(f"bar, cells of {1e3*h:g} mm, {points} points per cell and direction, "
+                  f"{angle} degrees: energy of the crack over Gf", 1, energy, limit)
+        table.row("its residual of the energy", 0, residual, 0.02, "atMost")
 
 
 def disc(table):
@@ -81,32 +98,37 @@ def change(case, changes):
 
 
 def halfRun(name, changes, table, air=False):
-    """Run a variant; its rows, and the part of the mass that is damaged."""
+    """Run a variant; its rows; part of the mass that is damaged, length of the cracks and
+    their energy; case."""
     variants, results = module("halfCylinder", "variants"), module("halfCylinder", "results")
     case = tutorialCase("halfCylinder", name)
     change(case, changes)
     if air:
         variants.gasFields(case.path)
     seconds = run(case, limit=600)
-    failed, damaged, ratio = results.damaged(case.path)
-    table.row(f"{name}: failed mass, left over right", 1, ratio, 0.05)
+    part, ratio, length = results.cracks(case.path)
+    for what in part:
+        table.row(f"{name}: {what} mass, left over right", 1, ratio[what], 0.05)
     energy, start = results.energy(case.path)
     table.row(f"{name}: residual of the energy over that at impact", 0,
               abs(energy["residual"]).max()/start, 0.02, "atMost")
     # Cracks only take energy
     table.row(f"{name}: energy that cracks give back, over that at impact", 0,
               np.diff(energy["failure"]).max()/start, 1e-3, "atMost")
-    print(f"{name}: failed {failed:.4f}, damaged {damaged:.4f}, energy of failure "
-          f"{-energy['failure'][-1]/start:.4f}, {seconds:.1f} s")
-    return damaged, case
+    spent = -energy["failure"][-1]/start
+    print(f"{name}: failed {part['failed']:.4f}, damaged {part['damaged']:.4f}, cracks "
+          f"{length:.4f} m, energy {spent:.4f}, {seconds:.1f} s")
+    return (part["damaged"], length, spent), case
 
 
 def half(table):
     cells = module("halfCylinder", "variants").cells
-    area = [halfRun(f"half{n}", cells(n), table)[0]
-            for n in ((20, 40, 80) if VERIFY else (20, 40))]
-    table.row("half-cylinder: damaged area, last resolution over the one before", 1,
-              area[-1]/area[-2], 0.15)
+    found = [halfRun(f"half{n}", cells(n), table)[0]
+             for n in ((20, 40, 80) if VERIFY else (20, 40))]
+    for what, last, before in zip(("damaged area", "failed area over the width of the cells",
+                                   "energy of the cracks"), found[-1], found[-2]):
+        table.row(f"half-cylinder: {what}, last resolution over the one before", 1,
+                  last/before, 0.15)
 
 
 def air(table):
@@ -121,7 +143,7 @@ def air(table):
 
 def main():
     table = Report("brittle")
-    for part in (disc, half, air):
+    for part in (bar, disc, half, air):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:

@@ -94,6 +94,34 @@ Foam::mpm::failureModel::New(const dictionary& dict)
     );
 }
 
+namespace
+{
+
+using Foam::scalar;
+
+//- Principal values in the plane of a 2D point's stress + shift I, and half
+//  their difference
+struct principal2D
+{
+    scalar radius, high, low;
+
+    principal2D
+    (
+        const Foam::mpm::pointBlock& b,
+        const Foam::label p,
+        const scalar shift
+    )
+    {
+        const scalar xx = b.stress[0][p], yy = b.stress[1][p];
+        const scalar mean = 0.5*(xx + yy) + shift;
+        radius = std::hypot(0.5*(xx - yy), b.stress[3][p]);
+        high = mean + radius;
+        low = mean - radius;
+    }
+};
+
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::mpm::failureModel::strength
@@ -119,9 +147,58 @@ Foam::scalar Foam::mpm::failureModel::strength
 Foam::scalar
 Foam::mpm::failureModel::largestStress(const pointBlock& b, const label p)
 {
+    if (b.nDim == 1)
+    {
+        return max(b.stress[0][p], max(b.stress[1][p], b.stress[2][p]));
+    }
+    if (b.nDim == 2)
+    {
+        return max(principal2D(b, p, 0).high, b.stress[2][p]);
+    }
     double sigma[9];
     fullStress(b, p, sigma);
     return largestPrincipal(sigma);
+}
+
+
+Foam::scalar Foam::mpm::failureModel::largestStress
+(
+    const pointBlock& b,
+    const label p,
+    scalar (&n)[3]
+)
+{
+    n[0] = n[1] = n[2] = 0;
+    if (b.nDim == 3)
+    {
+        double sigma[9];
+        fullStress(b, p, sigma);
+        return largestPrincipal(sigma, n);
+    }
+    const scalar s = largestStress(b, p);
+    if (b.nDim == 1)
+    {
+        n[0] = s == b.stress[0][p];
+    }
+    else if (s > b.stress[2][p])
+    {
+        const principal2D q(b, p, 0);
+        if (q.radius > 0)
+        {
+            const scalar c = 0.5*(b.stress[0][p] - b.stress[1][p])/q.radius;
+            n[0] = std::sqrt(max(0.5*(1 + c), scalar(0)));
+            n[1] = std::sqrt(max(0.5*(1 - c), scalar(0)));
+            if (b.stress[3][p] < 0)
+            {
+                n[1] = -n[1];
+            }
+        }
+        else
+        {
+            n[0] = 1;
+        }
+    }
+    return s;
 }
 
 
@@ -130,6 +207,25 @@ Foam::mpm::failureModel::releaseTension(pointBlock& b, const label p) const
 {
     const int D = b.nDim;
     const scalar d = b.damage[p];
+    if (D == 2)
+    {
+        // <A> = A, 0, or high (A - low I)/(high - low)
+        const principal2D s(b, p, ambient_);
+        const scalar part =
+            s.low >= 0 ? 1
+          : s.high > 0 ? s.high/(2*s.radius)
+          : 0;
+        const scalar low = s.low < 0 ? s.low : 0;
+        for (int i = 0; i < 2; ++i)
+        {
+            scalar& a = b.stress[i][p];
+            a += d*(ambient_ - part*(a + ambient_ - low));
+        }
+        scalar& across = b.stress[2][p];
+        across += d*(ambient_ - max(across + ambient_, scalar(0)));
+        b.stress[3][p] *= 1 - d*part;
+        return;
+    }
     double sigma[9], tension[9];
     fullStress(b, p, sigma);
     for (int i = 0; i < 3; ++i)

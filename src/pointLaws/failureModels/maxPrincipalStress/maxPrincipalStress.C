@@ -46,6 +46,7 @@ Foam::scalar Foam::mpm::maxPrincipalStress::damageOf
     const pointBlock& b,
     const label p,
     const scalar s,
+    const scalar (&n)[3],
     const scalar limit
 ) const
 {
@@ -53,13 +54,16 @@ Foam::scalar Foam::mpm::maxPrincipalStress::damageOf
     {
         return 1;
     }
-    const scalar r = 2*E_*Gf_/(sqr(limit)*b.width[p]);
+    const scalar across = mag(n[0]) + mag(n[1]) + mag(n[2]);
+    const scalar l = max(across, scalar(1))*b.width[p];
+    const scalar r = 2*E_*Gf_/(sqr(limit)*l);
     if (!(r > 1))
     {
         FatalErrorInFunction
-            << "Softening needs cells narrower than 2 E Gf/strength^2 = "
-            << r*b.width[p] << " m; there is one of " << b.width[p]
-            << " m. Use smaller cells, or no Gf." << exit(FatalError);
+            << "Softening needs bands narrower than 2 E Gf/strength^2 = "
+            << r*l << " m; there is one of " << l << " m in a cell of "
+            << b.width[p] << " m. Use smaller cells, or no Gf."
+            << exit(FatalError);
     }
     return min(r/(r - 1)*(1 - limit/s), scalar(1));
 }
@@ -80,6 +84,7 @@ Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
 {
     label nFailed = 0;
     const scalar shift = effective_ ? ambient() : 0;
+    scalar n[3];
 
     for (label p = 0; p < b.n; ++p)
     {
@@ -88,10 +93,10 @@ Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
 
         if (d < 1 && largestBound(b, p) + shift > limit)
         {
-            const scalar s = largestStress(b, p) + shift;
+            const scalar s = largestStress(b, p, n) + shift;
             if (s > limit)
             {
-                d = max(d, damageOf(b, p, s, limit));
+                d = max(d, damageOf(b, p, s, n, limit));
                 nFailed += d >= 1;
             }
         }
