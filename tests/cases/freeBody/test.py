@@ -82,10 +82,11 @@ def body(velocity=(0, 0, 0), rho=1000, **more):
 
 def fall(table):
     g, v0, dt, n = np.array((0.3, -9.81, 0)), np.array((0.2, 1, 0)), 1e-3, 300
-    for dim, place in ((1, "1D"), (2, "2D"), (3, "3D")):
-        mask = np.arange(3) < dim
+    for dim, place, held in ((1, "1D", ""), (2, "2D", ""), (3, "3D", ""),
+                             (3, "3D with y and rotation held", "y rotation")):
+        mask = (np.arange(3) < dim) & ~np.isin(list("xyz"), held.split())
         case = build(f"fall {place}", (-1, -1, -1)[:dim], 0.1, (20,)*dim,
-                     {"block": body(v0*mask)},
+                     {"block": body(v0*mask, constraints=f"({held})")},
                      {"block": {"min": (-0.2,)*dim + (0,)*(3 - dim),
                                 "max": (0.1,)*dim + (0.1,)*(3 - dim)}},
                      controlDict(n*dt, n*dt, deltaT=dt, functions={**BALANCE, **ENERGY}),
