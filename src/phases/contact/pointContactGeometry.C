@@ -507,12 +507,12 @@ void Foam::mpm::pointContact::setPlaces
                             (isA ? reachA : reachB)[place]
                           - reach(m, x, l, isA ? 1 : -1);
                         const scalar near =
-                            1 - behind/(0.05*max(l[0], max(l[1], l[2])));
+                            1 - behind/(0.01*max(l[0], max(l[1], l[2])));
                         if (near <= 0)
                         {
                             continue;
                         }
-                        const scalar w = near*S[i]/(S[i] + 0.05);
+                        const scalar w = near*S[i]/(S[i] + 0.005);
                         scalar* sum = sums.data() + stride*nodes[i];
                         for (int d = 0; d < nDim_; ++d)
                         {

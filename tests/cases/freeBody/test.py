@@ -4,6 +4,7 @@
 fall       a block alone falls: velocity and place of every step, work of gravity
 tumble     a box of unequal sides turns without torque in 3D: angular momentum, shape;
            energy and place against Euler's equations at two time steps
+wedge      along the axis of a wedge: momentum
 bar        a rigid mass hits an elastic bar, with contact and with a shared velocity
            field: velocity V exp(-Z A t/M), stress at the face, momentum
 collide    a rigid disc meets an elastic one off centre, and one that is half rigid:
@@ -24,6 +25,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from foamCase import (PROJECT, FoamCase, RunFailed, boxMesh, controlDict, foamText, noSchemes,
                       velocityFile, writeField)
 from report import Report
+from wedge import SECTOR, wedgeConditions, wedgeMesh
 
 FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.01}
 FMPM = {"shapeFunction": "GIMP", "transfer": "FMPM", "order": 2}
@@ -82,10 +84,11 @@ def body(velocity=(0, 0, 0), rho=1000, **more):
 
 def fall(table):
     g, v0, dt, n = np.array((0.3, -9.81, 0)), np.array((0.2, 1, 0)), 1e-3, 300
-    for dim, place in ((1, "1D"), (2, "2D"), (3, "3D")):
-        mask = np.arange(3) < dim
+    for dim, place, held in ((1, "1D", ""), (2, "2D", ""), (3, "3D", ""),
+                             (3, "3D with y and rotation held", "y rotation")):
+        mask = (np.arange(3) < dim) & ~np.isin(list("xyz"), held.split())
         case = build(f"fall {place}", (-1, -1, -1)[:dim], 0.1, (20,)*dim,
-                     {"block": body(v0*mask)},
+                     {"block": body(v0*mask, constraints=f"({held})")},
                      {"block": {"min": (-0.2,)*dim + (0,)*(3 - dim),
                                 "max": (0.1,)*dim + (0.1,)*(3 - dim)}},
                      controlDict(n*dt, n*dt, deltaT=dt, functions={**BALANCE, **ENERGY}),
@@ -107,6 +110,40 @@ def fall(table):
                           re.M)[-1]
         table.row(f"fall {place}: work of gravity / gain of kinetic energy", 1,
                   float(work[1])/(K[-1] - 0.5*m[0]*((v0*mask)**2).sum()), 1e-5)
+
+
+def wedge(table):
+    """A rigid cylinder flies along the axis of a wedge and hits an elastic one."""
+    v, h = 1.0, 0.1
+    ends = {n: ("patch", side) for n, side in
+            (("left", "x-"), ("right", "x+"), ("outer", "r+"))}
+    case = FoamCase("freeBody", "wedge")
+    case.write("system/blockMeshDict", wedgeMesh((0, 0), (3, 0.8), (30, 8), ends))
+    case.write("constant/phaseProperties", {
+        "phases": "(ball rod)", "ball": body((v, 0, 0)),
+        "rod": {"constitutiveModel": {"type": "neoHookean", "rho": 1000, "E": 1e6,
+                                      "nu": 0.3}},
+        "contact": {"all": {"type": "frictionless"}}})
+    for field in ("ball", "rod"):
+        velocityFile(case, field, wedgeConditions({p: "calculated" for p in ends}))
+    case.write("system/setMaterialPointsDict", {"regions": {
+        name: {"phase": name, "type": "box", "min": (low, -9, -9), "max": (high, 0.4, 9),
+               "pointsPerCell": 2}
+        for name, low, high in (("ball", 0.3, 0.7), ("rod", 0.75, 1.75))}})
+    case.write("system/fvSolution", {"materialPoints": FLIP})
+    noSchemes(case)
+    case.write("system/controlDict", controlDict(0.3, 0.3, 0.3, functions=BALANCE))
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    case.run("materialPointFoam", limit=100)
+    _, m, P, _, _ = balance(case, "ball")
+    _, _, other, _, _ = balance(case, "rod")
+    table.row("wedge: mass / that of the sector", 1,
+              m[0]/(1000*0.4*0.5*0.4**2*SECTOR), 1e-12)
+    table.row("wedge: change of momentum along the axis / m V", 0,
+              np.abs((P + other)[:, 0]/(m[0]*v) - 1).max(), 1e-12)
+    table.row("wedge: velocity across / V", 0, np.abs(P[:, 1:]).max()/(m[0]*v), 0)
+    table.check("wedge: they have met", P[-1, 0] < 0.7*m[0]*v, f"{P[-1, 0]/(m[0]*v):.3g}")
 
 
 def euler(I, w, T, n=20000):
@@ -406,7 +443,7 @@ def piston(table):
 
 def main():
     table = Report("freeBody")
-    for part in (fall, tumble, bar, collide, slide, roll, piston):
+    for part in (fall, tumble, wedge, bar, collide, slide, roll, piston):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
