@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointContact.H"
+#include "scalarMatrices.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -180,8 +181,8 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
     Pstream::listCombineGather(sums, plusEqOp<scalar>());
     Pstream::listCombineScatter(sums);
 
-    Eigen::MatrixXd A(n, n);
-    Eigen::VectorXd rhs(n);
+    scalarSquareMatrix A(n);
+    scalarField x(n);
     for (label i = 0; i < n; ++i)
     {
         for (label j = 0; j < n; ++j)
@@ -191,15 +192,25 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
     }
     forAll(bodies_, b)
     {
-        A.block<6, 6>(6*b, 6*b) += bodies_[b].body->combined();
-        rhs.segment<6>(6*b) = -r[b];
+        const freeBody::matrix6& C = bodies_[b].body->combined();
+        for (int i = 0; i < 6; ++i)
+        {
+            for (int j = 0; j < 6; ++j)
+            {
+                A(6*b + i, 6*b + j) += C(i, j);
+            }
+            x[6*b + i] = -r[b](i);
+        }
     }
-    const Eigen::VectorXd x(A.fullPivLu().solve(rhs));
+    LUsolve(A, x);
 
     List<freeBody::vector6> dV(bodies_.size());
     forAll(dV, b)
     {
-        dV[b] = x.segment<6>(6*b);
+        for (int i = 0; i < 6; ++i)
+        {
+            dV[b](i) = x[6*b + i];
+        }
     }
     return dV;
 }

@@ -153,6 +153,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         meeting m{};
         m.pair = pairi;
         m.node = n;
+        m.at = position_[n];
         m.ia = ia;
         m.ib = ib;
         m.bodyA = bodyA;
@@ -423,7 +424,6 @@ void Foam::mpm::pointContact::setGaps()
             placeOf_[m.node] = -1;
             scalar* e = reach_.data() + 2*m.node;
             m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
-            m.at = position_[m.node];
             if (bodies_.size())
             {
                 reachA[i] = e[0];
