@@ -57,6 +57,9 @@ nose = [p.tate(R, 80e-6)[1]*1e3 for R in LIMITS]
 tail = [p.tate(R, 80e-6)[2]*1e3 for R in LIMITS]
 ax.fill_between(times, *nose, color="0.8", label="Alekseevskii-Tate, Rt 4.5 to 5.5 GPa")
 ax.fill_between(times, *tail, color="0.8")
+own = p.cavityResistance(p.material("steelHzB"))
+ax.plot(times, p.tate(own, 80e-6)[1]*1e3, "C0--", lw=1,
+        label=f"the same, Rt {own/1e9:.2f} (cavity in HzB)")
 table = np.loadtxt("tate_1250.csv", delimiter=",", skiprows=2)
 ax.plot(table[:, 0], table[:, 1], "k:", lw=1, label="the same, Rt 5.5 (tate_1250.csv)")
 ax.plot(table[:, 0], table[:, 2], "k:", lw=1)
