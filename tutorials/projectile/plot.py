@@ -46,6 +46,10 @@ paths = {"HzB, cells of 0.5 mm": tell("HzB, cells of 0.5 mm", ".", 0.5e-3),
                                        "steel4340")}
 if os.path.isdir("variants/fine/postProcessing"):
     paths["HzB, cells of 0.25 mm"] = tell("HzB, cells of 0.25 mm", "variants/fine", 0.25e-3)
+for name in ("linear", "gimp", "linearCellMean", "gimpCellMean"):
+    if os.path.isdir(f"variants/{name}/postProcessing"):
+        print(f"one velocity field, {name}: interface speed"
+              f" {p.Path(f'variants/{name}').speed():.1f} m/s")
 weak = p.Path("variants/hydrodynamic").speed(10e-6, 40e-6)
 exact = p.SPEED/(1 + np.sqrt(p.RHO_T/p.RHO_P))
 print(f"without strength: {weak:.1f} m/s at 10 to 40 us, exact {exact:.1f}"

@@ -1,6 +1,6 @@
 """In variants/: the rod without strength (hydrodynamic limit); a target of 4340 steel;
 with the argument fine also the case itself on cells of 0.25 mm up to 8 mm from the axis
-(minutes)."""
+(minutes); with tried what the README tells of (no debris, other functions; 42 us)."""
 
 import os
 import re
@@ -36,17 +36,25 @@ def weaken(case):
         replace(os.path.join(case, "constant/phaseProperties"),
                 rf"#include .*{metal}\"", WEAK.format(**constants))
     # Matter without strength does not hold on to the rod: no debris apart
-    replace(os.path.join(case, "constant/phaseProperties"),
-            r"limit .*", "limit 1e9;")
-    replace(os.path.join(case, "system/fvSolution"), r"shapeFunction .*",
-            "shapeFunction GIMP;")
+    oneField(case, "GIMP")
+
+
+def soften(case):
+    replace(os.path.join(case, "constant/phaseProperties"), r"steelHzB", "steel4340")
+
+
+def short(case):
     control = os.path.join(case, "system/controlDict")
     replace(control, r"^endTime .*", "endTime 42e-6;")
     replace(control, r"^writeInterval .*", "writeInterval 42e-6;")
 
 
-def soften(case):
-    replace(os.path.join(case, "constant/phaseProperties"), r"steelHzB", "steel4340")
+def oneField(case, functions="linear", dilatation="point"):
+    """No debris apart."""
+    short(case)
+    replace(os.path.join(case, "constant/phaseProperties"), r"limit .*", "limit 1e9;")
+    replace(os.path.join(case, "system/fvSolution"), r"shapeFunction .*",
+            f"shapeFunction {functions}; dilatation {dilatation};")
 
 
 def refine(case):
@@ -63,10 +71,16 @@ def run(case, *command):
 
 
 VARIANTS = {"hydrodynamic": weaken, "steel4340": soften}
-FINE = {"fine": refine}
+MORE = {"fine": {"fine": refine},
+        "tried": {"linear": oneField, "gimp": lambda c: oneField(c, "GIMP"),
+                  "linearCellMean": lambda c: oneField(c, dilatation="cellMean"),
+                  "gimpCellMean": lambda c: oneField(c, "GIMP", "cellMean")}}
 
 if __name__ == "__main__":
-    for name, change in {**VARIANTS, **(FINE if "fine" in sys.argv[1:] else {})}.items():
+    chosen = dict(VARIANTS)
+    for argument in sys.argv[1:]:
+        chosen.update(MORE[argument])
+    for name, change in chosen.items():
         case = os.path.join("variants", name)
         shutil.rmtree(case, ignore_errors=True)
         os.makedirs(os.path.join(case, "0"))

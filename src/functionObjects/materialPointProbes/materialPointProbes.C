@@ -78,7 +78,7 @@ void Foam::functionObjects::materialPointProbes::prepare
     {
         start_.reset(new mpm::startState(dict_, material));
     }
-    select(material, pointsDict, points.eroded(points.indexOf(phase_)).n);
+    select(material, pointsDict, points.nGone(points.indexOf(phase_)));
     if (start_)
     {
         shareStart();

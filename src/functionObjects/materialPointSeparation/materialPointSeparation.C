@@ -151,6 +151,20 @@ void Foam::functionObjects::materialPointSeparation::prepare
 )
 {
     phases_ = selectedPhases(points);
+    if (!dict_.found("phase") && !dict_.found("phases"))
+    {
+        phases_ = wordList
+        (
+            subsetList<word>
+            (
+                phases_,
+                [&](const word& name)
+                {
+                    return !points.isDebris(points.indexOf(name));
+                }
+            )
+        );
+    }
     pairs_.setSize(phases_.size());
     List<string> headers(phases_.size());
     forAll(phases_, phasei)

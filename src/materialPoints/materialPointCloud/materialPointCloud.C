@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointCloud.H"
+#include "HashTable.H"
 #include "pointBlock.H"
 #include <algorithm>
 #include <numeric>
@@ -393,25 +394,25 @@ void Foam::mpm::materialPointCloud::take
     const label n = n_ + cells.size();
     reserve(n);
 
-    DynamicList<const scalar*> values;
-    from.forColumns
-    (
-        [&](const column& c)
-        {
-            for (int i = 0; i < c.nComponents(); ++i)
-            {
-                values.append(c[i] + from.n_);
-            }
-        }
-    );
-    label k = 0;
+    // A column that only one of both has: zero, or left behind
+    HashTable<const column*> given;
+    from.forColumns([&](const column& c) { given.insert(c.name(), &c); });
     forColumns
     (
         [&](column& c)
         {
-            for (int i = 0; i < c.nComponents(); ++i, ++k)
+            const column* source = given.lookup(c.name(), nullptr);
+            for (int i = 0; i < c.nComponents(); ++i)
             {
-                std::copy(values[k], values[k] + cells.size(), c[i] + n_);
+                if (source)
+                {
+                    const scalar* values = (*source)[i] + from.n_;
+                    std::copy(values, values + cells.size(), c[i] + n_);
+                }
+                else
+                {
+                    std::fill_n(c[i] + n_, cells.size(), 0.0);
+                }
             }
         }
     );
@@ -432,20 +433,6 @@ void Foam::mpm::materialPointCloud::take
     n_ = n;
     order(cell);
     sorted_ = false;
-}
-
-
-Foam::wordList Foam::mpm::materialPointCloud::columnNames()
-{
-    DynamicList<word> names;
-    forColumns
-    (
-        [&](const column& c)
-        {
-            names.append(c.name() + '(' + Foam::name(c.nComponents()) + ')');
-        }
-    );
-    return wordList(names);
 }
 
 

@@ -6,6 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "OSspecific.H"
 #include "materialPointCloud.H"
 #include "noTraps.H"
 #include "fullPrecision.H"
@@ -40,6 +41,16 @@ void Foam::mpm::materialPointCloud::writePoints() const
 {
     const int D = grid_.nDim();
     const noTraps guard;
+
+    // An earlier run may have had points at this time
+    const fileName folder
+    (
+        time().path()/time().timeName()/cloud::prefix/name()
+    );
+    if (!n_ && isDir(folder))
+    {
+        rmDir(folder);
+    }
 
     // Positions for other tools
     Cloud<passiveParticle> parcels

@@ -421,6 +421,12 @@ void Foam::mpm::pointContact::report(const scalar dt) const
         Info<< ", closed nodes " << std::round(returnReduce(pair.nClosed, sumOp<scalar>()))
             << endl;
     }
+    if (nUnsettled_)
+    {
+        Info<< "Contact of free bodies: not converged in " << nUnsettled_
+            << " solutions of this run (a smaller maxCo helps)"
+            << endl;
+    }
 }
 
 

@@ -250,6 +250,7 @@ void Foam::mpm::pointContact::settle
         V[b] = bodies_[b].body->step();
     }
     scalar before = GREAT, length = 1;
+    bool settled = false;
     for (label i = 0; i < maxSteps; ++i)
     {
         clearImpulses();
@@ -272,6 +273,7 @@ void Foam::mpm::pointContact::settle
         }
         if (!(size > 1e-24*all))
         {
+            settled = true;
             break;
         }
         // Where nodes open and close by turns, half of the way
@@ -282,6 +284,8 @@ void Foam::mpm::pointContact::settle
             V[b] += (i + 1 < maxSteps ? length : 0)*dV[b];
         }
     }
+
+    nUnsettled_ += settled ? 0 : 1;
 
     // The last step in J, not in V: rounding does not grow by the stiffness, and
     // what did not converge stays that of a linear contact

@@ -20,20 +20,31 @@ void Foam::mpm::pointPhaseSystem::erode(const scalar dt)
     }
     const noTraps guard;
 
+    // Phases that give points to others come last: what they give has had
+    // its step
+    labelList order;
+    for (const bool gives : {false, true})
+    {
+        forAll(phases_, phasei)
+        {
+            if (phases_[phasei].erosion() && (debris_[phasei] >= 0) == gives)
+            {
+                order.append(phasei);
+            }
+        }
+    }
+
     List<erodedPoints> step(phases_.size());
     label n = 0;
-    forAll(phases_, phasei)
+    for (const label phasei : order)
     {
-        if (phases_[phasei].erosion())
-        {
-            const label to = debris_[phasei];
-            step[phasei] = phases_[phasei].erode
-            (
-                dt,
-                to < 0 ? nullptr : &phases_[to].cloud()
-            );
-            n += step[phasei].n;
-        }
+        const label to = debris_[phasei];
+        step[phasei] = phases_[phasei].erode
+        (
+            dt,
+            to < 0 ? nullptr : &phases_[to].cloud()
+        );
+        n += step[phasei].n;
     }
     if (!returnReduce(n, sumOp<label>()))
     {
@@ -97,6 +108,14 @@ void Foam::mpm::pointPhaseSystem::connectDebris()
                 << debris << ", which is no other phase of material points."
                 << nl << "The phases are: " << names << exit(FatalIOError);
         }
+        if (!phases_[to].debris().empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The eroded points of " << names[phasei] << " go to "
+                << debris << ", whose own go to " << phases_[to].debris()
+                << "." << nl << "Points may go over once: " << debris
+                << " may have erosion without to." << exit(FatalIOError);
+        }
         if (debris_.found(to))
         {
             FatalIOErrorInFunction(dict)
@@ -106,19 +125,24 @@ void Foam::mpm::pointPhaseSystem::connectDebris()
                 << "Give each a phase of its own; they may share a"
                 << " velocityField." << exit(FatalIOError);
         }
-        const wordList own(phases_[phasei].cloud().columnNames());
-        const wordList its(phases_[to].cloud().columnNames());
-        if (own != its || phases_[phasei].law().type() != phases_[to].law().type())
+        for (const word key : {"constitutiveModel", "failureModel"})
         {
-            FatalIOErrorInFunction(dict)
-                << "The eroded points of " << names[phasei] << " go to "
-                << debris << ", whose law or columns are others." << nl
-                << names[phasei] << ": " << phases_[phasei].law().type()
-                << ' ' << own << nl
-                << debris << ": " << phases_[to].law().type() << ' ' << its
-                << nl << "Give " << debris << " the constitutiveModel and the"
-                << " failureModel of " << names[phasei] << '.'
-                << exit(FatalIOError);
+            const dictionary& from = properties_.subDict(names[phasei]);
+            const dictionary& into = properties_.subDict(debris);
+            if
+            (
+                from.found(key) != into.found(key)
+             || (from.found(key) && from.subDict(key) != into.subDict(key))
+            )
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The eroded points of " << names[phasei] << " go to "
+                    << debris << ", whose " << key << " is another: their"
+                    << " columns and their energy would not go along." << nl
+                    << "Give " << debris << " the " << key << " of "
+                    << names[phasei] << ", entry by entry."
+                    << exit(FatalIOError);
+            }
         }
         debris_[phasei] = to;
     }
@@ -150,6 +174,27 @@ void Foam::mpm::pointPhaseSystem::reportErosion(const label nPresent) const
             << "There are " << nPresent << " material points and " << nEroded()
             << " have eroded, but " << started_ << " were there at the start."
             << exit(FatalError);
+    }
+    forAll(debris_, phasei)
+    {
+        const label to = debris_[phasei];
+        if (to < 0)
+        {
+            continue;
+        }
+        const label there =
+            returnReduce(phases_[to].cloud().size(), sumOp<label>())
+          + eroded_[to].n;
+        if (there != eroded_[phasei].n)
+        {
+            FatalErrorInFunction
+                << "Phase " << phases_[to].name() << " has " << there
+                << " material points, but " << eroded_[phasei].n
+                << " have come from " << phases_[phasei].name() << "." << nl
+                << "It takes in those points only, whose ids stay: no region"
+                << " of setMaterialPointsDict may fill it, and a restart needs"
+                << " its folder." << exit(FatalError);
+        }
     }
     forAll(phases_, phasei)
     {

@@ -21,11 +21,12 @@ void shapePasses<Shape, DIM, HOOP>::shiftToMean
 (
     const scalar* const (&diagonal)[nDiagonal],
     const scalar* weight,
+    const scalar* damage,
     const label n,
     scalar* shift
 )
 {
-    scalar sumW = 0, sum = 0;
+    scalar sumW = VSMALL, sum = 0;
     for (label i = 0; i < n; ++i)
     {
         scalar tr = 0;
@@ -33,14 +34,15 @@ void shapePasses<Shape, DIM, HOOP>::shiftToMean
         {
             tr += diagonal[d][i];
         }
+        const scalar w = damage && damage[i] > 0 ? 0 : weight[i];
         shift[i] = -tr/nDiagonal;
-        sumW += weight[i];
-        sum += weight[i]*shift[i];
+        sumW += w;
+        sum += w*shift[i];
     }
     const scalar mean = sum/sumW;
     for (label i = 0; i < n; ++i)
     {
-        shift[i] -= mean;
+        shift[i] = damage && damage[i] > 0 ? 0 : shift[i] - mean;
     }
 }
 
@@ -50,6 +52,7 @@ void shapePasses<Shape, DIM, HOOP>::shiftStress
 (
     const column& stress,
     const scalar* volume,
+    const scalar* damage,
     const label begin,
     const label end,
     scalar* shift
@@ -64,7 +67,14 @@ void shapePasses<Shape, DIM, HOOP>::shiftStress
     {
         diagonal[nDiagonal - 1] = stress[2] + begin;
     }
-    shiftToMean(diagonal, volume + begin, end - begin, shift);
+    shiftToMean
+    (
+        diagonal,
+        volume + begin,
+        damage ? damage + begin : nullptr,
+        end - begin,
+        shift
+    );
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -83,7 +93,6 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
     // Blocks of cells whose velocity gradients stay in the cache while the
     // law works on them
     constexpr label blockSize = 256;
-    constexpr label bufferSize = blockSize + 256;
     constexpr int N = DIM*DIM + (HOOP ? 1 : 0);
     alignas(64) static thread_local scalar dL[N][bufferSize + W];
 
@@ -96,6 +105,7 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
     column& stress = cloud.stress();
     scalar* volume = cloud.volume()[0];
     const scalar* mass = cloud.mass()[0];
+    const scalar* damage = cloud.damage() ? (*cloud.damage())[0] : nullptr;
     const labelList& cells = cloud.cells();
     const labelList& first = cloud.start();
     stressResult result{0, -1, 0};
@@ -182,7 +192,11 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                     }
                     shiftToMean
                     (
-                        diagonal, volume + pBegin, pEnd - pBegin, shift + i
+                        diagonal,
+                        volume + pBegin,
+                        damage ? damage + pBegin : nullptr,
+                        pEnd - pBegin,
+                        shift + i
                     );
                     for (int d = 0; d < nDiagonal; ++d)
                     {
@@ -300,7 +314,12 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                 {
                     shiftStress
                     (
-                        stress, volume, pBegin, pEnd, shift + (pBegin - begin)
+                        stress,
+                        volume,
+                        damage,
+                        pBegin,
+                        pEnd,
+                        shift + (pBegin - begin)
                     );
                 }
                 for (label p = pBegin; p < pEnd; p += W)

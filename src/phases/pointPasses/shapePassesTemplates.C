@@ -246,12 +246,15 @@ void shapePasses<Shape, DIM, HOOP>::force
     {
         const labelList& first = cloud.start();
         shift.resize(first.size() ? first.last() + W : 0);
+        const scalar* damage = cloud.damage() ? (*cloud.damage())[0] : nullptr;
         for (label k = 0; k < cloud.cells().size(); ++k)
         {
-            shiftStress
-            (
-                stress, volume, first[k], first[k + 1], shift.data() + first[k]
-            );
+            // In the pieces that correctStress() takes
+            for (label p = first[k]; p < first[k + 1]; p += bufferSize)
+            {
+                const label end = min(first[k + 1], p + bufferSize);
+                shiftStress(stress, volume, damage, p, end, shift.data() + p);
+            }
         }
     }
 
