@@ -149,6 +149,32 @@ void Foam::mpm::pointPhaseSystem::connectDebris()
 }
 
 
+void Foam::mpm::pointPhaseSystem::checkDebris() const
+{
+    forAll(debris_, phasei)
+    {
+        const label to = debris_[phasei];
+        if (to < 0)
+        {
+            continue;
+        }
+        const label there =
+            returnReduce(phases_[to].cloud().size(), sumOp<label>())
+          + eroded_[to].n;
+        if (there != eroded_[phasei].n)
+        {
+            FatalErrorInFunction
+                << "Phase " << phases_[to].name() << " has " << there
+                << " material points, but " << eroded_[phasei].n
+                << " have come from " << phases_[phasei].name() << "." << nl
+                << "It takes in those points only, whose ids stay: no region"
+                << " of setMaterialPointsDict may fill it, and a restart needs"
+                << " its folder." << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::mpm::pointPhaseSystem::countStarted()
 {
     started_ = nPoints() + nEroded();
@@ -175,27 +201,7 @@ void Foam::mpm::pointPhaseSystem::reportErosion(const label nPresent) const
             << " have eroded, but " << started_ << " were there at the start."
             << exit(FatalError);
     }
-    forAll(debris_, phasei)
-    {
-        const label to = debris_[phasei];
-        if (to < 0)
-        {
-            continue;
-        }
-        const label there =
-            returnReduce(phases_[to].cloud().size(), sumOp<label>())
-          + eroded_[to].n;
-        if (there != eroded_[phasei].n)
-        {
-            FatalErrorInFunction
-                << "Phase " << phases_[to].name() << " has " << there
-                << " material points, but " << eroded_[phasei].n
-                << " have come from " << phases_[phasei].name() << "." << nl
-                << "It takes in those points only, whose ids stay: no region"
-                << " of setMaterialPointsDict may fill it, and a restart needs"
-                << " its folder." << exit(FatalError);
-        }
-    }
+    checkDebris();
     forAll(phases_, phasei)
     {
         const erodedPoints& e = eroded_[phasei];
@@ -249,6 +255,7 @@ void Foam::mpm::pointPhaseSystem::setErosionState(const dictionary& state)
         checkKeywords(eroded, wordList(names));
     }
     countStarted();
+    checkDebris();
 }
 
 // ************************************************************************* //

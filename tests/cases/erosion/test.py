@@ -452,7 +452,7 @@ def debris(table):
         shutil.rmtree(again.file(later))
     shutil.rmtree(again.file(half, "lagrangian/dust"))
     again.run("materialPointFoam", fails=True)
-    table.check("debris: restart without its folder stops",
+    table.check("debris: restart without its folder stops at once",
                 "Phase dust has 0 material points, but" in again.log())
     split = debrisCase("debris-2")
     split.decompose((2, 1, 1))
