@@ -15,8 +15,11 @@ import re
 import resource
 import shutil
 import subprocess
+import sys
 
 import numpy as np
+
+from report import Report
 
 TESTS = os.path.abspath(os.path.join(os.path.dirname(__file__), ".."))
 PROJECT = os.path.dirname(TESTS)
@@ -336,3 +339,15 @@ def controlDict(endTime, writeInterval, maxCo=None, deltaT=None, functions=None,
         "runTimeModifiable": False, "functions": functions or {}}
 
 
+def runParts(case, *parts):
+    """A test in parts, or those of them that the arguments name: each is called with the
+    table; a run that fails is a row that failed. The exit code."""
+    table = Report(case)
+    for part in parts:
+        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
+            continue
+        try:
+            part(table)
+        except RunFailed as e:
+            table.check(f"{part.__name__} runs", False, e)
+    return table.finish()

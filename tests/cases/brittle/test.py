@@ -18,8 +18,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import PROJECT, VERIFY, FoamCase, RunFailed
-from report import Report
+from foamCase import PROJECT, VERIFY, FoamCase, RunFailed, runParts
 from crackBar import crackBar
 
 
@@ -142,15 +141,7 @@ def air(table):
 
 
 def main():
-    table = Report("brittle")
-    for part in (bar, disc, half, air):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
+    return runParts("brittle", bar, disc, half, air)
 
 
 if __name__ == "__main__":

@@ -20,9 +20,8 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (PROJECT, FoamCase, RunFailed, boxMesh, controlDict, foamText, noSchemes,
-                      velocityFile)
-from report import Report
+from foamCase import (PROJECT, FoamCase, boxMesh, controlDict, foamText, noSchemes,
+                      runParts, velocityFile)
 
 FMPM = {"shapeFunction": "GIMP", "transfer": "FMPM", "order": 2}
 FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.01}
@@ -346,15 +345,7 @@ def sand(table):
 
 
 def main():
-    table = Report("contact")
-    for part in (plates, pair, incline, disks, balls, hertz, sand):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
+    return runParts("contact", plates, pair, incline, disks, balls, hertz, sand)
 
 
 if __name__ == "__main__":

@@ -22,9 +22,8 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from coupledCases import coupledCase, gasLog
-from foamCase import PROJECT, RunFailed, readField, writeField
+from foamCase import PROJECT, readField, runParts, writeField
 from gasCases import OPEN, WALL, volField
-from report import Report
 
 GAMMA, P0, RHO0, EPS = 1.4, 1e5, 1.2, 1e-2
 C0 = np.sqrt(GAMMA*P0/RHO0)
@@ -546,15 +545,8 @@ def ranks(table):
 
 
 def main():
-    table = Report("dustyGas")
-    for part in (move, push, sound, skeleton, wall, heat, miura, dilute, dense, ranks):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
+    return runParts(
+        "dustyGas", move, push, sound, skeleton, wall, heat, miura, dilute, dense, ranks)
 
 
 if __name__ == "__main__":

@@ -23,9 +23,8 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import bar as bars
-from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes,
-                      velocityFile, writeField)
-from report import Report
+from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile,
+                      writeField)
 
 FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0}
 LIBS = {"libs": "(mpmFunctionObjects)", "writeControl": "timeStep", "writeInterval": 1}
@@ -505,15 +504,7 @@ def separation(table):
 
 
 def main():
-    table = Report("erosion")
-    for part in (marked, bar, booked, anvil, gone, debris, separation):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
+    return runParts("erosion", marked, bar, booked, anvil, gone, debris, separation)
 
 
 if __name__ == "__main__":

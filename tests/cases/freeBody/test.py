@@ -22,9 +22,8 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (PROJECT, FoamCase, RunFailed, boxMesh, controlDict, foamText, noSchemes,
-                      velocityFile, writeField)
-from report import Report
+from foamCase import (PROJECT, FoamCase, boxMesh, controlDict, foamText, noSchemes,
+                      runParts, velocityFile, writeField)
 from wedge import SECTOR, wedgeConditions, wedgeMesh
 
 FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.01}
@@ -442,15 +441,7 @@ def piston(table):
 
 
 def main():
-    table = Report("freeBody")
-    for part in (fall, tumble, wedge, bar, collide, slide, roll, piston):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
+    return runParts("freeBody", fall, tumble, wedge, bar, collide, slide, roll, piston)
 
 
 if __name__ == "__main__":

@@ -17,9 +17,8 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes,
-                      velocityFile, writeField)
-from report import Report
+from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile,
+                      writeField)
 
 FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.01}
 FMPM = {"shapeFunction": "GIMP", "transfer": "FMPM", "order": 2}
@@ -206,15 +205,8 @@ def nearlyIncompressible(table):
 
 
 def main():
-    table = Report("hardCases")
-    for part in (impact, squash, lonePoint, tinyMass, densities, nearlyIncompressible):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
+    return runParts(
+        "hardCases", impact, squash, lonePoint, tinyMass, densities, nearlyIncompressible)
 
 
 if __name__ == "__main__":

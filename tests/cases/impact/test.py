@@ -22,8 +22,7 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 TUTORIALS = os.path.join(HERE, "../../../tutorials")
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
-from foamCase import VERIFY, FoamCase, RunFailed, boxMesh, velocityFile
-from report import Report
+from foamCase import VERIFY, FoamCase, boxMesh, runParts, velocityFile
 
 #: What the published constants give in other codes: Lf/L0, Df/D0
 LENGTH, FOOT = (0.68, 0.015), (1.91, 0.08)
@@ -189,15 +188,7 @@ def limit(table):
 
 
 def main():
-    table = Report("impact")
-    for part in (bar, quarter, rod, limit):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
+    return runParts("impact", bar, quarter, rod, limit)
 
 
 if __name__ == "__main__":

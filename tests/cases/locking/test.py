@@ -16,9 +16,8 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes,
-                      velocityFile, writeField)
-from report import Report
+from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile,
+                      writeField)
 
 L, H, RHO, NU, CELLS = 1.0, 0.1, 2.0, 0.49, 4
 E = 48000*(1 - NU**2)
@@ -113,15 +112,7 @@ def split(table):
 
 
 def main():
-    table = Report("locking")
-    for part in (beam, split, energy):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
+    return runParts("locking", beam, split, energy)
 
 
 if __name__ == "__main__":
