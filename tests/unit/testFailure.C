@@ -398,3 +398,60 @@ TEST_CASE("input errors of failure models")
         CHECK_THROWS_AS(failureOf(text), Foam::IOerror);
     }
 }
+
+
+TEST_CASE("maxPrincipalStress: fails at the limit, keeps compression only")
+{
+    IStringStream is("type maxPrincipalStress; strength 400e6;");
+    const auto model(failureModel::New(dictionary(is)));
+
+    points p(3, 4, 2700);
+    // Just below, just above in a turned direction, compression
+    const scalar c = std::cos(0.4), s = std::sin(0.4);
+    const auto turned = [&](label i, scalar a, scalar b)
+    {
+        p.stress[0][i] = a*c*c + b*s*s;
+        p.stress[1][i] = a*s*s + b*c*c;
+        p.stress[3][i] = (a - b)*c*s;
+    };
+    turned(0, 399.9e6, -100e6);
+    turned(1, 400.1e6, -100e6);
+    turned(2, -500e6, -600e6);
+    turned(3, 500e6, 450e6);
+
+    pointBlock b(p.block());
+    CHECK(model->correct(b) == 2);
+    CHECK(p.damage[0] == 0);
+    CHECK(p.damage[1] == 1);
+    CHECK(p.damage[2] == 0);
+    CHECK(p.damage[3] == 1);
+
+    // What point 1 keeps is -100 MPa along its second direction
+    CHECK(p.stress[0][1] == doctest::Approx(-100e6*s*s).epsilon(1e-9));
+    CHECK(p.stress[1][1] == doctest::Approx(-100e6*c*c).epsilon(1e-9));
+    CHECK(p.stress[3][1] == doctest::Approx(100e6*c*s).epsilon(1e-9));
+    CHECK(std::abs(p.stress[0][3]) < 1e-3);
+}
+
+
+TEST_CASE("Weibull strengths: by id only, with the right distribution")
+{
+    IStringStream is
+    ("type maxPrincipalStress; strength 1e6; weibull { modulus 5; seed 3; }");
+    const auto model(failureModel::New(dictionary(is)));
+    CHECK(model->scatters());
+
+    const int n = 200000;
+    scalar mean = 0, below = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        const scalar s = model->strength(uint64_t(i), 1);
+        mean += s/n;
+        below += s < 1e6 ? 1.0/n : 0;
+    }
+    // Mean Gamma(1 + 1/5), P(s < scale) = 1 - 1/e; three standard errors
+    CHECK(mean == doctest::Approx(1e6*std::tgamma(1.2)).epsilon(0.002));
+    CHECK(below == doctest::Approx(1 - std::exp(-1.0)).epsilon(0.006));
+    CHECK(model->strength(17, 1) == model->strength(17, 1));
+    CHECK(model->strength(17, 1) != model->strength(18, 1));
+}

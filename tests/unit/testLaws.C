@@ -7,33 +7,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include <doctest/doctest.h>
-#include "testPoints.H"
+#include "testLaws.H"
 #include "failureModel.H"
 #include "IOstreams.H"
 
 using namespace Foam;
 using namespace Foam::mpm;
-
-namespace
-{
-
-autoPtr<constitutiveModel> elastic
-(
-    const scalar nu,
-    const string& stress = "Cauchy"
-)
-{
-    IStringStream is
-    (
-        "type linearElastic; rho 2700; E 70e9; nu " + Foam::name(nu)
-      + "; stress " + stress + ";"
-    );
-    return constitutiveModel::New(dictionary(is));
-}
-
-const scalar E = 70e9;
-
-}
 
 
 TEST_CASE("linearElastic: uniaxial strain against the closed form")
@@ -175,34 +154,6 @@ TEST_CASE("linearElastic: initial stress gives the strain that carries it")
         CHECK(after[0] == doctest::Approx(before[0]).epsilon(1e-12));
         CHECK(after[1] == doctest::Approx(before[1]).epsilon(1e-12));
     }
-}
-
-
-namespace
-{
-
-//- The law neoHookean with the elastic constants of the tests
-struct neo
-{
-    const scalar nu, lambda, mu;
-    const autoPtr<constitutiveModel> law;
-
-    explicit neo(const scalar poisson)
-    :
-        nu(poisson),
-        lambda(E*nu/((1 + nu)*(1 - 2*nu))),
-        mu(E/(2*(1 + nu))),
-        law(create(poisson))
-    {}
-
-    static autoPtr<constitutiveModel> create(const scalar nu)
-    {
-        IStringStream is
-        ("type neoHookean; rho 2700; E 70e9; nu " + Foam::name(nu) + ";");
-        return constitutiveModel::New(dictionary(is));
-    }
-};
-
 }
 
 
@@ -505,176 +456,6 @@ TEST_CASE("neoHookean: initial stress gives the left stretch that carries it")
         for (int k = 0; k < D; ++k) p.stress[k][1] = -0.99*m.mu;
         CHECK_NOTHROW(m.law->initialise(b));
     }
-}
-
-
-TEST_CASE("initial stress: zero strain leaves it, a rotation turns it")
-{
-    // Any stress, also one that plane strain alone could not have, and J that
-    // is not 1. Cauchy, Kirchhoff and neoHookean
-    for (const word name : {"Cauchy", "Kirchhoff", "neoHookean"})
-    for (int D = 1; D <= 3; ++D)
-    for (const scalar J : {1.0, 0.95, 1.1})
-    {
-        const autoPtr<constitutiveModel> law
-        (
-            name == "neoHookean" ? neo::create(0.3) : elastic(0.3, name)
-        );
-        points p(D, 11, 2700);
-        const scalar normal[3] = {1.3e9, -0.7e9, 0.4e9};
-        const scalar shear[6] = {0, 0, 0, 0.5e9, -0.3e9, 0.8e9};
-        for (label i = 0; i < p.n; ++i)
-        {
-            p.volume[i] = J;
-            for (int k = 0; k < 3; ++k) p.stress[k][i] = normal[k]*(1 - 0.1*i);
-            for (int k = 3; k < nStress(D); ++k) p.stress[k][i] = shear[k]*(1 - 0.15*i);
-        }
-        const std::vector<std::vector<scalar>> before(p.stress);
-        pointBlock b(p.block());
-        law->initialise(b);
-        p.apply(*law, std::vector<scalar>(9, 0));
-        for (int k = 0; k < nStress(D); ++k)
-        {
-            for (label i = 0; i < p.n; ++i)
-            {
-                CHECK(std::abs(p.stress[k][i] - before[k][i]) <= 1e-12*1.3e9);
-            }
-        }
-        CHECK(law->strainEnergy(p.block()) > 0);
-
-        if (D == 1) continue;
-
-        // One radian about z in 100 steps: sigma <- R sigma R^T
-        std::vector<scalar> L(9, 0);
-        L[1] = -0.01; L[D] = 0.01;
-        for (int i = 0; i < 100; ++i) p.apply(*law, L);
-        const scalar cs = std::cos(1.0), sn = std::sin(1.0);
-        const scalar R[9] = {cs, -sn, 0, sn, cs, 0, 0, 0, 1};
-        for (label i = 0; i < p.n; ++i)
-        {
-            points old(D, 1, 2700);
-            for (int k = 0; k < 6; ++k) old.stress[k][0] = before[k][i];
-            scalar s0[9], s1[9];
-            fullStress(old.block(), 0, s0);
-            fullStress(p.block(), i, s1);
-            for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c)
-            {
-                scalar turned = 0;
-                for (int k = 0; k < 3; ++k)
-                for (int l = 0; l < 3; ++l)
-                {
-                    turned += R[3*r + k]*s0[3*k + l]*R[3*c + l];
-                }
-                CHECK(std::abs(s1[3*r + c] - turned) <= 1e-10*1.3e9);
-            }
-        }
-    }
-}
-
-
-TEST_CASE("initial stress: a further strain adds what the law says")
-{
-    // A uniaxial stretch from a hydrostatic start, in plane strain: the strain
-    // of the start stays in the missing direction
-    const scalar nu = 0.3, p0 = 2e9, step = 1e-3;
-    const scalar lambda = E*nu/((1 + nu)*(1 - 2*nu)), mu = E/(2*(1 + nu));
-    for (int D = 1; D <= 3; ++D)
-    {
-        const auto law(elastic(nu));
-        points p(D, 5, 2700);
-        for (int k = 0; k < 3; ++k)
-        {
-            std::fill(p.stress[k].begin(), p.stress[k].end(), -p0);
-        }
-        pointBlock b(p.block());
-        law->initialise(b);
-        std::vector<scalar> L(9, 0);
-        L[0] = step;
-        p.apply(*law, L);
-        for (label i = 0; i < p.n; ++i)
-        {
-            CHECK(p.stress[0][i] == doctest::Approx(-p0 + (lambda + 2*mu)*step).epsilon(1e-12));
-            CHECK(p.stress[1][i] == doctest::Approx(-p0 + lambda*step).epsilon(1e-12));
-            CHECK(p.stress[2][i] == doctest::Approx(-p0 + lambda*step).epsilon(1e-12));
-        }
-    }
-}
-
-
-TEST_CASE("initial stress: what no strain can carry is refused")
-{
-    const scalar nan = std::sqrt(scalar(-1)), inf = 1e300*1e300;
-    for (const word name : {"Cauchy", "Kirchhoff", "neoHookean"})
-    for (int D = 1; D <= 3; ++D)
-    for (const scalar bad : {nan, inf, -inf, -1e14})
-    {
-        const autoPtr<constitutiveModel> law
-        (
-            name == "neoHookean" ? neo::create(0.3) : elastic(0.3, name)
-        );
-        points p(D, 3, 2700);
-        p.stress[0][1] = bad;
-        pointBlock b(p.block());
-        CHECK_THROWS_AS(law->initialise(b), Foam::error);
-    }
-}
-
-
-TEST_CASE("maxPrincipalStress: fails at the limit, keeps compression only")
-{
-    IStringStream is("type maxPrincipalStress; strength 400e6;");
-    const auto model(failureModel::New(dictionary(is)));
-
-    points p(3, 4, 2700);
-    // Just below, just above in a turned direction, compression
-    const scalar c = std::cos(0.4), s = std::sin(0.4);
-    const auto turned = [&](label i, scalar a, scalar b)
-    {
-        p.stress[0][i] = a*c*c + b*s*s;
-        p.stress[1][i] = a*s*s + b*c*c;
-        p.stress[3][i] = (a - b)*c*s;
-    };
-    turned(0, 399.9e6, -100e6);
-    turned(1, 400.1e6, -100e6);
-    turned(2, -500e6, -600e6);
-    turned(3, 500e6, 450e6);
-
-    pointBlock b(p.block());
-    CHECK(model->correct(b) == 2);
-    CHECK(p.damage[0] == 0);
-    CHECK(p.damage[1] == 1);
-    CHECK(p.damage[2] == 0);
-    CHECK(p.damage[3] == 1);
-
-    // What point 1 keeps is -100 MPa along its second direction
-    CHECK(p.stress[0][1] == doctest::Approx(-100e6*s*s).epsilon(1e-9));
-    CHECK(p.stress[1][1] == doctest::Approx(-100e6*c*c).epsilon(1e-9));
-    CHECK(p.stress[3][1] == doctest::Approx(100e6*c*s).epsilon(1e-9));
-    CHECK(std::abs(p.stress[0][3]) < 1e-3);
-}
-
-
-TEST_CASE("Weibull strengths: by id only, with the right distribution")
-{
-    IStringStream is
-    ("type maxPrincipalStress; strength 1e6; weibull { modulus 5; seed 3; }");
-    const auto model(failureModel::New(dictionary(is)));
-    CHECK(model->scatters());
-
-    const int n = 200000;
-    scalar mean = 0, below = 0;
-    for (int i = 0; i < n; ++i)
-    {
-        const scalar s = model->strength(uint64_t(i), 1);
-        mean += s/n;
-        below += s < 1e6 ? 1.0/n : 0;
-    }
-    // Mean Gamma(1 + 1/5), P(s < scale) = 1 - 1/e; three standard errors
-    CHECK(mean == doctest::Approx(1e6*std::tgamma(1.2)).epsilon(0.002));
-    CHECK(below == doctest::Approx(1 - std::exp(-1.0)).epsilon(0.006));
-    CHECK(model->strength(17, 1) == model->strength(17, 1));
-    CHECK(model->strength(17, 1) != model->strength(18, 1));
 }
 
 

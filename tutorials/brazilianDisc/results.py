@@ -2,8 +2,12 @@
 
 import os
 import re
+import sys
 
 import numpy as np
+
+sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
+from foamCase import readField
 
 EXACT = np.pi*0.5*700       # pi R sigma_t [N/m]
 
@@ -16,17 +20,8 @@ def times(case="."):
 
 
 def points(case, time, phase, name):
-    """A column of the points, binary or one value for all."""
-    with open(os.path.join(case, time, "lagrangian", phase, name), "rb") as f:
-        raw = f.read()
-    size = {b"scalar": 1, b"vector": 3, b"symmTensor": 6}[
-        re.search(rb"class\s+(scalar|vector|symmTensor)Field", raw)[1]]
-    body = re.compile(rb"FoamFile\s*\{.*?\}(?:\s*//[^\n]*\n)*\s*", re.S).search(raw).end()
-    uniform = re.compile(rb"(\d+)\{\(?([^(){}]*)\)?\}").match(raw, body)
-    if uniform:
-        return np.tile(np.array(uniform[2].split(), float), (int(uniform[1]), 1)).squeeze()
-    count = re.compile(rb"(\d+)\s*\(").match(raw, body)
-    return np.frombuffer(raw, "f8", size*int(count[1]), count.end()).reshape(-1, size).squeeze()
+    """A column of the points."""
+    return readField(os.path.join(case, time, "lagrangian", phase, name))
 
 
 def loads(case="."):

@@ -2,30 +2,17 @@
 
 import os
 import re
+import sys
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
+from foamCase import readField
+
 R, E, NU, H, THICKNESS = 0.16, 1e8, 0.3, 1e-3, 1e-3
-
-
-def column(path):
-    """A column of the points, ascii; one row per point."""
-    text = open(path).read()
-    text = text[text.index("FoamFile"):]
-    text = text[text.index("}") + 1:]
-    uniform = re.match(r"[^0-9]*(\d+)\s*\{\(?([^(){}]*)\)?\}", text)
-    if uniform:
-        row = [float(w) for w in uniform[2].split()]
-        return np.tile(row, (int(uniform[1]), 1))
-    body = text[text.index("(") + 1:text.rindex(")")]
-    if "(" not in body:
-        return np.array([[float(w)] for w in body.split()])
-    return np.array([[float(w) for w in m.split()]
-                     for m in re.findall(r"\(([^()]+)\)", body)])
-
 
 log = open("log.materialPointFoam").read()
 t = np.array([float(w) for w in re.findall(r"^Time = (\S+)", log, re.M)])
@@ -37,11 +24,11 @@ F, scatter = force[late].mean(), np.ptp(force[late])
 
 last = max((d for d in os.listdir(".") if re.fullmatch(r"[0-9.e-]+", d)
             and os.path.isdir(f"{d}/lagrangian")), key=float)
-x = column(f"{last}/lagrangian/cylinder/x")
-sigma = column(f"{last}/lagrangian/cylinder/sigma")
+x = readField(f"{last}/lagrangian/cylinder/x")
+sigma = readField(f"{last}/lagrangian/cylinder/sigma")
 # The lowest row of points, means of the two in each cell
-ids = column(f"{last}/lagrangian/cylinder/id")[:, 0]
-first = column("0/lagrangian/cylinder/x")[np.argsort(column("0/lagrangian/cylinder/id")[:, 0])]
+ids = readField(f"{last}/lagrangian/cylinder/id")
+first = readField("0/lagrangian/cylinder/x")[np.argsort(readField("0/lagrangian/cylinder/id"))]
 x, sigma = x[np.argsort(ids)], sigma[np.argsort(ids)]
 low = np.flatnonzero(first[:, 1] - first[:, 0]**2/(2*R) < 0.5*H)
 low = low[np.argsort(first[low, 0])]

@@ -3,39 +3,26 @@
 import glob
 import os
 import re
+import sys
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
+from foamCase import readField
+
 H = 0.01
 
 #: case: velocity, cells in a direction
 CASES = {"disk": ((18.0, 11.5, 0.0), 32), "ball": ((12.0, 9.5, -7.3), 24)}
 
-
-def column(path):
-    """A column of the points, ascii; one row per point."""
-    text = open(path).read()
-    text = text[text.index("FoamFile"):]
-    text = text[text.index("}") + 1:]
-    uniform = re.match(r"[^0-9]*(\d+)\s*\{\(?([^(){}]*)\)?\}", text)
-    if uniform:
-        row = [float(w) for w in uniform[2].split()]
-        return np.tile(row, (int(uniform[1]), 1))
-    body = text[text.index("(") + 1:text.rindex(")")]
-    if "(" not in body:
-        return np.array([[float(w)] for w in body.split()])
-    return np.array([[float(w) for w in m.split()]
-                     for m in re.findall(r"\(([^()]+)\)", body)])
-
-
 def cloud(case, time):
     """Places and velocities in the order of the points' ids."""
     path = f"{case}/{time}/lagrangian/{case}/"
-    order = np.argsort(column(path + "id")[:, 0])
-    return column(path + "x")[order], column(path + "U")[order]
+    order = np.argsort(readField(path + "id"))
+    return readField(path + "x")[order], readField(path + "U")[order]
 
 
 figure, axes = plt.subplots(1, 2, figsize=(12, 5.6), constrained_layout=True)

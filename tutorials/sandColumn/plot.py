@@ -2,34 +2,21 @@
 
 import os
 import re
+import sys
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
+from foamCase import readField
+
 L, HEIGHT, H = 0.1, 0.2, 0.005
-
-
-def column(path):
-    """A column of the points, ascii; one row per point."""
-    text = open(path).read()
-    text = text[text.index("FoamFile"):]
-    text = text[text.index("}") + 1:]
-    uniform = re.match(r"[^0-9]*(\d+)\s*\{\(?([^(){}]*)\)?\}", text)
-    if uniform:
-        row = [float(w) for w in uniform[2].split()]
-        return np.tile(row, (int(uniform[1]), 1))
-    body = text[text.index("(") + 1:text.rindex(")")]
-    if "(" not in body:
-        return np.array([[float(w)] for w in body.split()])
-    return np.array([[float(w) for w in m.split()]
-                     for m in re.findall(r"\(([^()]+)\)", body)])
-
 
 times = sorted((d for d in os.listdir(".") if re.fullmatch(r"[0-9.]+", d)
                 and os.path.isdir(f"{d}/lagrangian")), key=float)
-places = {t: column(f"{t}/lagrangian/sand/x") for t in times}
+places = {t: readField(f"{t}/lagrangian/sand/x") for t in times}
 
 
 def front(x):
@@ -44,7 +31,7 @@ for t in times:
           f" {(x[:, 0].max() - L)/L:.2f}, height over L0"
           f" {(x[x[:, 0] < 2*H, 1].max() + 0.25*H)/L:.2f}")
 x = places[times[-1]]
-U = column(f"{times[-1]}/lagrangian/sand/U")
+U = readField(f"{times[-1]}/lagrangian/sand/U")
 print(f"speed at the end: mean {np.linalg.norm(U, axis=1).mean():.1e} m/s")
 
 shown = [t for t in times if t in ("0", "0.1", "0.2", "0.3", "0.5", times[-1])]
@@ -52,7 +39,7 @@ figure, axes = plt.subplots(len(shown), 1, figsize=(7, 1.6*len(shown)), sharex=T
                             sharey=True, constrained_layout=True)
 layer = np.zeros(1)
 for axis, t in zip(axes, shown):
-    order = np.argsort(column(f"{t}/lagrangian/sand/id")[:, 0])
+    order = np.argsort(readField(f"{t}/lagrangian/sand/id"))
     if t == "0":
         layer = np.floor(places[t][order, 1]/0.025) % 2
     axis.scatter(*places[t][order, :2].T, c=layer, s=1, cmap="copper")

@@ -2,11 +2,15 @@
 
 import os
 import re
+import sys
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
+from foamCase import readField
 
 from energies import Energies, endAndLargest
 
@@ -27,23 +31,6 @@ axes[1].set_ylabel("error of the total energy [%]")
 axes[1].set_xlabel("time [s]")
 figure.savefig("energy.png", dpi=130)
 
-
-def column(path):
-    """A column of the points, ascii; one row per point."""
-    text = open(path).read()
-    text = text[text.index("FoamFile"):]
-    text = text[text.index("}") + 1:]
-    uniform = re.match(r"[^0-9]*(\d+)\s*\{\(?([^(){}]*)\)?\}", text)
-    if uniform:
-        row = [float(w) for w in uniform[2].split()]
-        return np.tile(row, (int(uniform[1]), 1))
-    body = text[text.index("(") + 1:text.rindex(")")]
-    if "(" not in body:
-        return np.array([[float(w)] for w in body.split()])
-    return np.array([[float(w) for w in m.split()]
-                     for m in re.findall(r"\(([^()]+)\)", body)])
-
-
 times = sorted((d for d in os.listdir(".") if re.fullmatch(r"[0-9.]+", d)
                 and os.path.isdir(f"{d}/lagrangian")), key=float)
 figure, axes = plt.subplots(2, 3, figsize=(11, 7.4), sharex=True, sharey=True,
@@ -52,7 +39,7 @@ for ax, want in zip(axes.flat, (0, 1.0, 1.4, 1.8, 2.2, 3.0)):
     name = min(times, key=lambda d: abs(float(d) - want))
     for phase in ("lower", "upper"):
         cloud = f"{name}/lagrangian/{phase}/"
-        x, s = column(cloud + "x"), column(cloud + "sigma")
+        x, s = readField(cloud + "x"), readField(cloud + "sigma")
         # xx xy xz yy yz zz
         image = ax.scatter(x[:, 0], x[:, 1], s=6, c=-(s[:, 0] + s[:, 3] + s[:, 5])/3,
                            cmap="viridis", vmin=-120, vmax=120, linewidths=0)

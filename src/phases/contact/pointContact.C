@@ -17,6 +17,7 @@ void Foam::mpm::pointContact::relative
     const scalar* ua,
     const scalar* ub,
     const int step,
+    const bool settling,
     scalar* du
 ) const
 {
@@ -25,11 +26,13 @@ void Foam::mpm::pointContact::relative
     const scalar* Ja = impulse_[pair.a].cdata() + stride*m.node;
     for (int d = 0; d < nDim_; ++d)
     {
-        du[d] = -(ua[step*m.node + d] + m.ia*Ja[d]);
+        du[d] =
+          - (settling && m.bodyA >= 0 ? m.bodyU[0][d] : ua[step*m.node + d])
+          - m.ia*Ja[d];
         if (pair.b >= 0)
         {
             du[d] +=
-                ub[step*m.node + d]
+                (settling && m.bodyB >= 0 ? m.bodyU[1][d] : ub[step*m.node + d])
               + m.ib*impulse_[pair.b][stride*m.node + d];
         }
     }
@@ -41,7 +44,7 @@ void Foam::mpm::pointContact::collide
     const List<scalar*>& u,
     const int step,
     const scalar dt,
-    const bool keep
+    const bool settling
 )
 {
     const label sweeps = pairs_.size() > 1 ? 5 : 1;
@@ -68,7 +71,15 @@ void Foam::mpm::pointContact::collide
             const pairOf& pair = pairs_[m.pair];
             const scalar M = 1/(m.ia + m.ib);
             scalar du[3] = {0, 0, 0};
-            relative(m, u[pair.a], pair.b < 0 ? nullptr : u[pair.b], step, du);
+            relative
+            (
+                m,
+                u[pair.a],
+                pair.b < 0 ? nullptr : u[pair.b],
+                step,
+                settling,
+                du
+            );
 
             scalar un = 0;
             for (int d = 0; d < nDim_; ++d)
@@ -98,11 +109,8 @@ void Foam::mpm::pointContact::collide
             }
             m.Jn = Jn;
             m.want = size;
-            if (keep)
-            {
-                m.closed = Jn > 0;
-                m.stuck = stuck;
-            }
+            m.closed = Jn > 0;
+            m.stuck = stuck;
         }
     }
 }
@@ -230,7 +238,7 @@ Foam::scalar Foam::mpm::pointContact::push
     }
     else
     {
-        collide(u, step, dt, true);
+        collide(u, step, dt, false);
     }
 
     for (const meeting& m : meetings_)
@@ -264,7 +272,8 @@ Foam::scalar Foam::mpm::pointContact::push
         }
     }
 
-    // Work on the points: J.(u^n + u^L)/2 of each field at each node once
+    // Work on the points: J.(u^n + u^L)/2 of each field at each node once, on
+    // free bodies for each meeting where it acts
     scalar work = 0;
     for (const meeting& m : meetings_)
     {
@@ -278,13 +287,24 @@ Foam::scalar Foam::mpm::pointContact::push
             const gridState& field = fields_[fieldi];
             const int stride = field.stride();
             scalar* J = impulse_[fieldi].data() + stride*m.node;
-            const bool prescribed =
-                fieldi == pair.a
-              ? m.ia <= 0 && m.bodyA < 0
-              : m.ib <= 0 && m.bodyB < 0;
+            const bool isA = fieldi == pair.a;
+            const label b = isA ? m.bodyA : m.bodyB;
+            Eigen::Vector3d ub(Eigen::Vector3d::Zero());
+            if (b >= 0)
+            {
+                const freeBody& body = *bodies_[b].body;
+                ub = body.at(m.at, false)*(0.5*(body.start(false) + body.step()));
+            }
+            const bool prescribed = b < 0 && (isA ? m.ia : m.ib) <= 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                if (!prescribed)
+                if (b >= 0)
+                {
+                    work +=
+                        field.part(m.node)*(isA ? -1 : 1)
+                       *(m.Jn*m.n[d] + m.Jt[d])*ub(grid_.direction(d));
+                }
+                else if (!prescribed)
                 {
                     work +=
                         field.part(m.node)*J[d]*0.5
@@ -313,7 +333,7 @@ void Foam::mpm::pointContact::pushStrain(const scalar dt)
         u[fieldi] = fields_[fieldi].strainU();
     }
     const int stride = fields_[0].stride();
-    collide(u, stride, dt, true);
+    collide(u, stride, dt, false);
     for (const meeting& m : meetings_)
     {
         const pairOf& pair = pairs_[m.pair];

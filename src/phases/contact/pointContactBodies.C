@@ -11,16 +11,10 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::pointContact::setNodes
-(
-    const List<scalar*>& u,
-    const int step,
-    const List<freeBody::vector6>& V
-)
+void Foam::mpm::pointContact::setBodyU(const List<freeBody::vector6>& V)
 {
-    for (const meeting& m : meetings_)
+    for (meeting& m : meetings_)
     {
-        const pairOf& pair = pairs_[m.pair];
         for (int side = 0; side < 2; ++side)
         {
             const label b = side == 0 ? m.bodyA : m.bodyB;
@@ -32,10 +26,9 @@ void Foam::mpm::pointContact::setNodes
             (
                 bodies_[b].body->at(m.at, false)*V[b]
             );
-            scalar* to = u[side == 0 ? pair.a : pair.b] + step*m.node;
             for (int d = 0; d < nDim_; ++d)
             {
-                to[d] = ub(grid_.direction(d));
+                m.bodyU[side][d] = ub(grid_.direction(d));
             }
         }
     }
@@ -254,7 +247,7 @@ void Foam::mpm::pointContact::settle
     for (label i = 0; i < maxSteps; ++i)
     {
         clearImpulses();
-        setNodes(u, step, V);
+        setBodyU(V);
         collide(u, step, dt, true);
         J = pushes();
         scalar all = 0, size = 0;

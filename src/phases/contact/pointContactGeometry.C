@@ -368,6 +368,40 @@ Foam::scalar Foam::mpm::pointContact::reach
 }
 
 
+template<class Function>
+void Foam::mpm::pointContact::forMeetings
+(
+    const label fieldi,
+    const Function& f
+) const
+{
+    forPoints
+    (
+        fieldi,
+        [&]
+        (
+            const materialPointCloud&,
+            const label,
+            const scalar* x,
+            const scalar* l,
+            const UList<label>& nodes,
+            const UList<scalar>& S,
+            const UList<scalar>&
+        )
+        {
+            forAll(nodes, i)
+            {
+                const label place = nodes[i] < 0 ? -1 : placeOf_[nodes[i]];
+                if (place >= 0 && S[i] > 0)
+                {
+                    f(place, x, l, S[i]);
+                }
+            }
+        }
+    );
+}
+
+
 void Foam::mpm::pointContact::setGaps()
 {
     scalarList reachA(bodies_.size() ? meetings_.size() : 0);
@@ -388,31 +422,20 @@ void Foam::mpm::pointContact::setGaps()
             {
                 continue;
             }
-            forPoints
+            forMeetings
             (
                 fieldi,
                 [&]
                 (
-                    const materialPointCloud&,
-                    const label,
+                    const label place,
                     const scalar* x,
                     const scalar* l,
-                    const UList<label>& nodes,
-                    const UList<scalar>& S,
-                    const UList<scalar>&
+                    const scalar
                 )
                 {
-                    forAll(nodes, i)
-                    {
-                        const label place = nodes[i] < 0 ? -1 : placeOf_[nodes[i]];
-                        if (place < 0 || !(S[i] > 0))
-                        {
-                            continue;
-                        }
-                        const meeting& m = meetings_[place];
-                        scalar& e = reach_[2*m.node + side];
-                        e = max(e, reach(m, x, l, side == 0 ? 1 : -1));
-                    }
+                    const meeting& m = meetings_[place];
+                    scalar& e = reach_[2*m.node + side];
+                    e = max(e, reach(m, x, l, side == 0 ? 1 : -1));
                 }
             );
         }
@@ -480,51 +503,35 @@ void Foam::mpm::pointContact::setPlaces
                 }
             };
             clear();
-            forPoints
+            forMeetings
             (
                 fieldi,
                 [&]
                 (
-                    const materialPointCloud&,
-                    const label,
+                    const label place,
                     const scalar* x,
                     const scalar* l,
-                    const UList<label>& nodes,
-                    const UList<scalar>& S,
-                    const UList<scalar>&
+                    const scalar S
                 )
                 {
-                    forAll(nodes, i)
+                    const meeting& m = meetings_[place];
+                    const scalar behind =
+                        (isA ? reachA : reachB)[place]
+                      - reach(m, x, l, isA ? 1 : -1);
+                    const scalar near =
+                        1 - behind/(0.01*max(l[0], max(l[1], l[2])));
+                    if (near <= 0)
                     {
-                        const label place =
-                            nodes[i] < 0 ? -1 : placeOf_[nodes[i]];
-                        if (place < 0 || !(S[i] > 0))
-                        {
-                            continue;
-                        }
-                        const meeting& m = meetings_[place];
-                        const scalar behind =
-                            (isA ? reachA : reachB)[place]
-                          - reach(m, x, l, isA ? 1 : -1);
-                        const scalar near =
-                            1 - behind/(0.01*max(l[0], max(l[1], l[2])));
-                        if (near <= 0)
-                        {
-                            continue;
-                        }
-                        const scalar w = near*S[i]/(S[i] + 0.005);
-                        scalar* sum = sums.data() + stride*nodes[i];
-                        for (int d = 0; d < nDim_; ++d)
-                        {
-                            sum[d] +=
-                                w
-                               *(
-                                    x[d]
-                                  - position_[m.node][grid_.direction(d)]
-                                );
-                        }
-                        sum[nDim_] += w;
+                        return;
                     }
+                    const scalar w = near*S/(S + 0.005);
+                    scalar* sum = sums.data() + stride*m.node;
+                    for (int d = 0; d < nDim_; ++d)
+                    {
+                        sum[d] +=
+                            w*(x[d] - position_[m.node][grid_.direction(d)]);
+                    }
+                    sum[nDim_] += w;
                 }
             );
             field.sumWithMass(sums.data());

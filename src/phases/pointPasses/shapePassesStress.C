@@ -80,6 +80,83 @@ void shapePasses<Shape, DIM, HOOP>::shiftStress
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<template<int> class Shape, int DIM, bool HOOP>
+void shapePasses<Shape, DIM, HOOP>::force
+(
+    materialPointCloud& cloud,
+    scalar* f
+) const
+{
+    const geometry geo(cloud, false);
+    const scalar* volume = cloud.volume()[0];
+    const column& stress = cloud.stress();
+    const scalar* pressure =
+        cloud.gasPressure() ? (*cloud.gasPressure())[0] : nullptr;
+    const scalar* push[DIM] = {};
+    for (int d = 0; pressure && d < DIM; ++d)
+    {
+        push[d] = (*cloud.gasForce())[d];
+    }
+
+    static thread_local std::vector<scalar> shift;
+    if (cellMeans)
+    {
+        const labelList& first = cloud.start();
+        shift.resize(first.size() ? first.last() + W : 0);
+        const scalar* damage = cloud.damage() ? (*cloud.damage())[0] : nullptr;
+        for (label k = 0; k < cloud.cells().size(); ++k)
+        {
+            // In the pieces that correctStress() takes
+            for (label p = first[k]; p < first[k + 1]; p += bufferSize)
+            {
+                const label end = min(first[k + 1], p + bufferSize);
+                shiftStress(stress, volume, damage, p, end, shift.data() + p);
+            }
+        }
+    }
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, label, const label p, const int n)
+        {
+            T X[DIM], L[DIM], F[DIM*DIM];
+            geo.load(p, X, L);
+            gradientsType S;
+            shape_.evaluate(s, X, L, S);
+            const T more = cellMeans ? load<W>(shift.data() + p) : T{};
+            minusVolumeStress(stress, volume, p, more, F);
+            if constexpr (HOOP)
+            {
+                T q[DIM];
+                minusHoopForce(s, stress, volume, p, more, X, q);
+                shapeType::template scatter<DIM>(S, q, n, acc);
+            }
+            if (pressure)
+            {
+                const T vP = load<W>(volume + p)*load<W>(pressure + p);
+                T q[DIM];
+                for (int d = 0; d < DIM; ++d)
+                {
+                    F[d*(DIM + 1)] -= vP;
+                    q[d] = load<W>(push[d] + p);
+                }
+                if constexpr (HOOP)
+                {
+                    q[radial_] -= vP*inverseRadius(s, X);
+                }
+                shapeType::template scatter<DIM>(S, q, n, acc);
+            }
+            shape_.toLocal(S, F);
+            shapeType::scatterGradient(S, F, n, acc);
+        },
+        [&](const stencil& s) { shapeType::flush(acc, s.nodes, f); }
+    );
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
 (
     materialPointCloud& cloud,

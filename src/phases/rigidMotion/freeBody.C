@@ -383,6 +383,25 @@ void Foam::mpm::freeBody::setState(const scalar, const dictionary& state)
         required<vector>(state, "turnAxis")
     );
     now_.L = required<vector>(state, "angularMomentum");
+    if (givenMass_ > 0 && mag(givenMass_ - mass_) > 1e-12*mass_)
+    {
+        FatalErrorInFunction
+            << "A free body of mass " << mass_ << " kg goes on with mass "
+            << givenMass_ << " in constant/phaseProperties." << nl
+            << "Mass and inertia of a body stay those of its start."
+            << exit(FatalError);
+    }
+    // constraints may have changed
+    bool turns = false;
+    for (int d = 0; d < 3; ++d)
+    {
+        now_.V[d] = free_[d] ? now_.V[d] : 0;
+        turns = turns || free_[3 + d];
+    }
+    if (!turns)
+    {
+        now_.L = Zero;
+    }
     new_ = now_;
     setPlacement(now_);
 }

@@ -383,6 +383,13 @@ def roll(table):
         t, m, P, _, K = balance(case, "disc")
         v = P[:, 0]/m[0]
         table.row(f"roll on a patch, {label}: velocity / a t", 1, v[-1]/(exact*t[-1]), 0.01)
+        if how["type"] == "stick":
+            work = [float(w) for w in re.findall(r"contact (\S+), .*residual", case.log())]
+            left = [float(w) for w in re.findall(r"residual (\S+)", case.log())]
+            table.row("roll on a patch, stick: work of contact / kinetic energy at the end", 0,
+                      np.abs(work).max()/K[-1], 0.01)
+            table.row("roll on a patch, stick: energy residual / kinetic energy at the end", 0,
+                      np.abs(left).max()/K[-1], 0.01)
         print(f"roll on a patch, {label}: {sides} sides, spin energy / translation"
               f" {K[-1]/(0.5*m[0]*v[-1]**2) - 1:.4f}, velocity across"
               f" {np.abs(P[:, 1]).max()/m[0]:.2e}")
