@@ -162,14 +162,20 @@ void Foam::mpm::gasCoupling::limitFaceDrag()
         }
     }
     scalarField behind(mesh_.nFaces() - mesh_.nInternalFaces());
-    scalarField Kbehind(behind.size());
+    scalarField Kbehind(behind.size()), massBehind(behind.size());
+    const auto mass = [&](const label c)
+    {
+        return (gas_.rho()[c] + held_[c])*mesh_.V()[c];
+    };
     forAll(behind, i)
     {
         behind[i] = largest[own[mesh_.nInternalFaces() + i]];
         Kbehind[i] = Kc_[own[mesh_.nInternalFaces() + i]];
+        massBehind[i] = mass(own[mesh_.nInternalFaces() + i]);
     }
     syncTools::swapBoundaryFaceList(mesh_, behind);
     syncTools::swapBoundaryFaceList(mesh_, Kbehind);
+    syncTools::swapBoundaryFaceList(mesh_, massBehind);
     forAll(thetaS_, f)
     {
         const label i = f - mesh_.nInternalFaces();
@@ -177,6 +183,8 @@ void Foam::mpm::gasCoupling::limitFaceDrag()
             max(largest[own[f]], i < 0 ? largest[nei[f]] : behind[i]);
         dragLimit_[f] = most > 0 ? thetaS_[f]/most : 0;
         K_[f] = max(Kc_[own[f]], i < 0 ? Kc_[nei[f]] : Kbehind[i]);
+        inertia_[f] =
+            min(mass(own[f]), i < 0 ? mass(nei[f]) : massBehind[i]);
     }
 }
 
@@ -283,11 +291,13 @@ Foam::mpm::gasCoupling::gasCoupling
     uS_(mesh_.nFaces(), 0),
     K_(mesh_.nFaces(), 0),
     dragLimit_(mesh_.nFaces(), 0),
+    inertia_(mesh_.nFaces(), 0),
     rhoS_(mesh_.nFaces(), 0),
     dilation_(mesh_.nCells(), 0),
     J_(mesh_.nCells(), Zero),
     Q_(mesh_.nCells(), 0),
     Kc_(mesh_.nCells(), 0),
+    held_(mesh_.nCells(), 0),
     push_(points.phases().size(), Zero),
     books_(false),
     rigidWork_(0),
@@ -327,6 +337,7 @@ Foam::mpm::gasCoupling::gasCoupling
     pores_.uS = uS_.cdata();
     pores_.K = K_.cdata();
     pores_.dragLimit = dragLimit_.cdata();
+    pores_.inertia = inertia_.cdata();
     pores_.rhoS = rhoS_.cdata();
     pores_.dilation = dilation_.cdata();
     pores_.eps = eps_;

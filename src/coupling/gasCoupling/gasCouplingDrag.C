@@ -50,6 +50,7 @@ Foam::vector Foam::mpm::gasCoupling::exchange
     const scalar shared = M < GREAT ? rho*M/(rho + M) : rho;
     const scalar a = dt*K/shared;
     const vector J(a/(1 + a)*shared*relative);
+    held_[celli] += rho*M*a/(rho*(1 + a) + M);
 
     if (magSqr(J_[celli]) <= 0 && mag(Q_[celli]) <= 0)
     {
@@ -190,6 +191,7 @@ void Foam::mpm::gasCoupling::drag(const scalar dt)
     }
     dragged_.clear();
     Kc_ = 0;
+    held_ = 0;
     rigidWork_ = 0;
     loadRigid(dt);
     if (normalOnly_)

@@ -119,7 +119,12 @@ void Foam::mpm::eulerianGas::faces(const scalar dt, const porosity* pores)
                 );
                 const scalar wm = w*theta*theta;
                 u += 0.5*wm*dp/Zm;
-                mu += 0.5*wm*(Zm - z);
+                // Explicit: no more than the gas beside a body can take
+                mu += min
+                (
+                    0.5*wm*(Zm - z),
+                    0.25*pores->inertia[f]/(theta*magS_[f]*dt)
+                );
             }
         }
         phi_[f] = theta*u*magS_[f];

@@ -122,11 +122,12 @@ Foam::mpm::pointPasses::moveResult Foam::mpm::rigidMotion::move
                 at[d] = x[grid_.direction(d)];
             }
 
-            // Through cyclic sides as often as it takes
+            // Through cyclic sides as often as it takes, also from the layer
+            // of ghosts behind them
             label to = -1;
             bool wrapped = std::isfinite(magSqr(x));
             const bool finite = wrapped;
-            while (to < 0 && wrapped)
+            while (wrapped)
             {
                 std::copy(at, at + D, old);
                 to = grid_.locate(celli, at);

@@ -8,6 +8,13 @@ and 3D) and the fractions must add up to 1 (1e-3). Rest against walls: velocitie
 gas and points 1e-12 of the block's and of the impulse, mass of the gas 1e-12,
 residual of the energy at most 1 % of what is exchanged and falling with the time
 step. One processor against two and four, restart bit by bit.
+
+Light gas: blocks of steel, aluminium and rigid ones in gas of 1, 133 and 1e5 Pa, 300
+and 3000 K (densities of the solid up to 7e9 times that of the gas), 1e4 steps of maxCo
+and maxCoGas 0.4 (MPM_VERIFY=1; else 1e3 of three of them). At rest: speed 1e-6 m/s. Gas of 1 m/s, left and right from cell
+to cell, around a block at rest: a tenth is left. Moving with the gas with 100 m/s through
+cyclic sides: dP/P 1e-10. A slab that moves with 100 m/s into still gas: pressure of the
+shock that it drives within 3 % of the exact, the gas ahead of that as it was (1e-6).
 """
 
 import os
@@ -17,8 +24,10 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from blockInGas import P0, blockInGas, figures
+from blockInGas import EXTREMES, P0, blockInGas, figures
+from coupledCases import ambient, coupledCase
 from foamCase import RunFailed, VERIFY
+from gasCases import OPEN, volField
 from report import Report
 
 STICK, NONE = None, {"type": "none"}
@@ -164,6 +173,104 @@ def processors(table):
     table.check("restart at half time: gas bit by bit", files[0] == files[1])
 
 
+# --- gas much lighter than the solid ------------------------------------------
+
+GAMMA, R = 1.4, 287.0
+SOLIDS = {"steel": (7850, 210e9), "aluminium": (2700, 70e9), "rigid": (7800, None)}
+THIN = [(solid, p, T) for solid in SOLIDS for p in (1, 133, 1e5) for T in (300, 3000)]
+THIN_FEW = {"thinStill": [("steel", 133, 300, 1000), ("rigid", 1e5, 3000, 1000)],
+            "thinCarried": [("rigid", 1, 300, 1000)],
+            "thinPiston": [("rigid", 1, 300, 1000)]}
+SLIP = ("zeroGradient", "zeroGradient", "slip")
+
+
+def inThinGas(kind, solid, p, T, cells, region, velocity, gasVelocity, steps, **options):
+    """The case after its run, the time simulated, max |dP/P| and speeds of the gas."""
+    rho, E = SOLIDS[solid]
+    c = np.sqrt(GAMMA*R*T)
+    speed = np.linalg.norm(velocity)
+    dt = 0.4*H/(sum(n > 1 for n in cells)*c + sum(np.abs(velocity)))
+    if E:
+        nu = 0.3
+        wave = np.sqrt(E*(1 - nu)/((1 + nu)*(1 - 2*nu)*rho))
+        dt = min(dt, 0.4*H/(wave + speed))
+        phase = {"constitutiveModel": {"type": "linearElastic", "rho": rho, "E": E, "nu": nu}}
+        start = {"stress": ambient(p), "velocity": velocity}
+    else:
+        motion = {"type": "translation", "velocity": velocity} if speed else {"type": "fixed"}
+        phase, start = {"type": "rigid", "rho": rho, "motion": motion}, {}
+
+    def initial(x, y, z):
+        # coupledCase writes p/rho as the temperature
+        return p/T + 0*x, gasVelocity(x, y, z), p + 0*x
+
+    case = coupledCase(
+        "gasCoupling", f"thin-{kind}-{solid}-{p:g}-{T:g}", cells, [H*n for n in cells],
+        initial, steps*dt, {"block": phase}, {"block": {**region, **start}},
+        gas={"R": R}, maxCo=0.4, control={"reportInterval": 100, "functions": EXTREMES},
+        pointConditions="calculated", **options)
+    case.run("materialPointFoam", limit=300)
+    pressure = case.series("pressure", "fieldMinMax.dat")[:, 1:]
+    return (case, steps*dt, np.max(abs(pressure/p - 1)),
+            case.series("speed", "fieldMinMax.dat")[:, 2])
+
+
+def thinStill(table, solid, p, T, steps=10000):
+    for kind, limit in (("rest", 1e-6), ("stirred", 0.1)):
+        def gasVelocity(x, y, z):
+            away = (abs(x/H - 9.7) > 5.5) | (abs(y/H - 8.2) > 4.5)
+            side = 1 - 2*((np.round(x/H - 0.5) + np.round(y/H - 0.5)) % 2)
+            return np.column_stack([side*away*(kind == "stirred"), 0*x, 0*x])
+
+        case, _, _, speed = inThinGas(
+            kind, solid, p, T, (20, 16, 1), box((6.3, 5.4, -1), (13.1, 11.2, 2)),
+            (0, 0, 0), gasVelocity, steps, ends=SLIP, sides=SLIP)
+        u = np.max(np.abs(case.points(case.times()[-1], "block")["U"]))
+        label = f"{solid} in gas of {p:g} Pa, {T} K, {kind}, {case.nSteps()} steps"
+        table.row(f"{label}: speed of the gas", 0, np.max(speed) if kind == "rest"
+                  else speed[-1], limit, "atMost")
+        table.row(f"{label}: of the points", 0, u, limit, "atMost")
+
+
+def thinCarried(table, solid, p, T, steps=10000):
+    case, _, off, _ = inThinGas(
+        "carried", solid, p, T, (20, 16, 1), box((6.3, 5.4, -1), (13.1, 11.2, 2)),
+        (80, 60, 0), lambda x, y, z: np.tile((80.0, 60.0, 0.0), (len(x), 1)), steps,
+        patches={"l": ("cyclic; neighbourPatch r", ("x-",)),
+                        "r": ("cyclic; neighbourPatch l", ("x+",)),
+                        "b": ("cyclic; neighbourPatch t", ("y-",)),
+                        "t": ("cyclic; neighbourPatch b", ("y+",))})
+    table.row(f"{solid} in gas of {p:g} Pa, {T} K, both with 100 m/s,"
+              f" {case.nSteps()} steps: max dP/P", 0, off, 1e-10, "atMost")
+
+
+def thinPiston(table, solid, p, T, steps=10000):
+    u = 100.0
+    c = np.sqrt(GAMMA*R*T)
+    M = 0.25*(GAMMA + 1)*u/c
+    M += np.sqrt(M**2 + 1)
+    exact = p*(1 + 2*GAMMA/(GAMMA + 1)*(M**2 - 1))
+    back, thick = 30, 10
+    # Cells that a sound of the solid's time step passes
+    wave = 0.4*steps/(c if solid == "rigid" else max(c, 5000))
+    n = int(back + thick + 1.2*M*c*wave + 40)
+    case, end, _, _ = inThinGas(
+        "piston", solid, p, T, (n, 1, 1), box((back + 0.3, -1, -1),
+                                              (back + thick + 0.3, 2, 2)),
+        (u, 0, 0), lambda x, y, z: 0*x, steps, ends=OPEN)
+    pressure = volField(case, case.timeName(end), "p")
+    x = np.arange(n) + 0.5
+    face = back + thick + 0.3 + u*end/H
+    shock = back + thick + 0.3 + M*c*end/H
+    behind = (x > face + 4) & (x < face + 0.8*(shock - face))
+    label = f"slab of {solid} with 100 m/s into gas of {p:g} Pa, {T} K, {case.nSteps()} steps"
+    table.row(f"{label}: pressure of its shock, over that of the gas", exact/p - 1,
+              np.mean(pressure[behind])/p - 1, 3e-2, "relative")
+    ahead = x > shock + 0.15*(shock - face) + 10
+    table.row(f"{label}: max dP/P ahead", 0, np.max(abs(pressure[ahead]/p - 1)), 1e-6,
+              "atMost")
+
+
 def main():
     table = Report("gasCoupling")
     parts = [(lambda label=label: moving(table, label)) for label in MOVING]
@@ -172,7 +279,10 @@ def main():
               lambda: resting(table, "2D-wall", 2, 20, box((0, 0, -1), (10, 10.3, 2)),
                               10000 if VERIFY else 1000),
               lambda: shock(table), lambda: processors(table)]
-    for part in parts:
+    thin = [(lambda f=f, of=of: f(table, *of))
+            for f in (thinStill, thinCarried, thinPiston)
+            for of in (THIN if VERIFY else THIN_FEW[f.__name__])]
+    for part in parts + thin:
         try:
             part()
         except RunFailed as e:
