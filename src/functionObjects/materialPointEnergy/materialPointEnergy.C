@@ -58,6 +58,7 @@ void Foam::functionObjects::materialPointEnergy::prepare
     {
         header += "\terosion[J]";
     }
+    header += "\tdissipation[J]";
     setFiles(wordList(1, "energy"), List<string>(1, header));
 }
 
@@ -93,7 +94,7 @@ void Foam::functionObjects::materialPointEnergy::sample
         {
             os  << tab << b->erosion();
         }
-        os  << endl;
+        os  << tab << b->dissipation << endl;
     }
 }
 

@@ -434,7 +434,7 @@ Foam::mpm::materialPointPhase::erode
     }
     sums.n = cloud_.remove(gone);
     const label first = cloud_.size();
-    sums.stored = law_->strainEnergy(block(first, sums.n));
+    sums.stored = storedEnergy(block(first, sums.n));
     for (label p = first; p < first + sums.n; ++p)
     {
         const scalar m = cloud_.mass()[0][p];
@@ -448,6 +448,13 @@ Foam::mpm::materialPointPhase::erode
         debris->take(cloud_, cells);
     }
     return sums;
+}
+
+
+Foam::scalar
+Foam::mpm::materialPointPhase::storedEnergy(const pointBlock& b) const
+{
+    return failure_ ? failure_->storedEnergy(b) : law_->strainEnergy(b);
 }
 
 
@@ -479,7 +486,7 @@ Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
     }
     const noTraps guard;
     const pointBlock b(const_cast<materialPointPhase&>(*this).block());
-    return returnReduce(law_->strainEnergy(b), sumOp<scalar>());
+    return returnReduce(storedEnergy(b), sumOp<scalar>());
 }
 
 

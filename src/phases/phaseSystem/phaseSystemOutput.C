@@ -212,7 +212,8 @@ void Foam::mpm::pointPhaseSystem::report() const
     {
         Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
             << b->work.boundary << ", external " << b->work.external
-            << ", failure " << b->failure;
+            << ", failure " << b->failure << ", dissipation "
+            << b->dissipation;
         if (contact_)
         {
             Info<< ", contact " << b->work.contact;
@@ -336,7 +337,7 @@ void Foam::mpm::pointPhaseSystem::reportBalance() const
 
 Foam::scalar Foam::mpm::pointPhaseSystem::storedEnergy() const
 {
-    scalar stored = -returnReduce(failed_, sumOp<scalar>());
+    scalar stored = -returnReduce(failed_ + dissipated_, sumOp<scalar>());
     for (const materialPointPhase& phase : phases_)
     {
         stored += phase.motion() ? 0 : phase.strainEnergy();
@@ -358,6 +359,7 @@ void Foam::mpm::pointPhaseSystem::updateBudget() const
         }
     }
     budget_.failure = returnReduce(failed_, sumOp<scalar>());
+    budget_.dissipation = returnReduce(dissipated_, sumOp<scalar>());
     budget_.hasGas = coupling_;
     if (coupling_)
     {

@@ -56,6 +56,7 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         energy.add("external", budget_.work.external);
         energy.add("boundary", budget_.work.boundary);
         energy.add("failure", returnReduce(failed_, sumOp<scalar>()));
+        energy.add("dissipation", returnReduce(dissipated_, sumOp<scalar>()));
         energy.add("erodedKinetic", budget_.erodedKinetic);
         energy.add("erodedStored", budget_.erodedStored);
         if (coupling_)
@@ -147,6 +148,9 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         failed_ =
             Pstream::master()
           ? energy.getOrDefault<scalar>("failure", 0) : 0;
+        dissipated_ =
+            Pstream::master()
+          ? energy.getOrDefault<scalar>("dissipation", 0) : 0;
         if (coupling_)
         {
             coupling_->book();

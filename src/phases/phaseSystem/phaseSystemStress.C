@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "phaseSystem.H"
-#include "bookedFailure.H"
+#include "bookedLosses.H"
 #include "noTraps.H"
 #include "timer.H"
 #include "Time.H"
@@ -182,19 +182,12 @@ void Foam::mpm::pointPhaseSystem::correctStress
         {
             continue;
         }
-        autoPtr<bookedFailure> booked;
-        if (budget_.active && phase.failure())
+        autoPtr<bookedLosses> booked;
+        if (budget_.active)
         {
             booked.reset
             (
-                new bookedFailure
-                (
-                    *phase.failure(),
-                    phase.law(),
-                    phase.cloud(),
-                    grid_.nDim(),
-                    coupling_
-                )
+                new bookedLosses(phase.failure(), phase.law(), grid_.nDim())
             );
         }
         const pointPasses::stressResult result
@@ -230,7 +223,11 @@ void Foam::mpm::pointPhaseSystem::correctStress
                 << exit(FatalError);
         }
         phase.nFailed() += result.nFailed;
-        failed_ += booked ? booked->gained() : 0;
+        if (booked)
+        {
+            failed_ += booked->failure();
+            dissipated_ += booked->dissipated();
+        }
         if (phase.law().waveSpeedVaries())
         {
             phase.setWaveSpeed(result.waveSpeed);

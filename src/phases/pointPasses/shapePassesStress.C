@@ -360,11 +360,15 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
 
             block.width = needsWidth ? width : nullptr;
 
+            if (failure)
+            {
+                failure->start(block);
+            }
             law.correct(block);
             result.waveSpeed = max(result.waveSpeed, block.waveSpeed);
             if (failure)
             {
-                result.nFailed += failure->correct(block);
+                result.nFailed += failure->finish(block);
             }
 
             // Zero times a number that is not finite is not zero: one sum

@@ -100,6 +100,15 @@ void Foam::mpm::NewtonianFluid::update(pointBlock& b) const
                 r.work + (p - first),
                 twoMu*dd*(1.0 - 0.5*tr)/rhoNew
             );
+            if (b.dissipated && !energy)
+            {
+                g.put
+                (
+                    b.dissipated,
+                    g.get(b.dissipated)
+                  + g.get(b.mass)*load<W>(r.work + (p - first))
+                );
+            }
         }
         fastest = max
         (

@@ -70,7 +70,37 @@ void frictionalLaw<Law>::update(pointBlock& b) const
         step.trial(b, g);
         step.deviator();
         T theta = step.theta, dEps = {};
+        T trial[DIM*DIM], across[3];
+        if (b.dissipated)
+        {
+            std::copy(step.X, step.X + DIM*DIM, trial);
+            std::copy(step.side, step.side + 3, across);
+        }
         law.template flow<DIM>(step, theta, dEps, g.n);
+        if (b.dissipated)
+        {
+            // Mean of old and new stress times the plastic strain
+            T work =
+                0.5*K_*(theta + step.theta - step.dTheta)*(step.theta - theta);
+            for (int i = 0; i < DIM*DIM; ++i)
+            {
+                work +=
+                    G_*(step.X[i] + trial[i] - step.lnU[i])
+                   *(trial[i] - step.X[i]);
+            }
+            for (int i = DIM; i < 3; ++i)
+            {
+                const T hoop = i == 2 ? step.hoop : T{};
+                work +=
+                    G_*(step.side[i] + across[i] - hoop)
+                   *(across[i] - step.side[i]);
+            }
+            g.put
+            (
+                b.dissipated,
+                g.get(b.dissipated) + g.get(b.volume)*work
+            );
+        }
         g.put(plastic, g.get(plastic) + dEps);
         step.finish
         (

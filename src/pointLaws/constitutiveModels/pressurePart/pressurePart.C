@@ -64,8 +64,22 @@ Foam::mpm::pressurePart::pressurePart
     equation_(K > 0 ? linearOf(K, rho0) : readEquation(dict, rho0)),
     linear_(0),
     quadratic_(0),
-    pMin_(pMin)
+    pMin_(pMin),
+    rhoMin_(0),
+    energyMin_(0)
 {
+    scalar e;
+    if (pMin > -GREAT && !usesEnergy())
+    {
+        if (equation_->stateOf(pMin, rhoMin_, e))
+        {
+            energyMin_ = equation_->storedEnergy(rhoMin_);
+        }
+        else
+        {
+            rhoMin_ = 0;
+        }
+    }
     if (dict.found("bulkViscosity"))
     {
         const dictionary& q = requiredDict(dict, "bulkViscosity");
@@ -87,7 +101,10 @@ Foam::scalar Foam::mpm::pressurePart::bulkModulus() const
 Foam::scalar
 Foam::mpm::pressurePart::energy(const scalar rho, const scalar* e) const
 {
-    return e ? *e - equation_->e0() : equation_->storedEnergy(rho);
+    return
+        e ? *e - equation_->e0()
+      : rho >= rhoMin_ ? equation_->storedEnergy(rho)
+      : energyMin_ - pMin_*(1/rho - 1/rhoMin_);
 }
 
 
@@ -150,6 +167,14 @@ Foam::scalar Foam::mpm::pressurePart::advance
             e[i] = A[i] + B[i]*e1 >= least ? e1 : known - 0.5*least*dv;
             r.heat[i] = -q[i]*dv;
             r.isentropic[i] = -2*B[i]/(r.rho[i] + r.rhoOld[i])*r.dTheta[i];
+        }
+    }
+    else if (b.dissipated)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            b.dissipated[first + i] +=
+                b.mass[first + i]*q[i]*(1/r.rhoOld[i] - 1/r.rho[i]);
         }
     }
     for (label i = 0; i < n; ++i)

@@ -136,6 +136,22 @@ void splitLaw<Law>::update(pointBlock& b) const
             const T rhoNew = rho()*laneExp(-theta);
             store<W>(r.rho + (p - first), rhoNew);
             store<W>(r.dTheta + (p - first), step.dTheta);
+            if (b.dissipated && !energy)
+            {
+                // Mean of old and new deviator times the plastic strain
+                store<W>
+                (
+                    r.rhoOld + (p - first),
+                    rho()*laneExp(step.dTheta - theta)
+                );
+                g.put
+                (
+                    b.dissipated,
+                    g.get(b.dissipated)
+                  + g.get(b.mass)*(1.0 - 0.5*step.dTheta)/rhoNew
+                   *G_*(1.0 - factor)*((1.0 + factor)*XX - XU)
+                );
+            }
             if (Law::thermal || energy)
             {
                 // 1/rho in the middle of the step

@@ -46,8 +46,13 @@ Foam::mpm::GradyKipp::GradyKipp(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::GradyKipp::connect(const constitutiveModel& law, const int)
+void Foam::mpm::GradyKipp::connect
+(
+    const constitutiveModel& law,
+    const int nDim
+)
 {
+    failureModel::connect(law, nDim);
     E_ = law.elasticModulus();
 }
 

@@ -64,6 +64,7 @@ void Foam::mpm::JohnsonCookDamage::connect
     const int nDim
 )
 {
+    failureModel::connect(law, nDim);
     plastic_ = law.columnOf("plasticStrain", nDim);
     temperature_ = law.columnOf("T", nDim);
     counted_ = law.nColumns(nDim);

@@ -43,6 +43,7 @@ void Foam::mpm::TulerButcher::connect
     const int nDim
 )
 {
+    failureModel::connect(law, nDim);
     column_ = law.nColumns(nDim);
 }
 

@@ -66,7 +66,12 @@ Foam::mpm::failureModel::failureModel
             "compression",
             {"compression", "nothing"}
         ) == "nothing"
-    )
+    ),
+    law_(nullptr),
+    nHistory_(0),
+    strain_(-1),
+    strainKind_(noStrain),
+    energy_(-1)
 {
     if (dict.found("weibull"))
     {
@@ -249,6 +254,214 @@ Foam::mpm::failureModel::releaseTension(pointBlock& b, const label p) const
             b.stress[symmSlot(i, j)][p] -= d*tension[3*i + j];
         }
     }
+}
+
+
+Foam::scalar
+Foam::mpm::failureModel::normSquare(const pointBlock& b, const label p)
+{
+    scalar sum = 0;
+    for (int i = 0; i < nStress(b.nDim); ++i)
+    {
+        sum += (i < 3 ? 1 : 2)*sqr(b.stress[i][p]);
+    }
+    return sum;
+}
+
+
+Foam::scalar
+Foam::mpm::failureModel::givenBack(const pointBlock& b, const label p) const
+{
+    const scalar v = b.volume[p];
+    if (strainKind_ == noStrain)
+    {
+        return v*normSquare(b, p)/(2*law_->elasticModulus());
+    }
+    if (strainKind_ == volumetric)
+    {
+        const scalar tr = b.stress[0][p] + b.stress[1][p] + b.stress[2][p];
+        return max(v*tr*b.history[strain_][p]/6, scalar(0));
+    }
+    scalar c[9];
+    for (int i = 0; i < 9; ++i)
+    {
+        const int r = i/3, s = i % 3;
+        const bool stored = r == s || (r < b.nDim && s < b.nDim);
+        c[i] = stored ? b.history[strain_ + symmSlot(r, s)][p] : 0;
+    }
+    if (strainKind_ == stretch)
+    {
+        scalar h[9];
+        isotropicFunction<3>
+        (
+            c,
+            [](double x) { return 0.5*std::log1p(max(x, -1 + SMALL)); },
+            h
+        );
+        std::copy(h, h + 9, c);
+    }
+    scalar sigma[9], sum = 0;
+    fullStress(b, p, sigma);
+    for (int i = 0; i < 9; ++i)
+    {
+        sum += sigma[i]*c[i];
+    }
+    return max(0.5*v*sum, scalar(0));
+}
+
+
+void Foam::mpm::failureModel::connect
+(
+    const constitutiveModel& law,
+    const int nDim
+)
+{
+    law_ = &law;
+    nHistory_ = law.nColumns(nDim);
+    energy_ = law.columnOf("e", nDim);
+    shared_.clear();
+    for (const word name : {"T", "plasticStrain"})
+    {
+        if (law.columnOf(name, nDim) >= 0)
+        {
+            shared_.append(law.columnOf(name, nDim));
+        }
+    }
+    strainKind_ = noStrain;
+    const struct
+    {
+        const char* name;
+        decltype(strainKind_) kind;
+    } strains[] =
+    {
+        {"elasticStrain", logarithmic},
+        {"leftStretch", stretch},
+        {"volumeStrain", volumetric}
+    };
+    for (const auto& s : strains)
+    {
+        strain_ = law.columnOf(s.name, nDim);
+        if (strain_ >= 0)
+        {
+            strainKind_ = s.kind;
+            break;
+        }
+    }
+}
+
+
+void Foam::mpm::failureModel::start(pointBlock& b) const
+{
+    if (energy_ < 0 && shared_.empty())
+    {
+        return;
+    }
+    const int N = nStress(b.nDim), n = N + shared_.size() + 2;
+    if (before_.size() < n*b.n)
+    {
+        before_.setSize(n*b.n);
+    }
+    scalar* to = before_.begin();
+    const auto keep = [&](const scalar* from)
+    {
+        std::copy(from, from + b.n, to);
+        to += b.n;
+    };
+    for (const int c : shared_)
+    {
+        keep(b.history[c]);
+    }
+    if (energy_ >= 0)
+    {
+        for (int i = 0; i < N; ++i)
+        {
+            keep(b.stress[i]);
+        }
+        keep(b.history[energy_]);
+    }
+}
+
+
+Foam::label Foam::mpm::failureModel::finish(pointBlock& b) const
+{
+    if (energy_ < 0 && shared_.empty())
+    {
+        return correct(b);
+    }
+    const int N = nStress(b.nDim), nShared = shared_.size();
+    const scalar* stress = before_.begin() + nShared*b.n;
+    const scalar* e = stress + N*b.n;
+    scalar* norm = before_.begin() + (nShared + N + 1)*b.n;
+    for (label p = 0; p < b.n; ++p)
+    {
+        norm[p] = normSquare(b, p);
+    }
+    const label nFailed = correct(b);
+    for (label p = 0; p < b.n; ++p)
+    {
+        if (!released(b.damage[p]))
+        {
+            continue;
+        }
+        const scalar part =
+            norm[p] > 0
+          ? min(std::sqrt(normSquare(b, p)/norm[p]), scalar(1))
+          : 1;
+        for (int i = 0; i < nShared; ++i)
+        {
+            const scalar a = before_[i*b.n + p];
+            scalar& now = b.history[shared_[i]][p];
+            now = a + part*(now - a);
+        }
+        if (energy_ >= 0)
+        {
+            scalar kept[6];
+            for (int i = 0; i < N; ++i)
+            {
+                kept[i] = b.stress[i][p];
+            }
+            b.history[energy_][p] =
+                e[p]
+              + 0.5
+               *(
+                    stressWork(b, p, volumeBefore(b, p), stress + p, b.n)
+                  + stressWork(b, p, b.volume[p], kept, 1)
+                )
+               /b.mass[p];
+        }
+    }
+    return nFailed;
+}
+
+
+Foam::scalar
+Foam::mpm::failureModel::storedEnergy(const pointBlock& b) const
+{
+    if (!law_ || energy_ >= 0)
+    {
+        return law_ ? law_->strainEnergy(b) : 0;
+    }
+    scalar sum = 0;
+    for (label p = 0; p < b.n;)
+    {
+        if (released(b.damage[p]))
+        {
+            sum += min
+            (
+                law_->strainEnergy(b.part(p, 1, nHistory_)),
+                givenBack(b, p)
+            );
+            ++p;
+            continue;
+        }
+        const label first = p;
+        while (p < b.n && !released(b.damage[p]))
+        {
+            ++p;
+        }
+        sum += law_->strainEnergy(b.part(first, p - first, nHistory_));
+    }
+    return sum;
 }
 
 // ************************************************************************* //

@@ -32,7 +32,8 @@ Foam::mpm::maxPrincipalStress::maxPrincipalStress(const dictionary& dict)
      == "effective"
     ),
     Gf_(dict.found("Gf") ? positive(dict, "Gf") : 0),
-    E_(0)
+    E_(0),
+    crack_(-1)
 {
     wordList valid(keywords);
     valid.append(wordList({"strength", "Gf", "limitOn"}));
@@ -47,7 +48,8 @@ Foam::scalar Foam::mpm::maxPrincipalStress::damageOf
     const label p,
     const scalar s,
     const scalar (&n)[3],
-    const scalar limit
+    const scalar limit,
+    scalar& crack
 ) const
 {
     if (Gf_ <= 0)
@@ -65,7 +67,9 @@ Foam::scalar Foam::mpm::maxPrincipalStress::damageOf
             << b.width[p] << " m. Use smaller cells, or no Gf."
             << exit(FatalError);
     }
-    return min(r/(r - 1)*(1 - limit/s), scalar(1));
+    const scalar d = min(r/(r - 1)*(1 - limit/s), scalar(1));
+    crack = max(crack, d/(r - d*(r - 1)));
+    return d;
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -73,10 +77,12 @@ Foam::scalar Foam::mpm::maxPrincipalStress::damageOf
 void Foam::mpm::maxPrincipalStress::connect
 (
     const constitutiveModel& law,
-    const int
+    const int nDim
 )
 {
+    failureModel::connect(law, nDim);
     E_ = law.elasticModulus();
+    crack_ = law.nColumns(nDim);
 }
 
 
@@ -84,7 +90,8 @@ Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
 {
     label nFailed = 0;
     const scalar shift = effective_ ? ambient() : 0;
-    scalar n[3];
+    scalar n[3], none = 0;
+    scalar* crack = Gf_ > 0 ? b.history[crack_] : nullptr;
 
     for (label p = 0; p < b.n; ++p)
     {
@@ -96,7 +103,11 @@ Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
             const scalar s = largestStress(b, p, n) + shift;
             if (s > limit)
             {
-                d = max(d, damageOf(b, p, s, n, limit));
+                d = max
+                (
+                    d,
+                    damageOf(b, p, s, n, limit, crack ? crack[p] : none)
+                );
                 nFailed += d >= 1;
             }
         }
