@@ -39,43 +39,17 @@ void Foam::mpm::pointRegion::centre(const label sub, scalar* xi) const
 }
 
 
-void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
+Foam::scalarField Foam::mpm::pointRegion::parts
+(
+    const label celli,
+    const hexMap& map
+) const
 {
-    const int nDim = grid_.nDim();
-    const hexMap map(grid_, celli);
-
-    const boundBox cellBox(map.bounds()), shapeBox(shape_->bounds());
-    for (int d = 0; d < nDim; ++d)
-    {
-        const int c = grid_.direction(d);
-        if
-        (
-            cellBox.min()[c] > shapeBox.max()[c]
-         || cellBox.max()[c] < shapeBox.min()[c]
-        )
-        {
-            return;
-        }
-    }
-
-    scalar xi[3];
-    pointField x(nSub_*nSamples_);
-    forAll(x, i)
-    {
-        local(i/nSamples_, i % nSamples_, xi);
-        x[i] = map.position(xi);
-    }
-    const boolList inside(shape_->contains(celli, x));
-    if (!inside.found(true))
-    {
-        return;
-    }
-
-    // Parts of the cell's volume; sub-cells of a box are alike, but for the
-    // radius on a wedge
+    // Sub-cells of a box are alike, but for the radius on a wedge
     scalarField part(nSub_, 1.0/nSub_);
     if (!grid_.hasLattice() || grid_.radial() >= 0)
     {
+        scalar xi[3];
         forAll(part, sub)
         {
             centre(sub, xi);
@@ -96,42 +70,77 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         }
         part /= sum(part);
     }
+    return part;
+}
 
-    cells_.append(celli);
+
+void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
+{
+    const int nDim = grid_.nDim();
+    const hexMap map(grid_, celli);
+
+    const boundBox cellBox(map.bounds()), shapeBox(shape_->bounds());
+    for (int d = 0; d < nDim; ++d)
+    {
+        const int c = grid_.direction(d);
+        if
+        (
+            cellBox.min()[c] > shapeBox.max()[c]
+         || cellBox.max()[c] < shapeBox.min()[c]
+        )
+        {
+            return;
+        }
+    }
+
+    const label nBefore = points_.size();
+    scalarField part;
     for (label sub = 0; sub < nSub_; ++sub)
     {
-        label nInside = 0;
-        for (label i = 0; i < nSamples_; ++i)
-        {
-            nInside += inside[sub*nSamples_ + i] ? 1 : 0;
-        }
-        if (!nInside)
+        cutPoint c;
+        scalar share = 1;
+        const int found = cutSubCell(celli, map, sub, c, share);
+        if (found == 0)
         {
             continue;
         }
+        if (part.empty())
+        {
+            part = parts(celli, map);
+        }
 
+        scalar xi[3];
         centre(sub, xi);
         materialPointCloud::newPoint p;
         p.x = map.position(xi);
-        p.U = U_;
+        p.U = Zero;
         p.sigma = sigma_;
         p.T = T_;
-        p.volume =
-            grid_.mesh().cellVolumes()[celli]*part[sub]*volumeFraction_
-           *(scalar(nInside)/nSamples_);
+        p.volume = grid_.mesh().cellVolumes()[celli]*part[sub]*volumeFraction_;
+        if (found == 2)
+        {
+            p.volume *= share;
+        }
         p.mass = rho*p.volume;
         p.halfSize = Zero;
         for (int d = 0; d < nDim; ++d)
         {
             p.halfSize[grid_.direction(d)] = mag(map.tangent(xi, d))/(2*n_[d]);
         }
-
+        if (found == 2)
+        {
+            c.point = points_.size();
+            cutOf_.insert(c.point, cut_.size());
+            cut_.append(c);
+        }
         sub_.append(sub);
         points_.append(p);
-        mass_ += p.mass;
-        volume_ += p.volume;
     }
-    start_.append(points_.size());
+    if (points_.size() > nBefore)
+    {
+        cells_.append(celli);
+        start_.append(points_.size());
+    }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -148,7 +157,7 @@ Foam::mpm::pointRegion::pointRegion
     name_(dict.dictName()),
     phase_(oneOf(dict, "phase", phases)),
     shape_(pointRegionShape::New(grid, dict)),
-    m_(dict.getOrDefault<label>("samples", 1)),
+    m_(boundedLabelOrDefault(dict, "samples", 4, 1, 8)),
     volumeFraction_
     (
         boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)
@@ -166,8 +175,19 @@ Foam::mpm::pointRegion::pointRegion
     volume_(0)
 {
     checkEntries();
-    boundedOrDefault(dict, "samples", 1, 1, 8);
     readPointsPerCell();
+    if (grid_.hasLattice())
+    {
+        formula_.reset(new shapeFormula);
+        if (!shape_->formula(*formula_))
+        {
+            formula_.clear();
+            if (const triSurface* s = shape_->facets())
+            {
+                cutter_.reset(new facetCutter(grid_, n_, *s));
+            }
+        }
+    }
     readVelocity();
     readStress();
     start_.append(0);
@@ -200,22 +220,30 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     {
         fill(celli, density);
     }
+    joinSmallParts();
+    placeCutPoints();
 
     if (points_.empty())
     {
         FatalIOErrorInFunction(dict_)
             << "Region " << name_ << " has no points: no sub-cell of the mesh "
-            << grid_.mesh().bounds() << " has "
-            << (m_ > 1 ? "a sample position" : "its centre")
-            << " in the " << shape_->type() << ", which lies in "
+            << grid_.mesh().bounds() << " has a part in the "
+            << shape_->type() << ", which lies in "
             << shape_->bounds() << "." << exit(FatalIOError);
+    }
+    for (materialPointCloud::newPoint& p : points_)
+    {
+        p.U = velocityAt(p.x);
+        mass_ += p.mass;
+        volume_ += p.volume;
     }
 }
 
 
 Foam::scalar Foam::mpm::pointRegion::exactVolume() const
 {
-    const scalar v = shape_->volume();
+    const scalar v =
+        cutter_ ? cutter_->volume()*shape_->section() : shape_->volume();
     return v < 0 || !shape_->insideMesh() ? -1 : v*volumeFraction_;
 }
 

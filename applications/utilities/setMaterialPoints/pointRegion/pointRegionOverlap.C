@@ -25,6 +25,7 @@ bool Foam::mpm::pointRegion::overlaps
 
     for (label p = start_[k]; p < start_[k + 1]; ++p)
     {
+        // Positions away from the shapes' sides, which they may share
         for (label sample = 0; sample < nSamples_; ++sample)
         {
             scalar xi[3];

@@ -54,19 +54,74 @@ void Foam::mpm::pointRegion::readPointsPerCell()
 
 void Foam::mpm::pointRegion::readVelocity()
 {
-    U_ = dict_.getOrDefault<vector>("velocity", Zero);
-
-    vector rest(U_);
-    for (int d = 0; d < grid_.nDim(); ++d)
+    const word key("velocity");
+    U_ = omega_ = origin_ = Zero;
+    along_.setSize(3);
+    if (!dict_.isDict(key))
     {
-        rest[grid_.direction(d)] = 0;
+        U_ = dict_.getOrDefault<vector>(key, Zero);
+        return;
     }
-    if (rest != vector(Zero))
+
+    const dictionary& dict = dict_.subDict(key);
+    const wordList coordinates({"x", "y", "z"});
+    wordList valid({"uniform", "omega", "axis", "origin"});
+    for (const word& c : coordinates)
+    {
+        valid.append(c);
+        valid.append(c + "Coeffs");
+    }
+    checkKeywords(dict, valid);
+
+    U_ = dict.getOrDefault<vector>("uniform", Zero);
+    if (dict.found("omega"))
+    {
+        const vector axis(required<vector>(dict, "axis"));
+        if (!(mag(axis) > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry axis is " << axis << "; it must have a length > 0."
+                << exit(FatalIOError);
+        }
+        omega_ = dict.get<scalar>("omega")*axis/mag(axis);
+        origin_ = required<point>(dict, "origin");
+    }
+    else if (dict.found("axis") || dict.found("origin"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries axis and origin only go with omega [rad/s]."
+            << exit(FatalIOError);
+    }
+    forAll(coordinates, c)
+    {
+        if (dict.found(coordinates[c]))
+        {
+            along_.set(c, Function1<vector>::New(coordinates[c], dict));
+        }
+    }
+}
+
+
+Foam::vector Foam::mpm::pointRegion::velocityAt(const point& x) const
+{
+    vector U(U_ + (omega_ ^ shape_->computed(x - origin_)));
+    forAll(along_, c)
+    {
+        if (along_.set(c))
+        {
+            U += along_[c].value(x[c]);
+        }
+    }
+    if (mag(U - shape_->computed(U)) > 0)
     {
         FatalIOErrorInFunction(dict_)
-            << "The velocity " << U_ << " has a component in an empty"
-            << " direction of the mesh; it must be 0." << exit(FatalIOError);
+            << "The velocity " << U << " at " << x << " has a component in a"
+            << " direction of the mesh that is not computed (empty or wedge"
+            << " patches); it must be 0."
+            << (mag(omega_) > 0 ? " In 2D the axis lies along it." : "")
+            << exit(FatalIOError);
     }
+    return U;
 }
 
 

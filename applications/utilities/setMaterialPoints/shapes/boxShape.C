@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "selector.H"
+#include "shapeFormula.H"
 #include "boxShape.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -64,6 +65,26 @@ bool Foam::mpm::boxShape::contains(const label, const point& x) const
         if (!(x[c] >= min_[c] && x[c] < max_[c]))
         {
             return false;
+        }
+    }
+    return true;
+}
+
+
+bool Foam::mpm::boxShape::formula(shapeFormula& f) const
+{
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        const int c = grid_.direction(d);
+        quadratic lower, upper;
+        lower.addLinear(d, min_[c], -1);
+        upper.addLinear(d, max_[c], 1);
+        f.surface(lower);
+        f.surface(upper);
+        f.andLast();
+        if (d > 0)
+        {
+            f.andLast();
         }
     }
     return true;

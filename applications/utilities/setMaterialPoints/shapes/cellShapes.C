@@ -8,6 +8,7 @@ License
 
 #include "cellShapes.H"
 #include "selector.H"
+#include "shapeFormula.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -64,6 +65,13 @@ Foam::boundBox Foam::mpm::cellsShape::bounds() const
 
 bool Foam::mpm::cellsShape::contains(const label, const point&) const
 {
+    return true;
+}
+
+
+bool Foam::mpm::cellsShape::formula(shapeFormula& f) const
+{
+    f.cells([this](const label celli) { return contains(celli, point::zero); });
     return true;
 }
 

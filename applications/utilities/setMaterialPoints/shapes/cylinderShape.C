@@ -8,6 +8,7 @@ License
 
 #include "cylinderShape.H"
 #include "selector.H"
+#include "shapeFormula.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -32,7 +33,8 @@ Foam::mpm::cylinderShape::cylinderShape
     pointRegionShape(grid),
     start_(computed(required<point>(dict, "point1"))),
     axis_(required<point>(dict, "point2") - required<point>(dict, "point1")),
-    radius_(positive(dict, "radius"))
+    radius_(positive(dict, "radius")),
+    inner_(readInner(dict, radius_))
 {
     const scalar length = mag(axis_);
     if (!(length > 0))
@@ -59,7 +61,7 @@ Foam::mpm::cylinderShape::cylinderShape
 
 Foam::wordList Foam::mpm::cylinderShape::keywords() const
 {
-    return {"point1", "point2", "radius"};
+    return {"point1", "point2", "radius", "innerRadius"};
 }
 
 
@@ -85,11 +87,47 @@ bool Foam::mpm::cylinderShape::contains(const label, const point& x) const
     const scalar length2 = magSqr(axis_);
     if (!(length2 > 0))
     {
-        return magSqr(dx) <= sqr(radius_);
+        return inShell(magSqr(dx), radius_, inner_);
     }
 
     const scalar t = (dx & axis_)/length2;
-    return t >= 0 && t < 1 && magSqr(dx - t*axis_) <= sqr(radius_);
+    return
+        t >= 0 && t < 1
+     && inShell(magSqr(dx - t*axis_), radius_, inner_);
+}
+
+
+bool Foam::mpm::cylinderShape::formula(shapeFormula& f) const
+{
+    const scalar length = mag(axis_);
+    scalar from[3] = {0, 0, 0}, along[3] = {0, 0, 0};
+    quadratic r2;
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        from[d] = start_[grid_.direction(d)];
+        along[d] = length > 0 ? axis_[grid_.direction(d)]/length : 0;
+        r2.addSquare(d, from[d], 1);
+    }
+    r2.addSquare(from, along, -1);
+    addShell(f, r2, radius_, inner_);
+    if (!(length > 0))
+    {
+        return true;
+    }
+
+    quadratic lower, upper;
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        lower.addLinear(d, from[d], -along[d]);
+        upper.addLinear(d, from[d], along[d]);
+    }
+    upper.addConstant(-length);
+    for (const quadratic& end : {lower, upper})
+    {
+        f.surface(end);
+        f.andLast();
+    }
+    return true;
 }
 
 
@@ -104,8 +142,8 @@ Foam::scalar Foam::mpm::cylinderShape::volume() const
         section()
        *(
             magSqr(axis_) > 0
-          ? ball(n - 1, radius_)*mag(axis_)
-          : ball(n, radius_)
+          ? (ball(n - 1, radius_) - ball(n - 1, inner_))*mag(axis_)
+          : ball(n, radius_) - ball(n, inner_)
         );
 }
 

@@ -8,6 +8,7 @@ License
 
 #include "pointRegionShape.H"
 #include "selector.H"
+#include "shapeFormula.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
@@ -59,12 +60,55 @@ Foam::vector Foam::mpm::pointRegionShape::computed(const vector& v) const
 
 Foam::scalar Foam::mpm::pointRegionShape::section() const
 {
+    if (grid_.radial() >= 0)
+    {
+        return 1;
+    }
     vector span(grid_.mesh().bounds().span());
     for (int d = 0; d < grid_.nDim(); ++d)
     {
         span[grid_.direction(d)] = 1;
     }
     return cmptProduct(span);
+}
+
+
+Foam::scalar Foam::mpm::pointRegionShape::readInner
+(
+    const dictionary& dict,
+    const scalar radius
+)
+{
+    const scalar inner = boundedOrDefault(dict, "innerRadius", 0, 0, GREAT);
+    if (!(inner < radius))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry innerRadius is " << inner << "; it must be less than"
+            << " radius, which is " << radius << "." << exit(FatalIOError);
+    }
+    return inner;
+}
+
+
+void Foam::mpm::pointRegionShape::addShell
+(
+    shapeFormula& f,
+    const quadratic& r2,
+    const scalar radius,
+    const scalar inner
+)
+{
+    quadratic outside(r2);
+    outside.addConstant(-sqr(radius));
+    f.surface(outside);
+    if (inner > 0)
+    {
+        quadratic inside(r2);
+        inside.addConstant(-sqr(inner));
+        f.surface(inside);
+        f.notLast();
+        f.andLast();
+    }
 }
 
 

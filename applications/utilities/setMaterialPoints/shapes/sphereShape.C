@@ -8,6 +8,7 @@ License
 
 #include "sphereShape.H"
 #include "selector.H"
+#include "shapeFormula.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -31,14 +32,15 @@ Foam::mpm::sphereShape::sphereShape
 :
     pointRegionShape(grid),
     centre_(computed(required<point>(dict, "centre"))),
-    radius_(positive(dict, "radius"))
+    radius_(positive(dict, "radius")),
+    inner_(readInner(dict, radius_))
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::wordList Foam::mpm::sphereShape::keywords() const
 {
-    return {"centre", "radius"};
+    return {"centre", "radius", "innerRadius"};
 }
 
 
@@ -51,13 +53,30 @@ Foam::boundBox Foam::mpm::sphereShape::bounds() const
 
 bool Foam::mpm::sphereShape::contains(const label, const point& x) const
 {
-    return magSqr(computed(x) - centre_) <= sqr(radius_);
+    return inShell(magSqr(computed(x) - centre_), radius_, inner_);
+}
+
+
+bool Foam::mpm::sphereShape::formula(shapeFormula& f) const
+{
+    quadratic r2;
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        r2.addSquare(d, centre_[grid_.direction(d)], 1);
+    }
+    addShell(f, r2, radius_, inner_);
+    return true;
 }
 
 
 Foam::scalar Foam::mpm::sphereShape::volume() const
 {
-    return grid_.radial() >= 0 ? -1 : ball(grid_.nDim(), radius_)*section();
+    if (grid_.radial() >= 0)
+    {
+        return -1;
+    }
+    const int n = grid_.nDim();
+    return (ball(n, radius_) - ball(n, inner_))*section();
 }
 
 // ************************************************************************* //

@@ -158,4 +158,13 @@ Foam::boolList Foam::mpm::surfaceShape::contains
     return inside;
 }
 
+
+const Foam::triSurface* Foam::mpm::surfaceShape::facets() const
+{
+    return
+        isA<triSurfaceMesh>(*surface_)
+      ? &refCast<const triSurface>(refCast<const triSurfaceMesh>(*surface_))
+      : nullptr;
+}
+
 // ************************************************************************* //

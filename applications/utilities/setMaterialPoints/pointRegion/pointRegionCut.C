@@ -1,0 +1,458 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointRegion.H"
+#include "triPointRef.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Parts of a sub-cell below this count as nothing, above one minus this as all
+constexpr Foam::scalar tolerance = 1e-10;
+
+//- A part below this goes to a point beside
+constexpr Foam::scalar smallPart = 0.01;
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+int Foam::mpm::pointRegion::cutSubCell
+(
+    const label celli,
+    const hexMap& map,
+    const label sub,
+    cutPoint& c,
+    scalar& part
+) const
+{
+    if (!formula_ && !cutter_)
+    {
+        return sampleSubCell(celli, map, sub, c, part);
+    }
+
+    const int nDim = grid_.nDim();
+    label ijk[3] = {0, 0, 0}, rest = sub;
+    scalar xi[3], x[3] = {0, 0, 0}, half[3] = {0, 0, 0};
+    centre(sub, xi);
+    c.mean = map.position(xi);
+    c.whole = 1;
+    for (int d = 0; d < nDim; ++d)
+    {
+        ijk[d] = rest % n_[d];
+        rest /= n_[d];
+        x[d] = c.mean[grid_.direction(d)];
+        half[d] = 0.5*grid_.width(celli, d)/n_[d];
+        c.whole *= 2*half[d];
+    }
+
+    cutMoments m;
+    if (formula_)
+    {
+        const int found = formula_->integrate
+        (
+            celli, nDim, grid_.radial(), x, half, m, c.surfaces
+        );
+        if (found < 2)
+        {
+            return found;
+        }
+    }
+    else
+    {
+        cutter_->integrate(celli, ijk, m, c.surfaces);
+    }
+
+    const scalar all = scalar(1 << nDim);
+    if (m.area() < tolerance*all)
+    {
+        return 0;
+    }
+    if (m.area() > (1 - tolerance)*all)
+    {
+        return 1;
+    }
+    part = m.ring()/all;
+    c.area = c.whole*m.area()/all;
+    c.variance = Zero;
+    for (int d = 0; d < nDim; ++d)
+    {
+        const scalar mean = m.first(d)/m.area();
+        c.mean[grid_.direction(d)] += half[d]*mean;
+        c.variance[grid_.direction(d)] =
+            sqr(half[d])*max(m.second(d)/m.area() - sqr(mean), scalar(0));
+    }
+    return 2;
+}
+
+
+int Foam::mpm::pointRegion::sampleSubCell
+(
+    const label celli,
+    const hexMap& map,
+    const label sub,
+    cutPoint& c,
+    scalar& part
+) const
+{
+    scalar xi[3];
+    pointField x(nSamples_);
+    forAll(x, i)
+    {
+        local(sub, i, xi);
+        x[i] = map.position(xi);
+    }
+    const boolList inside(shape_->contains(celli, x));
+
+    label n = 0;
+    c.mean = Zero;
+    forAll(x, i)
+    {
+        if (inside[i])
+        {
+            ++n;
+            c.mean += x[i];
+        }
+    }
+    if (n == 0 || n == nSamples_)
+    {
+        return n == 0 ? 0 : 1;
+    }
+    part = scalar(n)/nSamples_;
+    c.mean /= n;
+    centre(sub, xi);
+    c.whole = 1;
+    c.variance = Zero;
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        const scalar half = mag(map.tangent(xi, d))/(2*n_[d]);
+        c.whole *= 2*half;
+        c.variance[grid_.direction(d)] =
+            sqr(half)/3*std::pow(part, 2.0/grid_.nDim());
+    }
+    c.area = part*c.whole;
+    return 2;
+}
+
+
+Foam::label Foam::mpm::pointRegion::beside
+(
+    const label k,
+    const label sub,
+    const int d,
+    const int side
+) const
+{
+    label stride = 1;
+    for (int e = 0; e < d; ++e)
+    {
+        stride *= n_[e];
+    }
+    const label i = (sub/stride) % n_[d];
+
+    label celli = cells_[k], other = sub + (side ? stride : -stride);
+    if (i == (side ? n_[d] - 1 : 0))
+    {
+        // Of a mesh without a lattice cells turn their directions
+        celli =
+            grid_.hasLattice() ? grid_.neighbour(celli, d, side) : label(-1);
+        other = sub + (side ? -1 : 1)*stride*(n_[d] - 1);
+    }
+    if (celli < 0 || grid_.period(d) > 0)
+    {
+        return -1;
+    }
+    const auto cell = std::lower_bound(cells_.begin(), cells_.end(), celli);
+    if (cell == cells_.end() || *cell != celli)
+    {
+        return -1;
+    }
+    const label otherK = cell - cells_.begin();
+    const auto end = sub_.begin() + start_[otherK + 1];
+    const auto p =
+        std::lower_bound(sub_.begin() + start_[otherK], end, other);
+    return p == end || *p != other ? -1 : label(p - sub_.begin());
+}
+
+
+void Foam::mpm::pointRegion::joinSmallParts()
+{
+    boolList gone(points_.size(), false);
+    bool any = false;
+
+    forAll(cells_, k)
+    {
+        for (label p = start_[k]; p < start_[k + 1]; ++p)
+        {
+            const auto small = cutOf_.cfind(p);
+            if
+            (
+                !small.found()
+             || cut_[*small].area >= smallPart*cut_[*small].whole
+            )
+            {
+                continue;
+            }
+
+            // The fullest beside it
+            label best = -1;
+            scalar bestArea = 0;
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                for (int side = 0; side < 2; ++side)
+                {
+                    const label q = beside(k, sub_[p], d, side);
+                    if (q < 0 || gone[q])
+                    {
+                        continue;
+                    }
+                    const auto cut = cutOf_.cfind(q);
+                    const scalar area =
+                        cut.found()
+                      ? cut_[*cut].area/cut_[*cut].whole
+                      : scalar(1);
+                    if (area > bestArea)
+                    {
+                        bestArea = area;
+                        best = q;
+                    }
+                }
+            }
+            if (best < 0 || bestArea <= cut_[*small].area/cut_[*small].whole)
+            {
+                continue;
+            }
+
+            materialPointCloud::newPoint& to = points_[best];
+            if (!cutOf_.found(best))
+            {
+                cutPoint full;
+                full.point = best;
+                full.whole = 1;
+                full.mean = to.x;
+                full.variance = cmptMultiply(to.halfSize, to.halfSize)/3;
+                for (int d = 0; d < grid_.nDim(); ++d)
+                {
+                    full.whole *= 2*to.halfSize[grid_.direction(d)];
+                }
+                full.area = full.whole;
+                cutOf_.insert(best, cut_.size());
+                cut_.append(full);
+            }
+            cutPoint& a = cut_[cutOf_[best]];
+            const cutPoint& b = cut_[cutOf_[p]];
+            const scalar area = a.area + b.area;
+            const vector apart(b.mean - a.mean);
+            a.variance =
+                (a.area*a.variance + b.area*b.variance)/area
+              + a.area*b.area/sqr(area)*cmptMultiply(apart, apart);
+            a.mean += (b.area/area)*apart;
+            a.area = area;
+            for (const label s : b.surfaces)
+            {
+                if (!a.surfaces.found(s))
+                {
+                    a.surfaces.append(s);
+                }
+            }
+            to.volume += points_[p].volume;
+            to.mass += points_[p].mass;
+            gone[p] = any = true;
+        }
+    }
+    if (!any)
+    {
+        return;
+    }
+
+    labelList now(points_.size(), -1);
+    label n = 0, nCells = 0, first = 0;
+    forAll(cells_, k)
+    {
+        const label last = start_[k + 1];
+        const label nBefore = n;
+        for (label p = first; p < last; ++p)
+        {
+            if (!gone[p])
+            {
+                now[p] = n;
+                points_[n] = points_[p];
+                sub_[n++] = sub_[p];
+            }
+        }
+        first = last;
+        if (n > nBefore)
+        {
+            cells_[nCells++] = cells_[k];
+            start_[nCells] = n;
+        }
+    }
+    points_.resize(n);
+    sub_.resize(n);
+    cells_.resize(nCells);
+    start_.resize(nCells + 1);
+    for (cutPoint& c : cut_)
+    {
+        c.point = now[c.point];
+    }
+}
+
+
+Foam::scalar Foam::mpm::pointRegion::fit
+(
+    const label celli,
+    const cutPoint& c,
+    const point& x,
+    const vector& l,
+    vector& way
+) const
+{
+    const int nDim = grid_.nDim();
+    scalar factor = 1, least = GREAT;
+    for (int d = 0; d < nDim; ++d)
+    {
+        least = min(least, l[grid_.direction(d)]);
+    }
+    way = Zero;
+    const auto touch = [&](const scalar distance, const vector& n)
+    {
+        const scalar R = mag(cmptMultiply(l, n));
+        if (distance < factor*R)
+        {
+            factor = distance/R;
+            way = (distance - R)*n;
+        }
+    };
+
+    if (formula_)
+    {
+        scalar at[3] = {0, 0, 0}, g[3], along[3], foot[3], t[2];
+        for (int d = 0; d < nDim; ++d)
+        {
+            at[d] = x[grid_.direction(d)];
+        }
+        for (const label i : c.surfaces)
+        {
+            const quadratic& f = formula_->surfaceAt(i);
+            f.gradient(at, g);
+            vector n(Zero);
+            for (int d = 0; d < nDim; ++d)
+            {
+                n[grid_.direction(d)] = g[d];
+            }
+            if (!(mag(n) > 0))
+            {
+                continue;
+            }
+            n /= mag(n);
+            for (int d = 0; d < 3; ++d)
+            {
+                along[d] = d < nDim ? n[grid_.direction(d)] : 0;
+            }
+            // Along the normal and beyond: does the shape end there?
+            const int nRoots = f.rootsAlong(at, along, t);
+            for (int r = 0; r < nRoots; ++r)
+            {
+                const scalar side = t[r] < 0 ? -1 : 1;
+                bool inside[2];
+                for (int s = 0; s < 2; ++s)
+                {
+                    const scalar eps = 1e-6*least*side;
+                    for (int d = 0; d < 3; ++d)
+                    {
+                        foot[d] = at[d] + along[d]*(t[r] + (s ? eps : -eps));
+                    }
+                    inside[s] = formula_->contains(celli, foot);
+                }
+                if (inside[0] && !inside[1])
+                {
+                    touch(mag(t[r]), side*n);
+                }
+            }
+        }
+    }
+    else if (cutter_)
+    {
+        const triSurface& s = *shape_->facets();
+        for (const label i : c.surfaces)
+        {
+            const triPointRef facet
+            (
+                s.points()[s[i][0]], s.points()[s[i][1]], s.points()[s[i][2]]
+            );
+            const vector n
+            (
+                shape_->computed(facet.nearestPoint(x).rawPoint() - x)
+            );
+            if (mag(n) > 0)
+            {
+                touch(mag(n), n/mag(n));
+            }
+        }
+    }
+    return factor > 1 - 1e-9 ? 1 : factor;
+}
+
+
+void Foam::mpm::pointRegion::placeCutPoints()
+{
+    constexpr label nTries = 30;
+    constexpr scalar least = 0.2;
+
+    for (const cutPoint& c : cut_)
+    {
+        if (c.point < 0)
+        {
+            continue;
+        }
+        materialPointCloud::newPoint& p = points_[c.point];
+        const label k =
+            std::upper_bound(start_.begin(), start_.end(), c.point)
+          - start_.begin() - 1;
+
+        vector l(Zero), way;
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            const int e = grid_.direction(d);
+            l[e] = std::sqrt(3*c.variance[e]);
+        }
+        p.x = c.mean;
+        scalar factor = fit(cells_[k], c, p.x, l, way);
+        if (factor == 1)
+        {
+            p.halfSize = l;
+            continue;
+        }
+
+        // A full box is drawn in, surface by surface
+        const vector full(p.halfSize);
+        for (label i = 0; i < nTries; ++i)
+        {
+            if (fit(cells_[k], c, p.x, full, way) == 1)
+            {
+                factor = 1;
+                break;
+            }
+            p.x += way;
+        }
+        if (factor < 1 || !shape_->contains(cells_[k], p.x))
+        {
+            // Too thin for it
+            p.x = c.mean;
+            p.halfSize = max(factor, least)*l;
+        }
+    }
+    cut_.clearStorage();
+    cutOf_.clear();
+}
+
+// ************************************************************************* //
