@@ -255,7 +255,11 @@ Foam::mpm::gasCoupling::gasCoupling
     (
         boundedOrDefault
         (
-            requiredDict(properties, gas.name()), "poreFloor", 1e-2, 1e-6, 0.5
+            requiredDict(properties, gas.name()),
+            "poreFloor",
+            usualPoreFloor(points, properties),
+            1e-6,
+            0.5
         )
     ),
     mu_
@@ -301,22 +305,14 @@ Foam::mpm::gasCoupling::gasCoupling
     push_(points.phases().size(), Zero),
     books_(false),
     rigidWork_(0),
-    normalOnly_(false)
+    normalOnly_(false),
+    energyOfAll_(0)
 {
     forAll(points_.phases(), phasei)
     {
         materialPointPhase& phase = points_.phases()[phasei];
         const dictionary& dict = requiredDict(properties, phase.name());
-        dictionary stick;
-        stick.add("type", "stick");
-        drag_.set
-        (
-            phasei,
-            dragModel::New
-            (
-                dict.found("drag") ? requiredDict(dict, "drag") : stick
-            )
-        );
+        drag_.set(phasei, dragModel::New(dragOf(properties, phase.name())));
         normalOnly_ = normalOnly_ || drag_[phasei].normalOnly();
         if (drag_[phasei].needsViscosity() && !(mu_ > 0))
         {
@@ -365,6 +361,7 @@ Foam::mpm::gasCoupling::gasCoupling
         theta[c] = max(1 - solidFraction(c), eps_);
     }
     gas_.setTheta(theta);
+    measureEnergy();
     if (points_.booksEnergy())
     {
         // The points began before the gas was there
@@ -529,6 +526,7 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
     gas_.faceFlux(dt, &pores_);
     gas_.advance(dt, &pores_);
     exchangeHeat(dt);
+    watch();
 }
 
 
@@ -543,6 +541,7 @@ void Foam::mpm::gasCoupling::report() const
     }
     reduce(least, minOp<scalar>());
     reduce(most, maxOp<scalar>());
+    measureEnergy();
     Info<< "Theta: min " << least << ", max " << most << endl;
     reportHeat();
 }

@@ -7,9 +7,45 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasCoupling.H"
+#include "selector.H"
 #include "noTraps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::dictionary Foam::mpm::gasCoupling::dragOf
+(
+    const dictionary& properties,
+    const word& phase
+)
+{
+    const dictionary& dict = requiredDict(properties, phase);
+    if (dict.found("drag"))
+    {
+        return requiredDict(dict, "drag");
+    }
+    dictionary stick;
+    stick.add("type", "stick");
+    return stick;
+}
+
+
+Foam::scalar Foam::mpm::gasCoupling::usualPoreFloor
+(
+    const pointPhaseSystem& points,
+    const dictionary& properties
+)
+{
+    for (const materialPointPhase& phase : points.phases())
+    {
+        const dictionary drag(dragOf(properties, phase.name()));
+        if (drag.lookupOrDefault<word>("type", "stick") != "none")
+        {
+            return 1e-2;
+        }
+    }
+    return 1e-3;
+}
+
 
 Foam::vector Foam::mpm::gasCoupling::exchange
 (

@@ -165,7 +165,7 @@ void Foam::mpm::eulerianGas::primitives()
     scalar* T = T_ ? T_->primitiveFieldRef().data() : nullptr;
 
     scalar rate = 0;
-    label bad = -1;
+    label bad = badCell_;
     {
         const noTraps guard;
         forAll(rho_, c)
@@ -329,7 +329,10 @@ Foam::mpm::eulerianGas::eulerianGas
     sums_(mesh.nCells()),
     rate_(0),
     porous_(false),
-    restarted_(false)
+    restarted_(false),
+    fixedCell_(-1),
+    fixedMost_(0),
+    badCell_(-1)
 {
     wordList valid(gasThermo::keywords);
     valid.append("type");

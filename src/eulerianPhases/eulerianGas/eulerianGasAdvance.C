@@ -34,9 +34,18 @@ Foam::scalar Foam::mpm::eulerianGas::newTheta
 }
 
 
-void Foam::mpm::eulerianGas::bookFixup(const scalar energy)
+void Foam::mpm::eulerianGas::bookFixup
+(
+    const label celli,
+    const scalar energy
+)
 {
     fixups_.energy += energy;
+    if (mag(energy) > fixedMost_)
+    {
+        fixedMost_ = mag(energy);
+        fixedCell_ = celli;
+    }
     if (flows_)
     {
         flows_->fixups += energy;
@@ -197,7 +206,7 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
             {
                 const scalar p = W_[c].p;
                 rhoE_[c] -= p*(theta_[c] - A - h*v.phi);
-                bookFixup(-p*(theta_[c] - (A + D))*V[c]);
+                bookFixup(c, -p*(theta_[c] - (A + D))*V[c]);
 
                 if (near_[c])
                 {
@@ -209,7 +218,7 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
                     if (!(pNew >= 0.3*pIsentropic))
                     {
                         const scalar E = iGm1*theta_[c]*pIsentropic + kinetic;
-                        bookFixup((E - rhoE_[c])*V[c]);
+                        bookFixup(c, (E - rhoE_[c])*V[c]);
                         rhoE_[c] = E;
                         ++fixups_.isentropic;
                     }

@@ -22,7 +22,11 @@ void Foam::mpm::eulerianGas::stop(const label celli)
         minOp<label>()
     );
     OStringStream os;
-    if (teller == Pstream::myProcNo())
+    if (teller == Pstream::myProcNo() && whyBad_.size())
+    {
+        os  << whyBad_.c_str();
+    }
+    else if (teller == Pstream::myProcNo())
     {
         const gasState& w = W_[celli];
         os  << "Gas " << name_ << " has density " << w.rho << " kg/m3 and"
@@ -34,7 +38,11 @@ void Foam::mpm::eulerianGas::stop(const label celli)
         os  << ", which must be positive, in cell " << celli << " at "
             << mesh_.cellCentres()[celli] << ", time "
             << mesh_.time().timeName() << " (velocity " << w.u << ", theta "
-            << theta_[celli] << ").";
+            << theta_[celli] << ")." << nl
+            << "At the start: look into 0/p, 0/T." << name_ << ", 0/U." << name_
+            << " and constant/phaseProperties. Later: a smaller maxCoGas in"
+            << " system/controlDict or upwind for reconstruct(...) in"
+            << " system/fvSchemes often keeps the gas positive.";
     }
     string text(os.str());
     List<string> texts(Pstream::nProcs());
@@ -42,13 +50,7 @@ void Foam::mpm::eulerianGas::stop(const label celli)
     Pstream::gatherList(texts);
     Pstream::scatterList(texts);
 
-    FatalErrorInFunction
-        << texts[teller].c_str() << nl
-        << "At the start: look into 0/p, 0/T." << name_ << ", 0/U." << name_
-        << " and constant/phaseProperties. Later: a smaller maxCoGas in"
-        << " system/controlDict or upwind for reconstruct(...) in"
-        << " system/fvSchemes often keeps the gas positive."
-        << exit(FatalError);
+    FatalErrorInFunction << texts[teller].c_str() << exit(FatalError);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -1,0 +1,157 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "gasCoupling.H"
+#include "noTraps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::gasCoupling::measureEnergy() const
+{
+    const int D = sums_.grid().nDim();
+    scalar sum = gas_.energy() - gas_.fixed().energy;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        const materialPointCloud& cloud = phase.cloud();
+        const scalar* m = cloud.mass()[0];
+        for (int d = 0; d < D; ++d)
+        {
+            const scalar* U = cloud.U()[d];
+            for (label p = 0; p < cloud.size(); ++p)
+            {
+                sum += 0.5*m[p]*sqr(U[p]);
+            }
+        }
+    }
+    energyOfAll_ = returnReduce(sum, sumOp<scalar>());
+}
+
+
+Foam::string Foam::mpm::gasCoupling::advice(const label celli) const
+{
+    label worst = -1;
+    scalar most = 0, growth = 1;
+    forAll(points_.phases(), phasei)
+    {
+        materialPointPhase& phase = points_.phases()[phasei];
+        materialPointCloud& cloud = phase.cloud();
+        forAll(cloud.cells(), k)
+        {
+            if (cloud.cells()[k] != celli)
+            {
+                continue;
+            }
+            scalar v = 0, m = 0;
+            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+            {
+                v += (*cloud.gasVolume())[0][p];
+                m += cloud.mass()[0][p];
+            }
+            if (v > most)
+            {
+                worst = phasei;
+                most = v;
+                growth = v*phase.rho()/m;
+            }
+        }
+    }
+
+    OStringStream os;
+    if (worst < 0)
+    {
+        os  << "No point is in the cell. A smaller maxCo and maxCoGas may help.";
+        return os.str();
+    }
+    const materialPointPhase& phase = points_.phases()[worst];
+    os  << "Points of " << phase.name() << " fill "
+        << most/mesh_.V()[celli] << " of the cell. ";
+    if (phase.grains() && !granular_.set(worst))
+    {
+        os  << "Nothing keeps its grains apart. Valid choices in phase "
+            << phase.name() << ": granularPressure { type JohnsonJackson;"
+            << " alphaMin 0.5; alphaMax 0.65; } or a constitutiveModel with a"
+            << " stress; or a smaller volumeFraction in setMaterialPointsDict.";
+    }
+    else if (phase.grains())
+    {
+        os  << "Its granularPressure did not hold them: a smaller alphaMax, a"
+            << " larger Fr, a smaller maxCo.";
+    }
+    else
+    {
+        os  << "Their volume is " << growth << " times that of the unstressed"
+            << " material. Points that have grown so far that few are left in a"
+            << " cell fill it unevenly: products of an explosion do. Valid"
+            << " choices: more points per cell, such products as gas of their"
+            << " energy (p and T." << gas_.name() << " in their place,"
+            << " setFields) or without a gas around. Points that overlap at the"
+            << " start: look into setMaterialPointsDict.";
+    }
+    return os.str();
+}
+
+
+void Foam::mpm::gasCoupling::watch()
+{
+    // Sum of all fractions beyond which points overlap: grains keep their
+    // volume; others in disorder have up to 1.25 (tests/cases/bodiesInGas)
+    constexpr scalar mostGrains = 1.1, mostOthers = 1.3;
+
+    // Share of the energy of all that fix-ups may have added
+    constexpr scalar mostFixed = 0.1;
+
+    const noTraps guard;
+    scalar most = mostGrains;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        if (!phase.grains() && !phase.motion())
+        {
+            most = mostOthers;
+        }
+    }
+    scalar worst = 0;
+    label at = -1;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        for (const label c : phase.cloud().cells())
+        {
+            const scalar over = gas_.theta()[c] + solidFraction(c) - most;
+            if (over > worst)
+            {
+                worst = over;
+                at = c;
+            }
+        }
+    }
+    if (at >= 0)
+    {
+        OStringStream os;
+        os  << "Volume fractions of cell " << at << " at "
+            << mesh_.cellCentres()[at] << " add up to "
+            << gas_.theta()[at] + solidFraction(at) << ", time "
+            << mesh_.time().value() << ". " << advice(at).c_str();
+        gas_.condemn(at, os.str());
+        return;
+    }
+
+    const scalar fixed = gas_.fixed().energy;
+    if (mag(fixed) > mostFixed*energyOfAll_ && gas_.fixedCell() >= 0)
+    {
+        at = gas_.fixedCell();
+        OStringStream os;
+        os  << "Fix-ups have added " << fixed << " J to gas " << gas_.name()
+            << "; without them it and the motion of the points had "
+            << energyOfAll_ << " J. The largest was in cell " << at << " at "
+            << mesh_.cellCentres()[at] << ", theta " << gas_.theta()[at]
+            << ", all fractions " << gas_.theta()[at] + solidFraction(at)
+            << "; time " << mesh_.time().value() << ". " << advice(at).c_str();
+        gas_.condemn(at, os.str());
+    }
+}
+
+// ************************************************************************* //
