@@ -11,6 +11,42 @@ License
 #include "coupledPolyPatch.H"
 #include "syncTools.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+//- h max(-div u, 0) of a cell from its corners [m/s], h its shortest side
+scalar velocityLoss
+(
+    const hexGrid& grid,
+    const label celli,
+    const scalar* U,
+    const int stride
+)
+{
+    const int D = grid.nDim();
+    const label n = label(1) << D;
+    const label* corners = grid.corners(celli);
+    scalar div = 0, h = GREAT;
+    for (int d = 0; d < D; ++d)
+    {
+        const scalar width = grid.width(celli, d);
+        h = min(h, width);
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar u = U[stride*corners[i] + d];
+            div += ((i >> d) & 1 ? u : -u)*2/(n*width);
+        }
+    }
+    return h*max(-div, scalar(0));
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::gasCoupling::readGranular
@@ -61,6 +97,24 @@ const Foam::scalarList& Foam::mpm::gasCoupling::grainJumps(const label phasei)
     {
         const label at = pointKernels::cellStride*sums_.place(c);
         pGrains_[c] = law.p(cell[at + pointKernels::fraction]/mesh_.V()[c]);
+    }
+
+    // Nodes of cells with points have a velocity
+    const hexGrid& grid = sums_.grid();
+    const gridState& field = points_.fields()[points_.fieldOf(phasei)];
+    const scalar rho = points_.phases()[phasei].rho();
+    for (const label c : points_.phases()[phasei].cloud().cells())
+    {
+        if (pGrains_[c] > 0)
+        {
+            const label at = pointKernels::cellStride*sums_.place(c);
+            pGrains_[c] += law.q
+            (
+                cell[at + pointKernels::fraction]/mesh_.V()[c],
+                rho,
+                velocityLoss(grid, c, field.U(), field.stride())
+            );
+        }
     }
     scalarField behind(mesh_.nFaces() - mesh_.nInternalFaces());
     forAll(behind, i)

@@ -25,13 +25,15 @@ Foam::mpm::granularPressure::granularPressure(const dictionary& dict)
     Fr_(boundedOrDefault(dict, "Fr", 0.1, VSMALL, GREAT)),
     eta_(boundedOrDefault(dict, "eta", 2, 1, 10)),
     n_(boundedOrDefault(dict, "n", 5, 0, 10)),
-    delta_(boundedOrDefault(dict, "delta", 0.01, 1e-6, 0.9*(max_ - min_)))
+    delta_(boundedOrDefault(dict, "delta", 0.01, 1e-6, 0.9*(max_ - min_))),
+    linear_(boundedOrDefault(dict, "linear", 0.5, 0, 2)),
+    quadratic_(boundedOrDefault(dict, "quadratic", 2, 0, 10))
 {
     oneOf(dict, "type", {"JohnsonJackson"});
     checkKeywords
     (
         dict,
-        {"type", "alphaMin", "alphaMax", "Fr", "eta", "n", "delta"}
+        {"type", "alphaMin", "alphaMax", "Fr", "eta", "n", "delta", "linear", "quadratic"}
     );
 }
 
@@ -56,6 +58,20 @@ Foam::scalar Foam::mpm::granularPressure::slope(const scalar a) const
     }
     const scalar b = min(a, max_ - delta_);
     return formula(b)*(1/b + eta_/(b - min_) + n_/(max_ - b));
+}
+
+
+Foam::scalar Foam::mpm::granularPressure::q
+(
+    const scalar a,
+    const scalar rho,
+    const scalar jump
+) const
+{
+    return
+        jump > 0 && a > min_
+      ? rho*a*jump*(linear_*std::sqrt(slope(a)/rho) + quadratic_*jump)
+      : 0;
 }
 
 // ************************************************************************* //

@@ -53,6 +53,27 @@ void Foam::mpm::eulerianGas::bookFixup
 }
 
 
+template<bool Energy>
+Foam::mpm::eulerianGas::sums Foam::mpm::eulerianGas::carried
+(
+    const scalar volume,
+    const scalar work,
+    const gasState& donor,
+    const scalar iGm1
+)
+{
+    sums s;
+    s.rho = volume*donor.rho;
+    s.rhoU = s.rho*donor.u;
+    if (Energy)
+    {
+        s.rhoE =
+            volume*(iGm1*donor.p + 0.5*donor.rho*magSqr(donor.u)) + work;
+    }
+    return s;
+}
+
+
 template<bool Porous, bool Energy>
 void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
 {
@@ -74,21 +95,14 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
         volumes_ = volumes{0, 0, 0};
     }
 
-    // Mass, momentum without pressure and energy across a face [1/s]
+    // Nominal flux in the work next to solid keeps p uniform when the limiter
+    // acts
     const auto flux = [&](const label f, const gasState& donor)
     {
-        sums s;
-        s.rho = limited[f]*donor.rho;
-        s.rhoU = s.rho*donor.u;
-        if (Energy)
-        {
-            // Nominal flux in the work next to solid keeps p uniform when the
-            // limiter acts
-            s.rhoE =
-                limited[f]*(iGm1*donor.p + 0.5*donor.rho*magSqr(donor.u))
-              + pStar_[f]*(Porous ? phi_[f] : limited[f]);
-        }
-        return s;
+        return carried<Energy>
+        (
+            limited[f], pStar_[f]*(Porous ? phi_[f] : limited[f]), donor, iGm1
+        );
     };
 
     // To one side, whose pressure is p
@@ -184,6 +198,7 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
         }
     }
 
+    bool positive = true;
     forAll(sums_, c)
     {
         const sums& s = sums_[c];
@@ -222,6 +237,162 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
                         rhoE_[c] = E;
                         ++fixups_.isentropic;
                     }
+                }
+            }
+        }
+        if (Energy)
+        {
+            positive = positive && isPositive(c);
+        }
+    }
+    if (Energy && !returnReduce(positive, andOp<bool>()))
+    {
+        keepPositive<Porous>(dt);
+    }
+}
+
+
+Foam::mpm::eulerianGas::sums Foam::mpm::eulerianGas::positiveFlux
+(
+    const gasState& L,
+    const gasState& R,
+    const vector& S
+) const
+{
+    const scalar gamma = thermo_.gamma(), area = mag(S);
+    const scalar uL = (L.u & S)/area, uR = (R.u & S)/area;
+    const scalar cL = std::sqrt(gamma*L.p/L.rho);
+    const scalar cR = std::sqrt(gamma*R.p/R.rho);
+    const scalar low = min(min(uL - cL, uR - cR), scalar(0));
+    const scalar high = max(max(uL + cL, uR + cR), scalar(0));
+
+    // a F.n + b W of one side
+    sums flux{0, Zero, 0};
+    const auto add =
+        [&](const gasState& w, const scalar u, const scalar a, const scalar b)
+    {
+        const scalar E = w.p/(gamma - 1) + 0.5*w.rho*magSqr(w.u);
+        const scalar m = area*(a*u + b)*w.rho;
+        flux.rho += m;
+        flux.rhoU += m*w.u + (a*w.p)*S;
+        flux.rhoE += area*((a*u + b)*E + a*u*w.p);
+    };
+    const scalar width = high - low;
+    add(L, uL, high/width, -low*high/width);
+    add(R, uR, -low/width, low*high/width);
+    return flux;
+}
+
+
+template<bool Porous>
+void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const vectorField& S = mesh_.faceAreas();
+    const scalarField& V = mesh_.V();
+    const scalar iGm1 = 1/(thermo_.gamma() - 1);
+    const scalarField& limited = phiLimited();
+    const bool upwind = reconstruction_.upwind();
+
+    boolList replaced(mesh_.nFaces(), false), bad(rho_.size());
+    scalarField behind(Wb_.size());
+    bool changed = true;
+
+    // What the step has sent through a face, and what it shall be
+    const auto give = [&](const label f, const sums& now, const label N)
+    {
+        const label P = own[f];
+        const gasState& donor =
+            upwind
+          ? (limited[f] > 0 ? W_[P] : N < 0 ? Wb_[f - nInternal] : W_[N])
+          : limited[f] > 0
+          ? reconstruction_.faces()[f].own
+          : reconstruction_.faces()[f].nei;
+        sums d = carried<true>
+        (
+            limited[f], pStar_[f]*(Porous ? phi_[f] : limited[f]), donor, iGm1
+        );
+        d.rho -= now.rho;
+        d.rhoU += pStar_[f]*S[f] - now.rhoU;
+        d.rhoE -= now.rhoE;
+
+        rho_[P] += dt/V[P]*d.rho;
+        rhoU_[P] += dt/V[P]*d.rhoU;
+        rhoE_[P] += dt/V[P]*d.rhoE;
+        if (N >= 0)
+        {
+            rho_[N] -= dt/V[N]*d.rho;
+            rhoU_[N] -= dt/V[N]*d.rhoU;
+            rhoE_[N] -= dt/V[N]*d.rhoE;
+        }
+        replaced[f] = true;
+        changed = true;
+        return d;
+    };
+
+    while (returnReduce(changed, orOp<bool>()))
+    {
+        changed = false;
+        forAll(bad, c)
+        {
+            bad[c] = !isPositive(c);
+        }
+        forAll(behind, i)
+        {
+            behind[i] = bad[own[nInternal + i]];
+        }
+        coupled_.swap(behind);
+
+        for (label f = 0; f < nInternal; ++f)
+        {
+            const label P = own[f], N = nei[f];
+            if
+            (
+                (bad[P] || bad[N]) && !replaced[f]
+             && !(Porous && (near_[P] || near_[N]))
+            )
+            {
+                give(f, positiveFlux(W_[P], W_[N], S[f]), N);
+                ++fixups_.positive;
+            }
+        }
+        for (const label f : coupledList_)
+        {
+            const label P = own[f], i = f - nInternal;
+            if
+            (
+                (bad[P] || behind[i] > 0.5) && !replaced[f]
+             && !(Porous && (near_[P] || near_[bad.size() + i]))
+            )
+            {
+                give(f, positiveFlux(W_[P], Wb_[i], S[f]), -1);
+            }
+        }
+        for (const label f : boundary_)
+        {
+            // Walls: the pressure of the cell itself instead of that at the
+            // face
+            const label P = own[f], i = f - nInternal;
+            if (bad[P] && wall_[i] && !replaced[f] && !(Porous && near_[P]))
+            {
+                const gasState& w = W_[P];
+                const scalar z = std::sqrt(thermo_.gamma()*w.rho*w.p);
+                const scalar p =
+                    Wb_[i].p + z*((w.u - Wb_[i].u) & S[f])/magS_[f];
+                sums now = carried<true>
+                (
+                    limited[f], p*limited[f],
+                    limited[f] > 0 ? w : Wb_[i], iGm1
+                );
+                now.rhoU += p*S[f];
+                const sums d = give(f, now, -1);
+                if (flows_)
+                {
+                    flows_->mass += dt*d.rho;
+                    flows_->impulse += dt*d.rhoU;
+                    flows_->energy += dt*d.rhoE;
                 }
             }
         }

@@ -77,8 +77,12 @@ void Foam::mpm::eulerianGas::report() const
         << ", isentropic "
         << returnReduce(fixups_.isentropic, sumOp<label>()) << " (energy "
         << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
-        << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back)"
-        << endl;
+        << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back)";
+    if (const label n = returnReduce(fixups_.positive, sumOp<label>()))
+    {
+        Info<< ", kept positive at faces " << n;
+    }
+    Info<< endl;
 }
 
 
@@ -161,6 +165,7 @@ Foam::dictionary Foam::mpm::eulerianGas::state() const
     state.add("limited", returnReduce(fixups_.limited, sumOp<label>()));
     state.add("theta", returnReduce(fixups_.theta, sumOp<label>()));
     state.add("isentropic", returnReduce(fixups_.isentropic, sumOp<label>()));
+    state.add("positive", returnReduce(fixups_.positive, sumOp<label>()));
     state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
     state.add("heldBack", returnReduce(fixups_.heldBack, sumOp<scalar>()));
     return state;
@@ -175,6 +180,7 @@ void Foam::mpm::eulerianGas::setState(const dictionary& state)
         fixups_.limited = required<label>(state, "limited");
         fixups_.theta = required<label>(state, "theta");
         fixups_.isentropic = required<label>(state, "isentropic");
+        fixups_.positive = state.getOrDefault<label>("positive", 0);
         fixups_.energy = required<scalar>(state, "energy");
         fixups_.heldBack = required<scalar>(state, "heldBack");
     }

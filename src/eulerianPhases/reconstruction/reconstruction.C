@@ -476,7 +476,8 @@ Foam::mpm::reconstruction::reconstruction
     if (!upwind_)
     {
         faces_.setSize(mesh.nFaces());
-        grad_.setSize(own_.size() ? mesh.nCells() : 0);
+        measureSkew();
+        grad_.setSize(own_.size() || skew_.size() ? mesh.nCells() : 0);
         rates_.setSize(mesh.nCells());
         swap_.setSize(mesh.nFaces() - mesh.nInternalFaces());
     }
@@ -496,7 +497,8 @@ Foam::string Foam::mpm::reconstruction::description() const
 {
     return
         "rho " + scheme_[0] + ", U " + scheme_[1] + ", p " + scheme_[2]
-      + (upwind_ || own_.size() ? "" : " (by OpenFOAM's general schemes)");
+      + (upwind_ || own_.size() ? "" : " (by OpenFOAM's general schemes)")
+      + (skew_.size() ? ", corrected on skewed faces" : "");
 }
 
 
@@ -512,13 +514,21 @@ void Foam::mpm::reconstruction::update
     const boolUList* nearSolid
 )
 {
+    if (skew_.size())
+    {
+        leastSquares(W, Wb);
+    }
+    else if (own_.size())
+    {
+        gradient(W, Wb);
+    }
+
     if (own_.empty())
     {
         interpolated(rho, U, p);
     }
     else
     {
-        gradient(W, Wb);
         if (own_ == "vanLeer")
         {
             limited<vanLeerLimiter, NVDTVD, NVDVTVDV>(W, Wb);
@@ -535,6 +545,10 @@ void Foam::mpm::reconstruction::update
         {
             limited<SuperBeeLimiter, NVDTVD, NVDVTVDV>(W, Wb);
         }
+    }
+    if (skew_.size())
+    {
+        addSkew(W, Wb);
     }
     predict(dt, gamma, W, Wb, nearSolid);
 }

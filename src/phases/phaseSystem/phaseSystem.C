@@ -66,6 +66,33 @@ void Foam::mpm::pointPhaseSystem::updateWaveRate()
 }
 
 
+Foam::scalar Foam::mpm::pointPhaseSystem::PICfraction
+(
+    const label fieldi,
+    const scalar dt
+) const
+{
+    // Grains without a law's stress have no waves until they are packed. With
+    // the rate of the packed ones the fraction would be a viscosity that holds
+    // loose grains. One fraction for a field keeps its momentum
+    bool loose = false, waves = false;
+    forAll(phases_, phasei)
+    {
+        const materialPointPhase& phase = phases_[phasei];
+        if (fieldOf_[phasei] == fieldi && !phase.motion())
+        {
+            const bool grains = phase.grains() && !phase.law().hasStress();
+            (grains ? loose : waves) = true;
+        }
+    }
+    return transfer_.fraction
+    (
+        dt*(rate_ + (loose && !waves ? 0 : waveRate_)),
+        loose && !waves
+    );
+}
+
+
 void Foam::mpm::pointPhaseSystem::activate(const bool changed)
 {
     forAll(fields_, fieldi)
@@ -227,15 +254,17 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     pointPasses::moveRule rule;
     rule.dt = dt;
     rule.kind = transfer_.kind;
-    rule.PICfraction = transfer_.fraction(dt*courantRate());
-
     rule.energy = budget_.active;
 
-    const scalar projected =
-        transfer_.kind == transfer::FLIP ? rule.PICfraction : 1;
-    for (gridState& field : fields_)
+    // Share of their velocity that points take from the nodes
+    scalarList projected(fields_.size(), scalar(1));
+    forAll(fields_, fieldi)
     {
-        field.addProjected(projected);
+        if (transfer_.kind == transfer::FLIP)
+        {
+            projected[fieldi] = PICfraction(fieldi, dt);
+        }
+        fields_[fieldi].addProjected(projected[fieldi]);
     }
 
     scalar travel = 0, rate = 0, work = 0, body = 0;
@@ -247,6 +276,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
         materialPointPhase& phase = phases_[phasei];
         const gridState& field = fields_[fieldOf_[phasei]];
         rule.U = field.U();
+        rule.PICfraction = projected[fieldOf_[phasei]];
         rule.bodyForce = phase.bodyAcceleration();
         if (transfer_.kind == transfer::APIC && !phase.motion())
         {
@@ -262,7 +292,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
         if (phase.motion() && phase.motion()->free())
         {
             freeBody& b = *phase.motion()->free();
-            b.finish(dt, projected);
+            b.finish(dt, projected[fieldOf_[phasei]]);
             bodyWork += b.work();
             gravityWork += b.gravityWork();
         }
@@ -313,9 +343,9 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
             work + bodyWork - step.external - step.boundary - step.contact;
     }
 
-    for (gridState& field : fields_)
+    forAll(fields_, fieldi)
     {
-        field.addProjectionImpulse(projected);
+        fields_[fieldi].addProjectionImpulse(projected[fieldi]);
     }
 
     return travel <= maxTravel_ ? 1 : max(0.8*maxTravel_/travel, scalar(0.1));

@@ -37,6 +37,7 @@ Foam::mpm::transfer::transfer(const dictionary& dict)
     if (kind == FLIP)
     {
         PICfraction = boundedOrDefault(dict, "PICfraction", 0, 0, 1);
+        PICgrains = boundedOrDefault(dict, "PICfraction", 0.1, 0, 1);
     }
     else if (series)
     {
@@ -84,12 +85,14 @@ Foam::wordList Foam::mpm::transfer::keywords()
 }
 
 
-Foam::scalar Foam::mpm::transfer::fraction(const scalar Co) const
+Foam::scalar Foam::mpm::transfer::fraction
+(
+    const scalar Co,
+    const bool grains
+) const
 {
-    return
-        PICfraction < 1
-      ? -std::expm1(std::log1p(-PICfraction)*Co/0.4)
-      : 1;
+    const scalar a = grains ? PICgrains : PICfraction;
+    return a < 1 ? -std::expm1(std::log1p(-a)*Co/0.4) : 1;
 }
 
 
@@ -98,8 +101,12 @@ void Foam::mpm::transfer::write(Ostream& os) const
     switch (kind)
     {
         case FLIP:
-            os  << "transfer FLIP with PIC fraction " << PICfraction
-                << ": x moves with the mean of u^n and u^L";
+            os  << "transfer FLIP with PIC fraction " << PICfraction;
+            if (PICgrains > PICfraction)
+            {
+                os  << " (of grains " << PICgrains << ")";
+            }
+            os  << ": x moves with the mean of u^n and u^L";
             break;
 
         case FMPM:

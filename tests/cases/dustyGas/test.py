@@ -10,6 +10,7 @@ heat       heat exchange in a closed box: energy, relaxation
 miura      Miura & Glass' shock tube: frozen shock at first, equilibrium late
 dilute     Houim & Oran's shock tube with few grains, with their curves
 dense      the same with grains of 0.4 by volume
+settle     20 % of spheres under gravity: terminal velocity of Wen & Yu's drag
 ranks      one processor against two, restart bit by bit, with the column T
 
 The published curves are those of tutorials/houimOran/data.
@@ -486,6 +487,46 @@ def dense(table):
           f" Theta {g['ThetaMin'].min():.5f} to {g['ThetaMax'].max():.5f}")
 
 
+# --- settle ------------------------------------------------------------------
+
+def settle(table):
+    """A bed of 20 % that falls at its terminal velocity in a closed column goes on so at
+    two step lengths. Of the volume theta = (1 - eps) 0.2 of grains the weight is that of
+    0.2 rho_s, no volume flows: K slip = (0.2 rho_s - theta rho_g) theta_g g, u = theta_g
+    slip. Grains pack at the bottom, so that the step is that of packed ones."""
+    rhoS, rhoG, mu, d, g, share, n, h = 2500.0, 1.161, 1.8e-5, 7e-5, 9.81, 0.2, 40, 1e-3
+    theta = (1 - EPS)*share
+    thetaG, slip = 1 - theta, 0.1
+    for _ in range(100):
+        Re = thetaG*rhoG*slip*d/mu
+        K = 18*(1 + 0.15*Re**0.687)*mu/d**2*theta*thetaG**-2.65
+        slip = (share*rhoS - theta*rhoG)*thetaG*g/K
+    w = thetaG*slip
+
+    def initial(x, y, z):
+        return rhoG + 0*x, np.where(x < 32*h, theta*slip, 0.0), P0 + 0*x
+    for maxCo, end in ((0.4, 6e-3), (0.04, 3e-3)):
+        case = coupledCase(
+            "dustyGas", f"settle-{maxCo}", (n, 1, 1), (n*h, h, h), initial, end,
+            {"dust": grains(rhoS, drag={"type": "WenYu", "d": d}, granularPressure={
+                "type": "JohnsonJackson", "alphaMin": 0.55, "alphaMax": 0.65, "Fr": 1})},
+            {"dust": {"type": "box", "min": (-1, -1, -1), "max": (32*h, 1, 1),
+                      "volumeFraction": share, "velocity": (-w, 0, 0)}},
+            gas={"mu": mu}, ends=WALL, ppc=4, maxCo=maxCo, prepare=lambda c: c.write(
+                "constant/g", {"dimensions": "[0 1 -2 0 0 0 0]", "value": (-g, 0, 0)},
+                "uniformDimensionedVectorField"),
+            numerics={"PICfraction": 0.1}, control={"reportInterval": 1000})
+        case.run("materialPointFoam")
+        a, b = (case.points(t, "dust") for t in ("0", case.timeName(end)))
+        x = a.byId("x")[:, 0]
+        middle = (x > 10*h) & (x < 22*h)
+        way = (b.byId("x")[:, 0] - x)[middle].mean()
+        table.row(f"settling of 20 % spheres, maxCo {maxCo}: mean velocity over terminal",
+                  1, -way/(end*w), 0.05)
+        table.row(f"settling of 20 % spheres, maxCo {maxCo}: velocity at the end", 1,
+                  -b.byId("U")[middle, 0].mean()/w, 0.05)
+
+
 # --- ranks -------------------------------------------------------------------
 
 def ranks(table):
@@ -546,7 +587,7 @@ def ranks(table):
 
 def main():
     return runParts(
-        "dustyGas", move, push, sound, skeleton, wall, heat, miura, dilute, dense, ranks)
+        "dustyGas", move, push, sound, skeleton, wall, heat, miura, dilute, dense, settle, ranks)
 
 
 if __name__ == "__main__":
