@@ -26,17 +26,18 @@ def points(case, time, phase, name):
 
 def loads(case="."):
     """Times of the reports, force [N/m] of the upper and on the lower platen: mean since
-    the report before; kinetic and stored energy [J/m]; residual of the energy [J/m]."""
+    the report before; kinetic and stored energy [J/m]; residual and
+    remap of the energy [J/m]."""
     with open(os.path.join(case, "log.materialPointFoam")) as f:
         steps = re.split(r"^Time = ", f.read(), flags=re.M)[1:]
     rows = []
     for text in steps:
         impulse = dict(re.findall(r"^Contact (\w+) .*impulse \(\S+ (\S+) ", text, re.M))
         energy = re.search(r"^Energy: kinetic (\S+), strain (\S+),", text, re.M)
-        residual = re.search(r"residual (\S+)", text)
+        rest = re.findall(r"(?:residual|remap) ([^\s,]+)", text)
         if impulse and energy:
             rows.append([text.split()[0], impulse["top"], impulse["bottom"],
-                         energy[1], energy[2], residual[1] if residual else 0])
+                         energy[1], energy[2], sum(map(float, rest))])
     t, top, bottom, kinetic, strain, residual = np.array(rows, float).T
     dt = np.diff(t)
     return (t[1:], abs(np.diff(top))/dt, abs(np.diff(bottom))/dt,

@@ -52,7 +52,7 @@ for name in present:
     print(f"{label(name):10s} {len(results.points(case, '0', 'm')):7d}  "
           f"{100*part['damaged']:5.1f} %  {100*part['failed']:4.1f} %  "
           f"{ratio['damaged']:.3f} {ratio['failed']:.3f}  {1e3*length:5.0f} mm  "
-          f"{force.max()*1e-3:7.1f} kN  {100*abs(e['residual']).max()/start:6.2f} %  "
+          f"{force.max()*1e-3:7.1f} kN  {100*abs(e['residual'] + e['remap']).max()/start:6.2f} %  "
           f"{-100*e['failure'][-1]/start:6.1f} %  {float(seconds):6.1f}")
 
 names = results.times()
@@ -67,7 +67,8 @@ e, start = results.energy()
 figure, axes = plt.subplots(1, 2, figsize=(11, 4), constrained_layout=True)
 t = 1e6*e["Time"]
 for name, what in (("kinetic", "kinetic"), ("strain", "strain"), ("failure", "failure"),
-                   ("transfer", "transfer"), ("residual", "residual")):
+                   ("transfer", "transfer"), ("remap", "remap"),
+                   ("residual", "residual")):
     axes[0].plot(t, e[name]/start, label=what)
 axes[0].set_ylabel("energy over that at impact")
 axes[0].legend(fontsize=8)

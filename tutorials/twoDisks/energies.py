@@ -37,7 +37,7 @@ class Energies:
             case, "postProcessing/energy/*/energy.dat")))[0])
         #: In per cent of the energy at the start
         self.transfer = 100*budget[:, 4]/self.start
-        self.residual = 100*budget[:, 7]/self.start
+        self.residual = 100*(budget[:, 7] + budget[:, -1])/self.start
 
         #: Of one disk's momentum, and of that times the distance of the centres
         size = self.mass[0]/2*np.hypot(0.1, 0.1)

@@ -58,7 +58,7 @@ void Foam::functionObjects::materialPointEnergy::prepare
     {
         header += "\terosion[J]";
     }
-    header += "\tdissipation[J]";
+    header += "\tdissipation[J]\tremap[J]";
     setFiles(wordList(1, "energy"), List<string>(1, header));
 }
 
@@ -74,7 +74,7 @@ void Foam::functionObjects::materialPointEnergy::sample
         os  << tab << b->kinetic << tab << b->strain
             << tab << b->kinetic + b->strain << tab << b->transfer()
             << tab << b->work.boundary << tab << b->work.external
-            << tab << b->residual() << tab << b->failure;
+            << tab << b->residual() << tab << b->losses.failure;
         if (b->hasGas)
         {
             const mpm::gasBudget& g = b->gas;
@@ -94,7 +94,7 @@ void Foam::functionObjects::materialPointEnergy::sample
         {
             os  << tab << b->erosion();
         }
-        os  << tab << b->dissipation << endl;
+        os  << tab << b->losses.dissipation << tab << b->remap() << endl;
     }
 }
 

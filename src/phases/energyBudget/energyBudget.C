@@ -73,6 +73,14 @@ struct reader
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::mpm::pointLosses::reduceAll()
+{
+    reduce(work, sumOp<scalar>());
+    reduce(failure, sumOp<scalar>());
+    reduce(dissipation, sumOp<scalar>());
+}
+
+
 void Foam::mpm::gasBudget::reduceAll()
 {
     forSums(*this, adder());

@@ -448,8 +448,7 @@ void Foam::mpm::pointPhaseSystem::reject()
         {
             phase.restoreStress();
         }
-        failed_ = failedBefore_;
-        dissipated_ = dissipatedBefore_;
+        losses_ = lossesBefore_;
     }
     tentative_ = false;
 }
@@ -501,8 +500,7 @@ void Foam::mpm::pointPhaseSystem::addImpulse
 
 bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
 {
-    failedBefore_ = failed_;
-    dissipatedBefore_ = dissipated_;
+    lossesBefore_ = losses_;
     const scalar stored =
         budget_.active && coupling_ ? storedEnergy() : 0;
     if (stressUpdate_->early())

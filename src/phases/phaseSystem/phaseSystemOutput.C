@@ -212,8 +212,8 @@ void Foam::mpm::pointPhaseSystem::report() const
     {
         Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
             << b->work.boundary << ", external " << b->work.external
-            << ", failure " << b->failure << ", dissipation "
-            << b->dissipation;
+            << ", failure " << b->losses.failure << ", dissipation "
+            << b->losses.dissipation;
         if (contact_)
         {
             Info<< ", contact " << b->work.contact;
@@ -233,7 +233,7 @@ void Foam::mpm::pointPhaseSystem::report() const
         }
         else
         {
-            Info<< ',';
+            Info<< ", remap " << b->remap() << ',';
         }
         Info<< " residual " << b->residual() << nl;
     }
@@ -337,7 +337,11 @@ void Foam::mpm::pointPhaseSystem::reportBalance() const
 
 Foam::scalar Foam::mpm::pointPhaseSystem::storedEnergy() const
 {
-    scalar stored = -returnReduce(failed_ + dissipated_, sumOp<scalar>());
+    scalar stored = -returnReduce
+    (
+        losses_.failure + losses_.dissipation,
+        sumOp<scalar>()
+    );
     for (const materialPointPhase& phase : phases_)
     {
         stored += phase.motion() ? 0 : phase.strainEnergy();
@@ -358,8 +362,8 @@ void Foam::mpm::pointPhaseSystem::updateBudget() const
             budget_.strain += phase.strainEnergy();
         }
     }
-    budget_.failure = returnReduce(failed_, sumOp<scalar>());
-    budget_.dissipation = returnReduce(dissipated_, sumOp<scalar>());
+    budget_.losses = losses_;
+    budget_.losses.reduceAll();
     budget_.hasGas = coupling_;
     if (coupling_)
     {

@@ -116,10 +116,6 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         )
     ),
     g_(Zero),
-    failed_(0),
-    failedBefore_(0),
-    dissipated_(0),
-    dissipatedBefore_(0),
     erodes_(false),
     started_(0),
     rate_(0),

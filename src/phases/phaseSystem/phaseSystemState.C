@@ -55,8 +55,11 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
         energy.add("internal", budget_.work.internal);
         energy.add("external", budget_.work.external);
         energy.add("boundary", budget_.work.boundary);
-        energy.add("failure", returnReduce(failed_, sumOp<scalar>()));
-        energy.add("dissipation", returnReduce(dissipated_, sumOp<scalar>()));
+        pointLosses losses(losses_);
+        losses.reduceAll();
+        energy.add("failure", losses.failure);
+        energy.add("dissipation", losses.dissipation);
+        energy.add("stressWork", losses.work);
         energy.add("erodedKinetic", budget_.erodedKinetic);
         energy.add("erodedStored", budget_.erodedStored);
         if (coupling_)
@@ -145,12 +148,16 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
             energy.getOrDefault<scalar>("erodedKinetic", 0);
         budget_.erodedStored =
             energy.getOrDefault<scalar>("erodedStored", 0);
-        failed_ =
-            Pstream::master()
-          ? energy.getOrDefault<scalar>("failure", 0) : 0;
-        dissipated_ =
-            Pstream::master()
-          ? energy.getOrDefault<scalar>("dissipation", 0) : 0;
+        losses_ = pointLosses();
+        if (Pstream::master())
+        {
+            losses_.failure = energy.getOrDefault<scalar>("failure", 0);
+            losses_.dissipation = energy.getOrDefault<scalar>("dissipation", 0);
+            losses_.work = energy.getOrDefault<scalar>
+            (
+                "stressWork", -budget_.work.internal
+            );
+        }
         if (coupling_)
         {
             coupling_->book();

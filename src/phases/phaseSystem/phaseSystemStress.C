@@ -225,8 +225,7 @@ void Foam::mpm::pointPhaseSystem::correctStress
         phase.nFailed() += result.nFailed;
         if (booked)
         {
-            failed_ += booked->failure();
-            dissipated_ += booked->dissipated();
+            losses_ += booked->sums();
         }
         if (phase.law().waveSpeedVaries())
         {

@@ -74,4 +74,4 @@ def crackBar(name, h, pointsPerCell=2, angle=0.0, fly=0.0, entries=None):
     rows = case.series("energy", "energy.dat")
     scale = GF*WIDTH*h
     return (-rows[-1, names.index("failure")]/scale,
-            abs(rows[:, names.index("residual")]).max()/scale)
+            abs(rows[:, names.index("residual")] + rows[:, names.index("remap")]).max()/scale)

@@ -161,7 +161,7 @@ def plane(table):
         print(f"{case.name}: kinetic {b['kinetic'][-1]:.3f}, strain {b['strain'][-1]:.3f}, "
               f"transfer {b['transfer'][-1]:.3f}, failure {b['failure'][-1]:.3f}, "
               f"dissipation {b['dissipation'][-1]:.3f}, residual "
-              f"{b['residual'][-1]:.4f}, worst {residual:.4f}, back {back:.4f}")
+              f"remap {b['remap'][-1]:.3f}, {b['residual'][-1]:.4f}, worst {residual:.4f}, back {back:.4f}")
         table.row(f"{case.name}: residual over the energy exchanged", 0, residual, 0.01,
                   "atMost")
 

@@ -242,9 +242,10 @@ def bar(table):
         error = s[late, 1] - exact
         print(f"bar, {label}: largest error of the stress {np.abs(error).max()/(Z*v):.4f},"
               f" mean {np.abs(error).mean()/(Z*v):.4f}")
-        residual = np.array(re.findall(r"residual (\S+)", case.log()), float)
+        residual = np.array(re.findall(r"remap (\S+), residual (\S+)", case.log()),
+                            float).sum(axis=1)
         if numerics is FLIP:
-            # The filter of the strain of FMPM is in the residual
+            # The filter of the strain of FMPM is in remap
             table.row(f"bar, {label}: energy residual / kinetic energy", 0,
                       np.abs(residual).max()/(0.5*m[0]*v**2), 0.01)
         else:
@@ -385,7 +386,8 @@ def roll(table):
         table.row(f"roll on a patch, {label}: velocity / a t", 1, v[-1]/(exact*t[-1]), 0.01)
         if how["type"] == "stick":
             work = [float(w) for w in re.findall(r"contact (\S+), .*residual", case.log())]
-            left = [float(w) for w in re.findall(r"residual (\S+)", case.log())]
+            left = np.array(re.findall(r"remap (\S+), residual (\S+)", case.log()),
+                            float).sum(axis=1)
             table.row("roll on a patch, stick: work of contact / kinetic energy at the end", 0,
                       np.abs(work).max()/K[-1], 0.01)
             table.row("roll on a patch, stick: energy residual / kinetic energy at the end", 0,
