@@ -85,12 +85,13 @@ Foam::string Foam::mpm::gasCoupling::advice(const label celli) const
     else
     {
         os  << "Their volume is " << growth << " times that of the unstressed"
-            << " material. Points that have grown so far that few are left in a"
-            << " cell fill it unevenly: products of an explosion do. Valid"
-            << " choices: more points per cell, such products as gas of their"
-            << " energy (p and T." << gas_.name() << " in their place,"
-            << " setFields) or without a gas around. Points that overlap at the"
-            << " start: look into setMaterialPointsDict.";
+            << " material. Points that have grown larger than a cell, as the"
+            << " products of an explosion do, fill cells unevenly. Valid choices:"
+            << " as many points per cell at the start as the volume shall grow"
+            << " (pointsPerCell in setMaterialPointsDict); gas of their energy"
+            << " in their place (p and T." << gas_.name() << "); no gas around"
+            << " them. Points that overlap from the start: look into"
+            << " setMaterialPointsDict.";
     }
     return os.str();
 }

@@ -6,6 +6,8 @@ piston     slab between two columns of gas, started as the exact normal mode: pe
            nothing with van Leer's
 shock      shock of Mach 1.2, 2, 3 reflected by a dense slab: pressure, overshoot
 sealed     gas compressed 5:1 by a rigid piston: isentropic pressure, mass
+thrown     slab without drag that a gas throws back from 12 bar (adiabatic): speed within 2 %
+           (with pores of 0.01 the gas runs through them, 12 %)
 cylinder   shock of Mach 2 on a fixed rigid disc: symmetry, no fix-up, no suction
 wedge      Mach 2 over fixed rigid wedges, drag along the normal: angle of the shock,
            pressure behind
@@ -425,9 +427,35 @@ def relax(table):
               errors[1e4, 1]/errors[1e4, 2], 0.1)
 
 
+# --- thrown ------------------------------------------------------------------
+
+def thrown(table):
+    n, length, high = 100, 0.2, 2e-3
+    column, width, rho = 0.1197, 0.01, 2700
+    r = 12**(1/GAMMA)
+    work = P0*column*((r**(GAMMA - 1) - 1)/(GAMMA - 1) - (1 - 1/r))
+    u = np.sqrt(2*work/(rho*width))
+    start = length - column - width
+    case = coupledCase(
+        "immersed", "thrown", (n, 1, 1), (length, high, high),
+        lambda x, y, z: (RHO0 + 0*x, 0*x, P0 + 0*x), 9e-3,
+        {"slab": {"constitutiveModel": {"type": "linearElastic", "rho": rho, "E": 7e8,
+                                        "nu": 0}, "drag": {"type": "none"}}},
+        {"slab": {"type": "box", "min": (start, -1, -1), "max": (start + width, 1, 1),
+                  "velocity": (u, 0, 0), "stress": ambient(P0)}}, ends=WALL,
+        control={"reportInterval": 20})
+    case.run("materialPointFoam", limit=300)
+    g = gasLog(case)
+    momentum = g["pointMomentum"][:, 0]/(rho*width*high**2*u)
+    table.row("slab without drag, thrown back by a gas: speed over that before", -1,
+              momentum.min(), 0.02)
+    table.row("slab without drag: fix-ups", 0,
+              g["limited"][-1] + g["kept"][-1] + g["isentropic"][-1], 0)
+
+
 def main():
     table = Report("immersed")
-    parts = [piston, shock, sealed, cylinder, wedge, sound, relax]
+    parts = [piston, shock, sealed, thrown, cylinder, wedge, sound, relax]
     for part in parts:
         try:
             part(table)
