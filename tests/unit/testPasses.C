@@ -190,7 +190,7 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
             for (int s = 0; s < nStress(D); ++s) cloud.stress()[s][p] = 0;
             cloud.mass()[0][p] = cloud.volume()[0][p] = 1;
         }
-        pass.correctStress(cloud, *law, nullptr, 1e-4, q.data(), f.data());
+        pass.correctStress(cloud, *law, nullptr, 1e-4, 0, q.data(), f.data());
         scalar least = GREAT, most = -GREAT, trace = 0;
         for (int a = 0; a < D; ++a) trace += 1e-7*(1 + 3*a);
         for (label p = 0; p < cloud.size(); ++p)
@@ -383,7 +383,7 @@ TEST_CASE("APIC: points that turn as a rigid body give nodes and a gradient that
                 q[P*n + d] = m > 0 ? q[P*n + d]/m : 0;
             }
         }
-        passPtr->affine(cloud, moment, q, P);
+        passPtr->affine(cloud, moment, q, P, 0);
 
         scalar worst = 0;
         const column& C = *cloud.affineNew();

@@ -275,7 +275,6 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     {
         materialPointPhase& phase = phases_[phasei];
         const gridState& field = fields_[fieldOf_[phasei]];
-        rule.U = field.U();
         rule.PICfraction = projected[fieldOf_[phasei]];
         rule.bodyForce = phase.bodyAcceleration();
         if (transfer_.kind == transfer::APIC && !phase.motion())
@@ -286,7 +285,8 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
                 phase.cloud(),
                 moment,
                 moment ? field.UL() : field.U(),
-                moment ? 2*field.stride() : field.stride()
+                moment ? 2*field.stride() : field.stride(),
+                dt
             );
         }
         if (phase.motion() && phase.motion()->free())

@@ -55,7 +55,7 @@ void Foam::mpm::pointPhaseSystem::startAffine()
             {
                 continue;
             }
-            passes_->affine(cloud, false, field.U(), field.stride());
+            passes_->affine(cloud, false, field.U(), field.stride(), 0);
             column& C = *cloud.affine();
             column& CNew = *cloud.affineNew();
             for (int c = 0; c < C.nComponents(); ++c)

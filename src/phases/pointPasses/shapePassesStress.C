@@ -163,6 +163,7 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
     const constitutiveModel& law,
     const failureModel* failure,
     const scalar dt,
+    const scalar square,
     const scalar* u,
     scalar* f
 ) const
@@ -245,16 +246,33 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                     shape_.toPhysical(S, G);
                     for (int i = 0; i < DIM*DIM; ++i)
                     {
-                        store<W>(dL[i] + (p - begin), dt*G[i]);
+                        G[i] *= dt;
+                    }
+                    for (int i = 0; i < DIM; ++i)
+                    {
+                        for (int j = 0; j < DIM; ++j)
+                        {
+                            T GG = G[i*DIM]*G[j];
+                            for (int k = 1; k < DIM; ++k)
+                            {
+                                GG += G[i*DIM + k]*G[k*DIM + j];
+                            }
+                            store<W>
+                            (
+                                dL[i*DIM + j] + (p - begin),
+                                G[i*DIM + j] + square*GG
+                            );
+                        }
                     }
                     if constexpr (HOOP)
                     {
                         T U[DIM];
                         shapeType::template gather<DIM, P>(S, s.nodes, u, U);
+                        const T hoop = dt*U[radial_]*inverseRadius(s, X);
                         store<W>
                         (
                             dL[N - 1] + (p - begin),
-                            dt*U[radial_]*inverseRadius(s, X)
+                            hoop + square*hoop*hoop
                         );
                     }
                 }
@@ -286,7 +304,7 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                 }
             }
 
-            // v <- v det(exp(dt L)) = v exp(dt tr L)
+            // v <- v det f = v exp(tr log f)
             T largest = {};
             const label nHere = end - begin;
             for (label i = nHere; i < nHere + W; ++i)

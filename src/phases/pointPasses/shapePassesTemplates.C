@@ -163,7 +163,8 @@ void shapePasses<Shape, DIM, HOOP>::affineFrom
 (
     materialPointCloud& cloud,
     const bool moment,
-    const scalar* u
+    const scalar* u,
+    const scalar dt
 ) const
 {
     const geometry geo(cloud, false);
@@ -193,9 +194,23 @@ void shapePasses<Shape, DIM, HOOP>::affineFrom
                 shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
                 shape_.toPhysical(S, G);
             }
-            for (int i = 0; i < DIM*DIM; ++i)
+            for (int i = 0; i < DIM; ++i)
             {
-                store<W>(C[i] + p, G[i]);
+                for (int j = 0; j < DIM; ++j)
+                {
+                    // - dt (C C + (C C)^T)/2
+                    T symm = {};
+                    for (int k = 0; moment && k < DIM; ++k)
+                    {
+                        symm += G[i*DIM + k]*G[k*DIM + j];
+                        symm += G[j*DIM + k]*G[k*DIM + i];
+                    }
+                    store<W>
+                    (
+                        C[i*DIM + j] + p,
+                        G[i*DIM + j] - 0.5*dt*symm
+                    );
+                }
             }
         },
         [&](const stencil&) {}
@@ -209,16 +224,17 @@ void shapePasses<Shape, DIM, HOOP>::affine
     materialPointCloud& cloud,
     const bool moment,
     const scalar* u,
-    const label stride
+    const label stride,
+    const scalar dt
 ) const
 {
     if (stride == P)
     {
-        affineFrom<P>(cloud, moment, u);
+        affineFrom<P>(cloud, moment, u, dt);
     }
     else
     {
-        affineFrom<2*P>(cloud, moment, u);
+        affineFrom<2*P>(cloud, moment, u, dt);
     }
 }
 
@@ -363,24 +379,15 @@ pointPasses::moveResult shapePasses<Shape, DIM, HOOP>::move
                 {
                     // (7) and (8)
                     V[d] = (1 - a)*(load<W>(U[d] + p) + du[d]) + a*uL[d];
-                    dX[d] = dt*(uL[d] - 0.5*du[d]);
+                    dX[d] = dt*uL[d];
                 }
             }
             else
             {
                 shapeType::template gather<DIM, 2*P>(S, s.nodes, u, V);
-                T un[DIM];
-                if (rule.kind == transfer::XPIC)
-                {
-                    shapeType::template gather<DIM, P>(S, s.nodes, rule.U, un);
-                }
                 for (int d = 0; d < DIM; ++d)
                 {
-                    const T v = load<W>(U[d] + p);
-                    dX[d] =
-                        rule.kind == transfer::FMPM ? 0.5*dt*(V[d] + v)
-                      : rule.kind == transfer::XPIC ? dt*(un[d] + 0.5*(V[d] - v))
-                      : dt*V[d];
+                    dX[d] = dt*V[d];
                 }
             }
 

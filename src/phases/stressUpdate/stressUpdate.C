@@ -40,6 +40,8 @@ struct USL
 {
     const char* name() const override { return "USL"; }
 
+    scalar square() const override { return -0.5; }
+
     void moved(pointPhaseSystem& points, const scalar dt) const override
     {
         points.strainVelocityL();
@@ -72,6 +74,8 @@ struct USAVG
     public stressUpdate
 {
     const char* name() const override { return "USAVG"; }
+
+    scalar square() const override { return 0; }
 
     void start(pointPhaseSystem& points, const scalar dt) const override
     {

@@ -106,19 +106,17 @@ void Foam::mpm::transfer::write(Ostream& os) const
             {
                 os  << " (of grains " << PICgrains << ")";
             }
-            os  << ": x moves with the mean of u^n and u^L";
+            os  << ": x moves with u^L";
             break;
 
         case FMPM:
             os  << "transfer FMPM of order " << order
-                << ": x moves with the mean of the old and the new velocity of"
-                << " the point";
+                << ": x moves with the new velocity of the point";
             break;
 
         case XPIC:
             os  << "transfer XPIC of order " << order
-                << ": x moves with the mean of u^n and u^L less half of what"
-                << " the point's velocity loses";
+                << ": x moves with the new velocity of the point";
             break;
 
         case APIC:
