@@ -267,7 +267,7 @@ def booked(table):
         table.row(f"{label}: the budget's erosion over what was booked", 1,
                   -e[-1, 9]/(total[-1, 18] + total[-1, 19]), 1e-12)
         # K + W of the points, with what is booked as transfer, work and erosion
-        rest = e[:, 3] - e[0, 3] - np.sum(e[:, 4:11] - e[0, 4:11],
+        rest = e[:, 3] - e[0, 3] - np.sum(e[:, 4:12] - e[0, 4:12],
                                           axis=1)
         if not contact:
             table.row(f"{label}: energy left less all terms of the budget, worst step, "

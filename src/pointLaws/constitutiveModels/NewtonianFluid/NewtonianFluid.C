@@ -69,6 +69,16 @@ void Foam::mpm::NewtonianFluid::update(pointBlock& b) const
             const T theta = g.get(b.history[0]) + tr;
             g.put(b.history[0], theta);
 
+            if (b.dissipated)
+            {
+                store<W>
+                (
+                    r.meanOld + (p - first),
+                    (g.get(b.stress[0]) + g.get(b.stress[1])
+                  + g.get(b.stress[2]))/3.0
+                );
+            }
+
             const T across = step.hoop - tr/3.0;
             T dd = (DIM < 2 ? tr*tr/9.0 : T{}), d[DIM*DIM];
             dd += DIM < 3 ? across*across : T{};

@@ -169,12 +169,16 @@ Foam::scalar Foam::mpm::pressurePart::advance
             r.isentropic[i] = -2*B[i]/(r.rho[i] + r.rhoOld[i])*r.dTheta[i];
         }
     }
-    else if (b.dissipated)
+    else if (b.dissipated && usesWidth())
     {
+        alignas(64) scalar A0[room], B0[room], dA0[room], dB0[room];
+        equation_->coefficients(n, r.rhoOld, A0, B0, dA0, dB0);
         for (label i = 0; i < n; ++i)
         {
+            const scalar q0 = -r.meanOld[i] - max(A0[i], pMin_);
             b.dissipated[first + i] +=
-                b.mass[first + i]*q[i]*(1/r.rhoOld[i] - 1/r.rho[i]);
+                b.mass[first + i]*0.5*(q0 + q[i])
+               *(1/r.rhoOld[i] - 1/r.rho[i]);
         }
     }
     for (label i = 0; i < n; ++i)

@@ -138,6 +138,13 @@ void splitLaw<Law>::update(pointBlock& b) const
             store<W>(r.dTheta + (p - first), step.dTheta);
             if (b.dissipated && !energy)
             {
+                store<W>
+                (
+                    r.meanOld + (p - first),
+                    (g.get(b.stress[0]) + g.get(b.stress[1])
+                  + g.get(b.stress[2]))/3.0
+                );
+
                 // Mean of old and new deviator times the plastic strain
                 store<W>
                 (
