@@ -10,8 +10,9 @@ Application
 Description
     Fills regions of the mesh with material points: the setFields of points.
 
-    Each cell is divided into pointsPerCell sub-cells; a point stands at the
-    centre of each sub-cell that lies in the region's shape. Points go to
+    Each cell is divided into pointsPerCell sub-cells; of each that lies in the
+    region's shape a point gets the part in the shape, exactly, and is put so
+    that it does not stick out of it (pointRegion.H). Points go to
     lagrangian/<phase> of the start time, in the order of regions, cells and
     sub-cells, in place of what was there. A table compares their volume with
     that of the shape.
@@ -28,6 +29,9 @@ Usage
 
       - \par -count
         Only print the table; write nothing
+
+      - \par -force
+        Also in a time that a run has written: its points are lost
 
     Example of system/setMaterialPointsDict:
     \verbatim
@@ -51,8 +55,8 @@ Usage
         phase          | one of phases (phaseProperties) | yes     |
         type           | shape, see below               | yes      |
         pointsPerCell  | per direction, 1 to 16         | yes      |
-        samples        | per direction, 1 to 8          | no       | 1
-        velocity       | [m/s]                          | no       | (0 0 0)
+        samples        | per direction, 1 to 8          | no       | 4
+        velocity       | [m/s], or a dictionary         | no       | (0 0 0)
         stress         | (xx xy xz yy yz zz) [Pa] or ambient | no  | 0
         pressure       | only with stress ambient [Pa]  | no       |
         temperature    | [K]; of phases with heatTransfer | yes    |
@@ -62,22 +66,37 @@ Usage
     \endtable
 
     pointsPerCell is a number or a vector; its entries of empty directions are
-    ignored. With samples > 1, for curved shapes, samples^nDim positions in each
-    sub-cell are looked at, and a point gets the part of the sub-cell's volume
-    whose positions lie in the shape. With stress ambient the stress is that of
-    the pressure. Regions of rigid phases have neither velocity nor stress.
-    Regions whose phases share a velocity field must not overlap,
-    unless one of them allows it.
+    ignored. With stress ambient the stress is that of the pressure. Regions of
+    rigid phases have neither velocity nor stress. Regions whose phases share a
+    velocity field must not overlap, unless one of them allows it.
+
+    samples only counts where the parts are not known exactly: on meshes without
+    a lattice, and for surfaces inside other shapes. There they are those of
+    samples^nDim positions in each sub-cell.
+
+    Entries of the dictionary velocity, which are added up:
+    \verbatim
+        velocity
+        {
+            uniform     (1 0 0);
+            omega       20;             // [rad/s]
+            axis        (0 0 1);
+            origin      (0.5 0.5 0);
+            x           table ((0 (0 0 0)) (1 (0 3 0)));
+        }
+    \endverbatim
+    with x, y and z any Function1 of that coordinate.
 
     Shapes and their entries:
     \table
         Type     | Entries
         box      | min, max
-        sphere   | centre, radius (a disc in 2D)
-        cylinder | point1, point2, radius
+        sphere   | centre, radius, innerRadius 0 (a disc or ring in 2D)
+        cylinder | point1, point2, radius, innerRadius 0
         cellZone | zone
         cells    | none: all cells
-        surface  | surface { type triSurfaceMesh; file "body.stl"; }
+        surface  | surface { type triSurfaceMesh; file "body.stl"; scale 1; }
+        union, intersection, difference | shapes { a { type ...; } b { ... } }
     \endtable
 
 \*---------------------------------------------------------------------------*/
@@ -268,6 +287,29 @@ void writeCellWeights(const fvMesh& mesh, const PtrList<materialPointPhase>& pha
 }
 
 
+//- Fatal if points of a run would be lost
+void checkTime(const Time& time, const bool force)
+{
+    const fileName state(time.timePath()/"uniform"/"materialPointState");
+    if (isFile(state) && !force)
+    {
+        FatalErrorInFunction
+            << "Time " << time.timeName() << " has been written by a run ("
+            << state << "): its points would be lost." << nl
+            << "For a new start set  startFrom startTime;  in"
+            << " system/controlDict, or remove the times of the last run."
+            << " setMaterialPoints -force replaces them." << exit(FatalError);
+    }
+    if (isDir(time.rootPath()/time.globalCaseName()/"processor0"))
+    {
+        WarningInFunction
+            << "The case is decomposed: the points of processor0 and others"
+            << " stay as they are. decomposePar -force takes the new ones."
+            << endl;
+    }
+}
+
+
 //- Write the points in place of those that were there
 void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
 {
@@ -328,6 +370,11 @@ int main(int argc, char *argv[])
         "count",
         "Only print the table of points, mass and volume; write nothing"
     );
+    argList::addBoolOption
+    (
+        "force",
+        "Put points in place of those that a run has written"
+    );
 
     #include "setRootCase.H"
     checkControlDict
@@ -335,6 +382,11 @@ int main(int argc, char *argv[])
         args.rootPath()/args.globalCaseName()/"system"/"controlDict"
     );
     #include "createTime.H"
+
+    if (!args.found("count"))
+    {
+        checkTime(runTime, args.found("force"));
+    }
 
     // fvSchemes and fvSolution are wanted only for a field
     const bool withWeights = args.found("cellWeights");
@@ -381,6 +433,7 @@ int main(int argc, char *argv[])
     readRegions(grid, dict, phases, regions);
 
     printTable(namesOf(phases), regions);
+    printStart(phaseProperties, phases, regions);
 
     if (!args.found("count"))
     {

@@ -189,7 +189,8 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
                 grid_,
                 names[phasei],
                 requiredDict(properties_, names[phasei]),
-                passes_->hasExtent(),
+                // Contact sees the points' boxes with every shape function
+                passes_->hasExtent() || properties_.found("contact"),
                 transfer_.kind == transfer::APIC
             )
         );

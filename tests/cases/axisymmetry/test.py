@@ -165,7 +165,7 @@ def flight(name, numerics, v):
                  wedgeConditions({p: "calculated" for p in ("left", "right", "outer")}),
                  {"body": {"constitutiveModel": LAW}},
                  {"body": {"type": "sphere", "centre": (0.6, 0, 0), "radius": 0.45,
-                           "samples": 4, "velocity": (v, 0, 0)}},
+                           "velocity": (v, 0, 0)}},
                  numerics, controlDict(5, 5, maxCo=0.4))
 
 

@@ -28,7 +28,8 @@ def tutorialCase(tutorial, name):
     for entry in os.listdir(case.path):
         if re.fullmatch(r"\d[\d.]*(e-\d+)?", entry) and entry != "0":
             raise RunFailed(f"tutorials/{tutorial} has results: run its Allclean")
-    case.run(sys.executable, "shape.py")
+    if os.path.exists(case.file("shape.py")):
+        case.run(sys.executable, "shape.py")
     return case
 
 

@@ -330,7 +330,7 @@ def tutorial(name, *scripts):
 
 
 def hertz(table):
-    said = tutorial("hertz", "bend.py")
+    said = tutorial("hertz")
     for name in ("half-width", "peak pressure"):
         value, exact = re.search(rf"^{name}: (\S+) \w+, Hertz ([^,]+),", said, re.M).groups()
         table.row(f"hertz: {name}", float(exact), float(value), 5e-2, "relative")

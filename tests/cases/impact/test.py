@@ -102,7 +102,7 @@ def quarter(table):
                                "below": "symmetryPlane", "outside": "calculated"})
     case.write("system/setMaterialPointsDict", {"regions": {"bar": {
         "phase": "bar", "type": "cylinder", "point1": (-1, 0, 0), "point2": (25.4e-3, 0, 0),
-        "radius": R, "samples": 4, "pointsPerCell": 2, "velocity": (-190, 0, 0)}}})
+        "radius": R, "pointsPerCell": 2, "velocity": (-190, 0, 0)}}})
     seconds = solve(case, 550)
     start, now = case.points("0", "bar"), case.points(case.times()[-1], "bar")
     X, m, x = start.byId("x"), start.byId("m"), now.byId("x")

@@ -71,7 +71,9 @@ def disk(shape, transfer, update, maxCo=0.2, turns=1.0, drift=0.0, cyclic=False)
                                 "frontAndBack": "empty"})
     case.write("system/setMaterialPointsDict", {"regions": {"disk": {
         "phase": "disk", "type": "sphere", "centre": (*CENTRE, H/2), "radius": R,
-        "pointsPerCell": 2}}})
+        "pointsPerCell": 2, "velocity": {
+            "uniform": (drift, 0, 0), "omega": OMEGA, "axis": (0, 0, 1),
+            "origin": (*CENTRE, 0)}}}})
     case.write("system/fvSolution", {"materialPoints": {
         "shapeFunction": shape, **TRANSFERS[transfer], "stressUpdate": update}})
     noSchemes(case)
@@ -85,14 +87,7 @@ def disk(shape, transfer, update, maxCo=0.2, turns=1.0, drift=0.0, cyclic=False)
     case.run("blockMesh")
     case.run("setMaterialPoints")
 
-    # Velocity of the rotation
-    x = case.points("0", "disk")["x"]
-    U = np.zeros_like(x)
-    U[:, 0] = drift - OMEGA*(x[:, 1] - CENTRE[1])
-    U[:, 1] = OMEGA*(x[:, 0] - CENTRE[0])
-    with open(case.file("0/lagrangian/disk/U"), "w") as f:
-        f.write(fileHeader("U", "vectorField") + f"{len(U)}\n(\n"
-                + "".join(f"({a!r} {b!r} 0)\n" for a, b in U[:, :2].tolist()) + ")\n")
+    x, U = (case.points("0", "disk")[name] for name in ("x", "U"))
     mass = case.points("0", "disk")["m"]
     rr = (x[:, 0] - CENTRE[0])**2 + (x[:, 1] - CENTRE[1])**2
     L0 = OMEGA*(mass*rr).sum()

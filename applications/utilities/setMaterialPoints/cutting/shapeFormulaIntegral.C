@@ -59,6 +59,9 @@ struct Foam::mpm::shapeFormula::integral
     int order[3];
     DynamicList<quadratic> breaks[3];
 
+    //- Does a surface turn back along a direction? Roots at the breaks then
+    bool turns[3] = {false, false, false};
+
 
     integral
     (
@@ -101,7 +104,9 @@ struct Foam::mpm::shapeFormula::integral
             keep(from[i].fixed(d, 1));
             if (!from[i].linear())
             {
+                const label n = to.size();
                 keep(from[i].discriminant(d));
+                turns[level] = turns[level] || to.size() > n;
             }
             for (label j = 0; j < i; ++j)
             {
@@ -177,8 +182,8 @@ struct Foam::mpm::shapeFormula::integral
     }
 
 
-    //- From a to b of a level. Positions a + (b - a)(2 - u)(1 + u)^2/4, whose
-    //  ends lie dense, make roots at the ends smooth
+    //- From a to b of a level. Where surfaces turn, positions
+    //  a + (b - a)(2 - u)(1 + u)^2/4 make roots at the ends smooth
     cutMoments panel
     (
         const int level,
@@ -194,9 +199,11 @@ struct Foam::mpm::shapeFormula::integral
         {
             const int k = i < 8 ? i : 14 - i;
             const scalar u = i < 8 ? -node[k] : node[k];
-            x[order[level]] = middle + half*u*(1.5 - 0.5*u*u);
+            const bool dense = turns[level];
+            x[order[level]] =
+                middle + half*u*(dense ? 1.5 - 0.5*u*u : 1);
             const cutMoments m(over(level - 1, x));
-            const scalar w = half*1.5*(1 - u*u);
+            const scalar w = half*(dense ? 1.5*(1 - u*u) : 1);
             fine.add(w*kronrod[k], m);
             if (k % 2)
             {
@@ -204,7 +211,7 @@ struct Foam::mpm::shapeFormula::integral
             }
         }
         // The finer one is good to about (200 difference)^1.5
-        const scalar tol = level == 1 ? 2e-11 : 1e-10;
+        const scalar tol = level == 1 ? 1e-10 : 1e-9;
         if (fine.difference(coarse) < tol || depth > 30 || half < 1e-12)
         {
             return fine;
@@ -222,25 +229,27 @@ struct Foam::mpm::shapeFormula::integral
         {
             return column(x);
         }
-        DynamicList<scalar> ends(16);
-        ends.append(-1);
-        ends.append(1);
+        constexpr int most = 256;
+        scalar ends[most];
+        int nEnds = 0;
+        ends[nEnds++] = -1;
+        ends[nEnds++] = 1;
         for (const quadratic& q : breaks[level])
         {
             scalar t[2];
             const int n = q.roots(order[level], x, t);
-            for (int i = 0; i < n; ++i)
+            for (int i = 0; i < n && nEnds < most; ++i)
             {
                 if (t[i] > -1 && t[i] < 1)
                 {
-                    ends.append(t[i]);
+                    ends[nEnds++] = t[i];
                 }
             }
         }
-        std::sort(ends.begin(), ends.end());
+        std::sort(ends, ends + nEnds);
 
         cutMoments sum;
-        for (label i = 0; i + 1 < ends.size(); ++i)
+        for (int i = 0; i + 1 < nEnds; ++i)
         {
             if (ends[i + 1] - ends[i] > 1e-14)
             {

@@ -211,6 +211,23 @@ void Foam::mpm::pointRegion::checkTemperature(const bool hasTemperature) const
 }
 
 
+Foam::string Foam::mpm::pointRegion::sizeHint() const
+{
+    // Drawings are in mm: a thousand times too large or, scaled twice, small
+    const scalar body = bounds().mag();
+    const scalar mesh = mag(shape_->computed(grid_.mesh().bounds().span()));
+    const scalar ratio = body/mesh;
+    if (shape_->facets() && (ratio > 20 || ratio < 0.02))
+    {
+        return
+            " The surface is " + Foam::name(ratio) + " times as large as the"
+            " mesh: if its unit is not m, write  scale "
+          + word(ratio > 1 ? "1e-3" : "1e3") + ";  beside its file.";
+    }
+    return "";
+}
+
+
 void Foam::mpm::pointRegion::create(const scalar rho)
 {
     const scalar density =
@@ -229,7 +246,7 @@ void Foam::mpm::pointRegion::create(const scalar rho)
             << "Region " << name_ << " has no points: no sub-cell of the mesh "
             << grid_.mesh().bounds() << " has a part in the "
             << shape_->type() << ", which lies in "
-            << shape_->bounds() << "." << exit(FatalIOError);
+            << shape_->bounds() << " [m]." << sizeHint() << exit(FatalIOError);
     }
     for (materialPointCloud::newPoint& p : points_)
     {
@@ -245,6 +262,29 @@ Foam::scalar Foam::mpm::pointRegion::exactVolume() const
     const scalar v =
         cutter_ ? cutter_->volume()*shape_->section() : shape_->volume();
     return v < 0 || !shape_->insideMesh() ? -1 : v*volumeFraction_;
+}
+
+
+Foam::scalar Foam::mpm::pointRegion::widestCell() const
+{
+    scalar widest = 0;
+    for (const label celli : cells_)
+    {
+        scalar size = 1;
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            size *= grid_.width(celli, d);
+        }
+        widest = max(widest, std::pow(size, 1.0/grid_.nDim()));
+    }
+    return widest;
+}
+
+
+Foam::boundBox Foam::mpm::pointRegion::bounds() const
+{
+    const boundBox bb(shape_->bounds());
+    return boundBox(shape_->computed(bb.min()), shape_->computed(bb.max()));
 }
 
 // ************************************************************************* //

@@ -68,11 +68,15 @@ bool Foam::mpm::pointRegion::overlaps
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::pointRegion::checkOverlap(const pointRegion& other) const
+Foam::label Foam::mpm::pointRegion::overlap
+(
+    const pointRegion& other,
+    point& where
+) const
 {
     if (mayOverlap_ || other.mayOverlap_)
     {
-        return;
+        return -1;
     }
 
     label j = 0;
@@ -84,11 +88,10 @@ void Foam::mpm::pointRegion::checkOverlap(const pointRegion& other) const
         }
         if (j == other.cells_.size())
         {
-            return;
+            return -1;
         }
 
         // Both ways: sub-cells may be of different size
-        point where;
         if
         (
             other.cells_[j] == cells_[k]
@@ -98,13 +101,25 @@ void Foam::mpm::pointRegion::checkOverlap(const pointRegion& other) const
             )
         )
         {
-            FatalIOErrorInFunction(dict_)
-                << "Regions " << other.name_ << " and " << name_
-                << " overlap: both have points at " << where << " (cell "
-                << cells_[k] << "), and their phases share a velocity field."
-                << nl << "Change a shape, or write  overlap allow;  in one of"
-                << " the regions if that is meant." << exit(FatalIOError);
+            return cells_[k];
         }
+    }
+    return -1;
+}
+
+
+void Foam::mpm::pointRegion::checkOverlap(const pointRegion& other) const
+{
+    point where;
+    const label celli = overlap(other, where);
+    if (celli >= 0)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Regions " << other.name_ << " and " << name_
+            << " overlap: both have points at " << where << " (cell "
+            << celli << "), and their phases share a velocity field."
+            << nl << "Change a shape, or write  overlap allow;  in one of"
+            << " the regions if that is meant." << exit(FatalIOError);
     }
 }
 

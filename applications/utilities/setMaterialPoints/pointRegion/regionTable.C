@@ -9,6 +9,8 @@ License
 #include "regionTable.H"
 #include "IOmanip.H"
 #include "StringStream.H"
+#include "failureModel.H"
+#include "phaseNames.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -93,6 +95,96 @@ void Foam::mpm::printTable
         printLine("total", phase, n, mass, volume, exact);
     }
     Info<< endl;
+}
+
+
+
+void Foam::mpm::printStart
+(
+    const dictionary& phaseProperties,
+    const PtrList<materialPointPhase>& phases,
+    const PtrList<pointRegion>& regions
+)
+{
+    const wordList gases(phaseNames(phaseProperties, {"gas"}));
+    const bool contact = phaseProperties.found("contact");
+
+    wordList names(phases.size());
+    forAll(phases, i)
+    {
+        names[i] = phases[i].name();
+    }
+    const auto phaseOf = [&](const pointRegion& r) -> const materialPointPhase&
+    {
+        return phases[names.find(r.phase())];
+    };
+
+    for (const pointRegion& r : regions)
+    {
+        const boundBox bb(r.bounds());
+        Info<< "    " << r.name() << ": " << r.shape().type() << " of "
+            << bb.span() << " m from " << bb.min() << " to " << bb.max()
+            << " m, " << r.pointsPerCell() << " points per cell"
+            << (r.samplesUnused()
+              ? "; samples is not used, parts of sub-cells are exact"
+              : "")
+            << nl;
+    }
+    Info<< endl;
+
+    forAll(regions, i)
+    {
+        const pointRegion& r = regions[i];
+        const materialPointPhase& phase = phaseOf(r);
+        const string hint(r.sizeHint());
+        if (hint.size())
+        {
+            WarningInFunction
+                << "Region " << r.name() << ":" << hint.c_str() << endl;
+        }
+        if
+        (
+            gases.size() && !phase.motion() && !r.hasStress()
+         && !r.granular()
+        )
+        {
+            WarningInFunction
+                << "Region " << r.name() << " lies in the gas " << gases[0]
+                << " and starts without stress: the gas will press it"
+                << " together at once. For equilibrium write"
+                << "  stress ambient; pressure <of the gas>;" << endl;
+        }
+        const failureModel* failure = phase.failure();
+        if (failure && r.widestCell() >= failure->widestBand())
+        {
+            WarningInFunction
+                << "Region " << r.name() << " has cells of " << r.widestCell()
+                << " m; softening with the Gf of phase " << phase.name()
+                << " needs bands narrower than 2 E Gf/strength^2 = "
+                << failure->widestBand() << " m. The run would stop where a"
+                << " point fails. Use smaller cells, or no Gf." << endl;
+        }
+        for (label j = 0; j < i; ++j)
+        {
+            point where;
+            if
+            (
+                phaseOf(regions[j]).velocityField() != phase.velocityField()
+             && regions[j].overlap(r, where) >= 0
+            )
+            {
+                WarningInFunction
+                    << "Regions " << regions[j].name() << " and " << r.name()
+                    << " overlap at " << where << ": "
+                    << (contact
+                      ? "contact stops them there but does not part them."
+                      : "they have different velocity fields, and nothing"
+                        " keeps them apart.")
+                    << " Change a shape, or write  overlap allow;  in one of"
+                    << " the regions if that is meant." << endl;
+            }
+        }
+    }
 }
 
 // ************************************************************************* //

@@ -78,6 +78,15 @@ Foam::mpm::surfaceShape::surfaceShape
     pointRegionShape(grid),
     volume_(-1)
 {
+    requireKeyword(dict, "surface");
+    if (!dict.isDict("surface"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry surface is no dictionary; for a file of triangles in"
+            << " constant/triSurface write"
+            << "  surface { type triSurfaceMesh; file \"body.stl\"; }"
+            << exit(FatalIOError);
+    }
     const dictionary& surfaceDict = dict.subDict("surface");
     read(dict.dictName(), surfaceDict);
 

@@ -86,6 +86,12 @@ void Foam::mpm::maxPrincipalStress::connect
 }
 
 
+Foam::scalar Foam::mpm::maxPrincipalStress::widestBand() const
+{
+    return Gf_ > 0 ? 2*E_*Gf_/sqr(strength()) : GREAT;
+}
+
+
 Foam::label Foam::mpm::maxPrincipalStress::correct(pointBlock& b) const
 {
     label nFailed = 0;
