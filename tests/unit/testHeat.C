@@ -105,9 +105,9 @@ TEST_CASE("granular pressure: Johnson-Jackson")
     }
     CHECK(law.slope(0.66) == law.slope(0.645));
 
-    // rho a J (c/2 + 2 J) where grains touch and come closer
+    // rho a J (c + 4 J) where grains touch and come closer
     const double rho = 2500, J = 3, c = std::sqrt(law.slope(0.6)/rho);
-    CHECK(law.q(0.6, rho, J) == doctest::Approx(rho*0.6*J*(0.5*c + 2*J)).epsilon(1e-12));
+    CHECK(law.q(0.6, rho, J) == doctest::Approx(rho*0.6*J*(c + 4*J)).epsilon(1e-12));
     CHECK(law.q(0.5, rho, J) == 0);
     CHECK(law.q(0.6, rho, -J) == 0);
 }

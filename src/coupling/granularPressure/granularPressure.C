@@ -26,8 +26,8 @@ Foam::mpm::granularPressure::granularPressure(const dictionary& dict)
     eta_(boundedOrDefault(dict, "eta", 2, 1, 10)),
     n_(boundedOrDefault(dict, "n", 5, 0, 10)),
     delta_(boundedOrDefault(dict, "delta", 0.01, 1e-6, 0.9*(max_ - min_))),
-    linear_(boundedOrDefault(dict, "linear", 0.5, 0, 2)),
-    quadratic_(boundedOrDefault(dict, "quadratic", 2, 0, 10))
+    linear_(boundedOrDefault(dict, "linear", 1, 0, 2)),
+    quadratic_(boundedOrDefault(dict, "quadratic", 4, 0, 10))
 {
     oneOf(dict, "type", {"JohnsonJackson"});
     checkKeywords

@@ -519,6 +519,8 @@ def settle(table):
                 "constant/g", {"dimensions": "[0 1 -2 0 0 0 0]", "value": (-g, 0, 0)},
                 "uniformDimensionedVectorField"),
             numerics={"PICfraction": 0.1}, control={"reportInterval": 1000})
+        if maxCo < 0.1:
+            case.change("system/fvSolution", "PICfraction .*;", "")
         case.run("materialPointFoam")
         a, b = (case.points(t, "dust") for t in ("0", case.timeName(end)))
         x = a.byId("x")[:, 0]
@@ -528,6 +530,8 @@ def settle(table):
                   1, -way/(end*w), 0.05)
         table.row(f"settling of 20 % spheres, maxCo {maxCo}: velocity at the end", 1,
                   -b.byId("U")[middle, 0].mean()/w, 0.05)
+    table.check("PICfraction of grains is 0.1 unless it is given",
+                "PIC fraction 0 (of grains 0.1)" in case.log())
 
 
 # --- ranks -------------------------------------------------------------------
