@@ -165,8 +165,7 @@ void Foam::mpm::gasCoupling::limitFaceDrag()
     scalarField Kbehind(behind.size()), massBehind(behind.size());
     const auto mass = [&](const label c)
     {
-        // More solid would throw the gas too far in one step: the gas of 1 Pa
-        // between steel plates grew hot
+        // With more solid one step throws the gas too far
         const scalar rho = gas_.rho()[c];
         return (rho + min(held_[c], 15*rho))*mesh_.V()[c];
     };
