@@ -165,7 +165,9 @@ void Foam::mpm::gasCoupling::limitFaceDrag()
     scalarField Kbehind(behind.size()), massBehind(behind.size());
     const auto mass = [&](const label c)
     {
-        return (gas_.rho()[c] + held_[c])*mesh_.V()[c];
+        // With more solid one step throws the gas too far
+        const scalar rho = gas_.rho()[c];
+        return (rho + min(held_[c], 15*rho))*mesh_.V()[c];
     };
     forAll(behind, i)
     {
@@ -255,11 +257,7 @@ Foam::mpm::gasCoupling::gasCoupling
     (
         boundedOrDefault
         (
-            requiredDict(properties, gas.name()),
-            "poreFloor",
-            usualPoreFloor(points, properties),
-            1e-6,
-            0.5
+            requiredDict(properties, gas.name()), "poreFloor", 1e-2, 1e-6, 0.5
         )
     ),
     mu_
@@ -312,7 +310,16 @@ Foam::mpm::gasCoupling::gasCoupling
     {
         materialPointPhase& phase = points_.phases()[phasei];
         const dictionary& dict = requiredDict(properties, phase.name());
-        drag_.set(phasei, dragModel::New(dragOf(properties, phase.name())));
+        dictionary stick;
+        stick.add("type", "stick");
+        drag_.set
+        (
+            phasei,
+            dragModel::New
+            (
+                dict.found("drag") ? requiredDict(dict, "drag") : stick
+            )
+        );
         normalOnly_ = normalOnly_ || drag_[phasei].normalOnly();
         if (drag_[phasei].needsViscosity() && !(mu_ > 0))
         {

@@ -7,45 +7,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasCoupling.H"
-#include "selector.H"
 #include "noTraps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::dictionary Foam::mpm::gasCoupling::dragOf
-(
-    const dictionary& properties,
-    const word& phase
-)
-{
-    const dictionary& dict = requiredDict(properties, phase);
-    if (dict.found("drag"))
-    {
-        return requiredDict(dict, "drag");
-    }
-    dictionary stick;
-    stick.add("type", "stick");
-    return stick;
-}
-
-
-Foam::scalar Foam::mpm::gasCoupling::usualPoreFloor
-(
-    const pointPhaseSystem& points,
-    const dictionary& properties
-)
-{
-    for (const materialPointPhase& phase : points.phases())
-    {
-        const dictionary drag(dragOf(properties, phase.name()));
-        if (drag.lookupOrDefault<word>("type", "stick") != "none")
-        {
-            return 1e-2;
-        }
-    }
-    return 1e-3;
-}
-
 
 Foam::vector Foam::mpm::gasCoupling::exchange
 (
@@ -71,10 +35,15 @@ Foam::vector Foam::mpm::gasCoupling::exchange
         }
     }
 
-    const scalar K = model.K
-    (
-        dragModel::state{thetaS, theta, rho/theta, mu_, mag(relative)}
-    );
+    // The pores of a full cell are there for the gas' equations alone
+    const bool full = model.none() && solidFraction(celli) > fullOfSolid;
+    const scalar K =
+        full
+      ? dragModel::sticking
+      : model.K
+        (
+            dragModel::state{thetaS, theta, rho/theta, mu_, mag(relative)}
+        );
     if (!(K > 0))
     {
         return Zero;
@@ -237,7 +206,7 @@ void Foam::mpm::gasCoupling::drag(const scalar dt)
 
     forAll(points_.phases(), phasei)
     {
-        if (drag_[phasei].none())
+        if (drag_[phasei].none() && points_.phases()[phasei].grains())
         {
             continue;
         }

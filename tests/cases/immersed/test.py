@@ -7,7 +7,7 @@ piston     slab between two columns of gas, started as the exact normal mode: pe
 shock      shock of Mach 1.2, 2, 3 reflected by a dense slab: pressure, overshoot
 sealed     gas compressed 5:1 by a rigid piston: isentropic pressure, mass
 thrown     slab without drag that a gas throws back from 12 bar (adiabatic): speed within 2 %
-           (with pores of 0.01 the gas runs through them, 12 %)
+           (where the gas ran through its pores 12 %)
 cylinder   shock of Mach 2 on a fixed rigid disc: symmetry, no fix-up, no suction
 wedge      Mach 2 over fixed rigid wedges, drag along the normal: angle of the shock,
            pressure behind
