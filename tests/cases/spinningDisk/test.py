@@ -27,7 +27,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (FoamCase, RunFailed, VERIFY, boxMesh, controlDict, fileHeader,
+from foamCase import (FoamCase, RunFailed, VERIFY, boxMesh, controlDict,
                       noSchemes, velocityFile, writeField)
 from report import Report
 
