@@ -233,7 +233,7 @@ void Foam::mpm::pointPhaseSystem::correctStress
         failed_ += booked ? booked->gained() : 0;
         if (phase.law().waveSpeedVaries())
         {
-            phase.setWaveSpeed(result.waveSpeed);
+            phase.setWaveSpeed(result.waveSpeed, result.fastest);
         }
     }
     if (withForce && !coupling_)
