@@ -141,7 +141,10 @@ class FoamCase:
         return worst
 
     def nSteps(self):
-        return len(re.findall(r"^Time = ", self.log(), flags=re.M))
+        """Steps of a run that has ended, of another those that its log has."""
+        log = self.log()
+        end = re.search(r"^Steps: (\d+)$", log, flags=re.M)
+        return int(end[1]) if end else len(re.findall(r"^Time = ", log, flags=re.M))
 
     def solverSeconds(self):
         """CPU seconds from the first to the last step: without start-up."""

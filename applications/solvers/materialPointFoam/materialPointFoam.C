@@ -79,6 +79,11 @@ int main(int argc, char *argv[])
 
     while (runTime.run())
     {
+        if (points)
+        {
+            points->readModified();
+        }
+
         // Equations (5) to (9) of the paper, then stress (section 3.1)
         scalar factor = 1;
         while (points && !points->advance(runTime.deltaTValue(), factor))
@@ -96,8 +101,12 @@ int main(int argc, char *argv[])
             gas->advance(runTime.deltaTValue());
         }
 
+        control.endStep();
         ++runTime;
-        Info<< "Time = " << runTime.timeName() << nl << endl;
+        if (control.reports())
+        {
+            Info<< "Time = " << runTime.timeName() << nl << endl;
+        }
 
         if (gas)
         {

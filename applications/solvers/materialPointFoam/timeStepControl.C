@@ -48,15 +48,36 @@ Foam::mpm::timeStepControl::timeStepControl
     nSteps_(0),
     nRedo_(0),
     growFrom_(GREAT),
-    fixedDeltaT_(0)
+    fixedDeltaT_(0),
+    last_(false),
+    largest_(0),
+    fallen_(false),
+    grown_(false)
 {
+    passed_.append
+    (
+        Tuple2<scalar, clock::time_point>(time.value(), clock::now())
+    );
+
     const fileName file(stateFile(time.path(), time.timeName()));
     if (isFile(file))
     {
         IFstream is(file);
         const dictionary state(is);
-        checkKeywords(state, {"value", "origin", "growFrom", "points", "gas"});
+        checkKeywords
+        (
+            state,
+            {"value", "origin", "growFrom", "points", "gas", "complete"}
+        );
         requireClosed(file);
+        if (!state.found("complete"))
+        {
+            FatalIOErrorInFunction(state)
+                << "File " << file << " was cut off: its last entry, complete,"
+                << " is missing." << nl
+                << "Start from an earlier time (remove or rename "
+                << time.timeName() << ")." << exit(FatalIOError);
+        }
 
         // The folder's name has fewer digits
         const scalar value =
@@ -199,6 +220,7 @@ void Foam::mpm::timeStepControl::writeState() const
         {
             state.add("gas", gas_->state());
         }
+        state.add("complete", true);
 
         OFstream os(file + ".part");
         os.precision(17);
@@ -238,10 +260,13 @@ void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
     {
         const scalar interval = positive(dict, "writeInterval");
         const scalar passed = (time_.value() - origin_)/interval;
-        const scalar next =
-            origin_ + (std::floor(passed + 1e-9) + 1)*interval;
+        const scalar next = min
+        (
+            origin_ + (std::floor(passed + 1e-9) + 1)*interval,
+            openEnd() ? GREAT : time_.endTime().value()
+        );
         const scalar left = next - time_.value();
-        if (left < labelMax*largest)
+        if (left > 0 && left < labelMax*largest)
         {
             dt = left/std::ceil(left/largest - 1e-9);
         }
@@ -282,6 +307,11 @@ Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
 
 void Foam::mpm::timeStepControl::setDeltaT()
 {
+    if (last_)
+    {
+        // Time::run() ends by the time step of the last step
+        return;
+    }
     const dictionary& dict = time_.controlDict();
     const bool adjust = dict.getOrDefault<bool>("adjustTimeStep", false);
 
@@ -333,6 +363,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
         time_.setDeltaT(min(fixedDeltaT_, growFrom_), false);
     }
 
+    watchDeltaT();
     checkAdvances();
 
     const scalar CoPoints =
@@ -340,13 +371,17 @@ void Foam::mpm::timeStepControl::setDeltaT()
     const scalar CoGas =
         gas_ ? gas_->courantRate()*time_.deltaTValue() : 0;
     const scalar Co = max(CoPoints, CoGas);
-    Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
-    if (points_ && gas_)
+    if (!nSteps_ || reports())
     {
-        Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
-            << CoGas << nl;
+        Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
+        if (points_ && gas_)
+        {
+            Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
+                << CoGas << nl;
+        }
+        Info<< "deltaT = " << time_.deltaTValue() << nl
+            << "deltaT set by " << limiter().c_str() << endl;
     }
-    Info<< "deltaT = " << time_.deltaTValue() << endl;
 
     if (Co > 1)
     {
@@ -368,6 +403,7 @@ void Foam::mpm::timeStepControl::redo(const scalar factor)
             << "The step at time " << time_.timeName() << " was redone 20"
             << " times down to " << dt << " s and still breaks maxTravel or"
             << " maxStrain of fvSolution.materialPoints." << nl
+            << "The step is set by " << limiter().c_str() << "." << nl
             << "The state is bad: look at the last written time; a smaller"
             << " maxCo in system/controlDict often keeps it from getting bad."
             << exit(FatalError);
@@ -389,7 +425,8 @@ void Foam::mpm::timeStepControl::checkAdvances() const
     {
         FatalErrorInFunction
             << "The time step " << dt << " s at time " << time_.timeName()
-            << " would take " << nLeft << " steps to the end." << nl
+            << " would take " << nLeft << " steps to the end. It is set by "
+            << limiter().c_str() << "." << nl
             << "It follows from maxCo, maxDeltaT or deltaT in"
             << " system/controlDict, the wave speeds and velocities of the"
             << " points and the size of the cells: look for a wrong unit in"
@@ -402,29 +439,59 @@ void Foam::mpm::timeStepControl::checkAdvances() const
 
 bool Foam::mpm::timeStepControl::reports() const
 {
-    const label interval = label
+    const label interval = boundedLabelOrDefault
     (
-        boundedOrDefault(time_.controlDict(), "reportInterval", 10, 1, 1e9)
+        time_.controlDict(),
+        "reportInterval",
+        time_.timeIndex() < 5000 ? 10 : 100,
+        1,
+        labelMax
     );
     return
         time_.timeIndex() % interval == 0
      || time_.writeTime()
+     || last_
      || time_.value()
       > time_.endTime().value() - 0.5*time_.deltaTValue();
+}
+
+
+Foam::scalar Foam::mpm::timeStepControl::secondsLeft()
+{
+    const auto now = clock::now();
+    const scalar seconds =
+        std::chrono::duration<scalar>(now - passed_.first().second()).count();
+    const scalar way = time_.value() - passed_.first().first();
+    const scalar left = min(time_.endTime().value(), GREAT) - time_.value();
+
+    // The last half minute, or the last two reports
+    passed_.append(Tuple2<scalar, clock::time_point>(time_.value(), now));
+    while
+    (
+        passed_.size() > 2
+     && std::chrono::duration<scalar>(now - passed_[1].second()).count() > 30
+    )
+    {
+        passed_.remove(0);
+    }
+    return way > 0 ? max(left, scalar(0))*seconds/way : 0;
 }
 
 
 void Foam::mpm::timeStepControl::report()
 {
     ++nSteps_;
+    if (!reports())
+    {
+        return;
+    }
+    watchEnergy();
     const scalar done =
         (time_.value() - startTime_)
        /max(min(time_.endTime().value(), GREAT) - startTime_, VSMALL);
-    const scalar left =
-        done > 0 ? time_.elapsedClockTime()*(1/done - 1) : 0;
 
-    Info<< "Progress: " << 100*min(done, scalar(1)) << " %, about " << left
-        << " s left" << nl;
+    Info<< "Progress: " << 100*min(done, scalar(1)) << " %, step "
+        << time_.timeIndex() << ", about " << secondsLeft() << " s left" << nl;
     time_.printExecutionTime(Info);
 }
 
@@ -439,7 +506,7 @@ void Foam::mpm::timeStepControl::end() const
             << " the time to endTime " << time_.endTime().value() << "."
             << exit(FatalIOError);
     }
-    Info<< "End\n" << endl;
+    Info<< "Steps: " << nSteps_ << nl << "End\n" << endl;
 }
 
 // ************************************************************************* //

@@ -74,12 +74,15 @@ bool appendField
         prefix + char(std::toupper(pTraits<Type>::typeName[0]))
       + (pTraits<Type>::typeName + 1) + "Field"
     );
-    if (io.headerClassName() != name)
+    // Without boundary values (thetaRho of a gas) they have another keyword
+    const word inner(name + "::Internal");
+    const bool isInner = io.headerClassName() == inner;
+    if (io.headerClassName() != name && !isInner)
     {
         return false;
     }
-    const localIOdictionary dict(io, name);
-    append(all, Field<Type>("internalField", dict, n));
+    const localIOdictionary dict(io, isInner ? inner : name);
+    append(all, Field<Type>(isInner ? "value" : "internalField", dict, n));
     return true;
 }
 

@@ -12,6 +12,8 @@ License
 #include "basicSymmetryFvPatchFields.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
+#include "StringStream.H"
+#include "HashTable.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -33,6 +35,54 @@ const IOobject& present(const IOobject& header, const word& gas)
             << exit(FatalError);
     }
     return header;
+}
+
+
+//- Conditions that look fields up by names, which have the gas behind them
+template<class Field>
+void checkNames(const Field& field, const word& gas)
+{
+    const HashTable<wordList> asks
+    ({
+        {"waveTransmissive", {"phi", "psi"}},
+        {"advective", {"phi"}},
+        {"inletOutlet", {"phi"}},
+        {"outletInlet", {"phi"}},
+        {"pressureInletOutletVelocity", {"phi"}},
+        {"totalPressure", {"phi", "U"}},
+        {"totalTemperature", {"phi", "U"}}
+    });
+    for (const auto& pf : field.boundaryField())
+    {
+        if (!asks.found(pf.type()))
+        {
+            continue;
+        }
+        OStringStream os;
+        pf.write(os);
+        IStringStream is(os.str());
+        const dictionary dict(is);
+        for (const word& key : asks[pf.type()])
+        {
+            if (dict.getOrDefault<word>(key, key) == key)
+            {
+                OStringStream names;
+                for (const word k : {"phi", "psi", "rho", "U"})
+                {
+                    names
+                        << ' ' << k << ' ' << IOobject::groupName(k, gas)
+                        << ';';
+                }
+                FatalErrorInFunction
+                    << "The condition " << pf.type() << " of patch "
+                    << pf.patch().name() << " of " << field.name() << " ("
+                    << field.objectPath() << ") looks for the field " << key
+                    << ", which is called " << IOobject::groupName(key, gas)
+                    << "." << nl << "Add the entries:" << names.str().c_str()
+                    << exit(FatalError);
+            }
+        }
+    }
 }
 
 
@@ -71,6 +121,13 @@ Foam::IOobject Foam::mpm::eulerianGas::header
 
 void Foam::mpm::eulerianGas::sortFaces()
 {
+    checkNames(p_, name_);
+    checkNames(U_, name_);
+    if (T_)
+    {
+        checkNames(*T_, name_);
+    }
+
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     const label nInternal = mesh_.nInternalFaces();
 

@@ -226,7 +226,7 @@ void Foam::functionObjects::materialPointProbes::sample
     }
     Pstream::listCombineGather(found, maxEqOp<label>());
     Pstream::listCombineScatter(found);
-    if (found.found(0) && !material.erosion())
+    if (found.found(0) && !points.nGone(points.indexOf(phase_)))
     {
         FatalErrorInFunction
             << type() << ' ' << name() << ": point " << id_[found.find(0)]

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointCloud.H"
+#include "outflowPatches.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 #include "PstreamReduceOps.H"
@@ -31,7 +32,7 @@ void Foam::mpm::materialPointCloud::pack(const UList<mover>& movers)
     }
     for (const mover& mv : movers)
     {
-        if (mv.cell < grid_.nCells())
+        if (mv.cell < grid_.nCells() || mv.cell == outflowPatches::gone)
         {
             continue;
         }
@@ -206,7 +207,12 @@ void Foam::mpm::materialPointCloud::exchange(DynamicList<mover>& movers)
         {
             for (label m = first; m < movers.size(); ++m)
             {
-                more = more || movers[m].cell >= grid_.nCells();
+                more =
+                    more
+                 || (
+                        movers[m].cell >= grid_.nCells()
+                     && movers[m].cell != outflowPatches::gone
+                    );
             }
             reduce(more, orOp<bool>());
         }

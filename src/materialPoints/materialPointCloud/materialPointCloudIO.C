@@ -274,6 +274,7 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         );
     }
     const label n = mass.size();
+    checkRecord(returnReduce(n, sumOp<label>()));
     labelList cell(n, label(-1));
 
     n_ = 0;
@@ -292,7 +293,14 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         }
         if (id.empty())
         {
-            id = identity(n);
+            FatalErrorInFunction
+                << "Cloud " << name() << " of time " << time().timeName()
+                << " has no file id in "
+                << columnObject("id", IOobject::NO_READ).objectPath().path()
+                << "." << nl
+                << "Points are known by their ids (strengths that scatter,"
+                << " probes, restarts): run setMaterialPoints again, or copy"
+                << " the file back." << exit(FatalError);
         }
         for (label p = 0; p < n; ++p)
         {

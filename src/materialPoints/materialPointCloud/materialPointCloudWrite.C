@@ -13,6 +13,9 @@ License
 #include "Cloud.H"
 #include "passiveParticle.H"
 #include "IOField.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -33,6 +36,88 @@ void writeField(const materialPointCloud& c, const word& name, const label n, co
     f.write(n > 0);
 }
 
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::dictionary Foam::mpm::materialPointCloud::meshRecord() const
+{
+    dictionary record;
+    record.add("nCells", returnReduce(grid_.nCells(), sumOp<label>()));
+    record.add("min", grid_.mesh().bounds().min());
+    record.add("max", grid_.mesh().bounds().max());
+    return record;
+}
+
+
+void Foam::mpm::materialPointCloud::writeRecord() const
+{
+    const fullPrecision allDigits;
+    const fileName file(recordFile());
+    dictionary record(meshRecord());
+    dictionary points;
+    if (isFile(file))
+    {
+        IFstream is(file);
+        points = dictionary(is).subOrEmptyDict("points");
+    }
+    points.set(name(), returnReduce(n_, sumOp<label>()));
+    record.add("points", points);
+    mkDir(file.path());
+    OFstream os(file);
+    os.precision(17);
+    record.write(os, false);
+}
+
+
+void Foam::mpm::materialPointCloud::checkRecord(const label n) const
+{
+    const fileName file(recordFile());
+    if (!returnReduce(isFile(file), andOp<bool>()))
+    {
+        return;
+    }
+    IFstream is(file);
+    const dictionary record(is);
+    const dictionary now(meshRecord());
+    const auto size = mag(now.get<vector>("max") - now.get<vector>("min"));
+    const label nCells = record.getOrDefault<label>("nCells", 0);
+    if
+    (
+        nCells != now.get<label>("nCells")
+     || mag(record.get<vector>("min") - now.get<vector>("min")) > 1e-6*size
+     || mag(record.get<vector>("max") - now.get<vector>("max")) > 1e-6*size
+    )
+    {
+        FatalErrorInFunction
+            << "The mesh is not that of the points of " << name()
+            << ", time " << time().timeName() << ": it has "
+            << now.get<label>("nCells") << " cells in "
+            << now.get<vector>("min") << ' ' << now.get<vector>("max")
+            << ", the points were written with " << nCells << " cells in "
+            << record.get<vector>("min") << ' ' << record.get<vector>("max")
+            << "." << nl
+            << "Scale or refine a mesh before setMaterialPoints, and run that"
+            << " again." << exit(FatalError);
+    }
+    const label written =
+        record.subOrEmptyDict("points").getOrDefault<label>(name(), -1);
+    if (Pstream::parRun() && n < written)
+    {
+        FatalErrorInFunction
+            << "The processors have " << max(n, label(0)) << " material points"
+            << " of " << name() << " at time " << time().timeName() << ", but "
+            << written << " were written: a folder "
+            << cloud::prefix/name() << " of some processor is missing." << nl
+            << "Run decomposePar again, or start from a time that is complete."
+            << exit(FatalError);
+    }
+}
+
+
+Foam::fileName Foam::mpm::materialPointCloud::recordFile() const
+{
+    return time().path()/time().timeName()/"uniform"/"materialPointMesh";
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -163,6 +248,7 @@ void Foam::mpm::materialPointCloud::writePoints() const
         *this, "sigmaEq", n_,
         [&](label p) { return std::sqrt(1.5)*mag(dev(sigma(p))); }
     );
+    writeRecord();
 }
 
 // ************************************************************************* //

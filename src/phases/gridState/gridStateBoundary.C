@@ -42,6 +42,29 @@ bool isSlip(const pointPatchField<vector>& pf)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+bool Foam::mpm::gridState::drives() const
+{
+    for (const pointPatchField<vector>& pf : Ufield_.boundaryField())
+    {
+        if (const auto* value = isA<valuePointPatchField<vector>>(pf))
+        {
+            if (value->size() && pf.type() != "fixedValue")
+            {
+                return true;
+            }
+            for (const vector& U : *value)
+            {
+                if (U != vector::zero)
+                {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+
 void Foam::mpm::gridState::readBoundary()
 {
     forAll(Ufield_.boundaryField(), patchi)

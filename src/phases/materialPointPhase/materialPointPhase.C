@@ -33,6 +33,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
     Cv_(0),
     cloud_(grid, name),
     waveSpeed_(0),
+    fastestBlock_(-1),
     nFailed_(0),
     nFailedKept_(0)
 {
@@ -222,13 +223,17 @@ Foam::wordList Foam::mpm::materialPointPhase::names(const dictionary& dict)
 }
 
 
-void Foam::mpm::materialPointPhase::read(const bool mayBeEmpty)
+void Foam::mpm::materialPointPhase::read
+(
+    const bool mayBeEmpty,
+    const bool losesPoints
+)
 {
     const label n = cloud_.readPoints();
 
     // All points of a phase may have eroded
     const bool gone =
-        erosion_
+        losesPoints
      && isFile
         (
             cloud_.time().path()/cloud_.time().timeName()/"uniform"
@@ -393,61 +398,6 @@ Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block
         cloud_.strength() ? (*cloud_.strength())[0] + first : nullptr;
 
     return b;
-}
-
-
-Foam::mpm::erodedPoints
-Foam::mpm::materialPointPhase::erode
-(
-    const scalar dt,
-    materialPointCloud* debris
-)
-{
-    const int D = cloud_.grid().nDim();
-    const pointBlock all(block());
-    scalar* failedTime = failedTime_ < 0 ? nullptr : all.history[failedTime_];
-    for (label p = 0; failedTime && p < all.n; ++p)
-    {
-        failedTime[p] += all.damage[p] >= 1 ? dt : 0;
-    }
-
-    erosionBlock b{all, {}, failedTime, cloud_.start()};
-    for (int d = 0; d < D; ++d)
-    {
-        b.U[d] = cloud_.U()[d];
-    }
-    boolList gone(all.n, false);
-    erosion_->mark(b, gone);
-
-    erodedPoints sums;
-    if (!gone.found(true))
-    {
-        return sums;
-    }
-    DynamicList<label> cells;
-    for (label p = 0; debris && p < all.n; ++p)
-    {
-        if (gone[p])
-        {
-            cells.append(cloud_.cellOf(p));
-        }
-    }
-    sums.n = cloud_.remove(gone);
-    const label first = cloud_.size();
-    sums.stored = storedEnergy(block(first, sums.n));
-    for (label p = first; p < first + sums.n; ++p)
-    {
-        const scalar m = cloud_.mass()[0][p];
-        const vector U(cloud_.velocity(p));
-        sums.mass += m;
-        sums.momentum += m*U;
-        sums.kinetic += 0.5*m*magSqr(U);
-    }
-    if (debris)
-    {
-        debris->take(cloud_, cells);
-    }
-    return sums;
 }
 
 

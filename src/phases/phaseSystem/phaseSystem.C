@@ -25,27 +25,6 @@ namespace mpm
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::pointPhaseSystem::shortestSide
-(
-    const materialPointPhase& phase
-) const
-{
-    if (grid_.sameWidth() > 0)
-    {
-        return grid_.sameWidth();
-    }
-    scalar shortest = GREAT;
-    for (const label celli : phase.cloud().cells())
-    {
-        for (int d = 0; d < grid_.nDim(); ++d)
-        {
-            shortest = min(shortest, grid_.width(celli, d));
-        }
-    }
-    return shortest;
-}
-
-
 void Foam::mpm::pointPhaseSystem::updateWaveRate()
 {
     scalar rate = 0;
@@ -54,12 +33,12 @@ void Foam::mpm::pointPhaseSystem::updateWaveRate()
         if (!phase.motion())
         {
             const scalar c = phase.waveSpeed();
-            rate = max(rate, c/shortestSide(phase));
+            rate = max(rate, c/phase.shortestSide());
         }
         else if (phase.motion()->free())
         {
             // A body that starts from rest
-            rate = max(rate, std::sqrt(mag(g_)/shortestSide(phase)));
+            rate = max(rate, std::sqrt(mag(g_)/phase.shortestSide()));
         }
     }
     waveRate_ = largestOfAll(rate);
@@ -255,6 +234,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     rule.dt = dt;
     rule.kind = transfer_.kind;
     rule.energy = budget_.active;
+    rule.outflow = outflow_.get();
 
     // Share of their velocity that points take from the nodes
     scalarList projected(fields_.size(), scalar(1));
@@ -412,6 +392,7 @@ void Foam::mpm::pointPhaseSystem::accept()
             phase.motion()->accept();
         }
     }
+    bookOutflow();
     for (gridState& field : fields_)
     {
         field.accept();
@@ -464,6 +445,15 @@ void Foam::mpm::pointPhaseSystem::couple(pointCoupling& coupling)
         )   << "stressUpdate " << stressUpdate_->name() << " does not work in"
             << " a gas, which has to act on the stress of the start of the"
             << " step." << nl << "Valid choice: MUSL" << exit(FatalIOError);
+    }
+    if (outflow_)
+    {
+        FatalIOErrorInFunction(properties_.subDict("outflow"))
+            << "There is an outflow, which does not work in a gas: the cell of"
+            << " a point that leaves would have its gas expand at once into the"
+            << " free volume." << nl << "Remove outflow, and make the mesh"
+            << " larger or keep points inside by the boundary conditions of"
+            << " their velocity." << exit(FatalIOError);
     }
     for (const materialPointPhase& phase : phases_)
     {

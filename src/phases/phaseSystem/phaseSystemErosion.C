@@ -58,10 +58,9 @@ void Foam::mpm::pointPhaseSystem::erode(const scalar dt)
         {
             step[phasei].reduceAll();
             eroded_[phasei] += step[phasei];
-            if (budget_.active && debris_[phasei] < 0)
+            if (debris_[phasei] < 0)
             {
-                budget_.erodedKinetic += step[phasei].kinetic;
-                budget_.erodedStored += step[phasei].stored;
+                bookLoss(step[phasei]);
             }
         }
         if (!phases_[phasei].motion())
@@ -81,6 +80,62 @@ void Foam::mpm::pointPhaseSystem::erode(const scalar dt)
 
     // The nodes know only those that are left
     projectAnew(dt);
+}
+
+
+void Foam::mpm::pointPhaseSystem::bookLoss(const erodedPoints& loss)
+{
+    if (budget_.active)
+    {
+        budget_.erodedKinetic += loss.kinetic;
+        budget_.erodedStored += loss.stored;
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::bookOutflow()
+{
+    if (!outflow_)
+    {
+        return;
+    }
+    const noTraps guard;
+    List<erodedPoints> step(phases_.size());
+    label n = 0;
+    forAll(phases_, phasei)
+    {
+        if (!phases_[phasei].motion())
+        {
+            step[phasei] = phases_[phasei].leave(movers_[phasei]);
+            n += step[phasei].n;
+        }
+    }
+    if (!returnReduce(n, sumOp<label>()))
+    {
+        return;
+    }
+
+    label nLeft = 0;
+    forAll(phases_, phasei)
+    {
+        step[phasei].reduceAll();
+        left_[phasei] += step[phasei];
+        bookLoss(step[phasei]);
+        nLeft += phases_[phasei].motion() ? 0 : phases_[phasei].cloud().size();
+    }
+    empty_ = !returnReduce(nLeft, sumOp<label>());
+}
+
+
+Foam::mpm::erodedPoints
+Foam::mpm::pointPhaseSystem::eroded(const label phasei) const
+{
+    erodedPoints sums(left_[phasei]);
+    if (debris_[phasei] < 0)
+    {
+        sums += eroded_[phasei];
+    }
+    return sums;
 }
 
 
@@ -160,7 +215,7 @@ void Foam::mpm::pointPhaseSystem::checkDebris() const
         }
         const label there =
             returnReduce(phases_[to].cloud().size(), sumOp<label>())
-          + eroded_[to].n;
+          + nGone(to);
         if (there != eroded_[phasei].n)
         {
             FatalErrorInFunction
@@ -186,7 +241,7 @@ Foam::label Foam::mpm::pointPhaseSystem::nEroded() const
     label n = 0;
     forAll(eroded_, phasei)
     {
-        n += debris_[phasei] < 0 ? eroded_[phasei].n : 0;
+        n += eroded(phasei).n;
     }
     return n;
 }
@@ -198,19 +253,27 @@ void Foam::mpm::pointPhaseSystem::reportErosion(const label nPresent) const
     {
         FatalErrorInFunction
             << "There are " << nPresent << " material points and " << nEroded()
-            << " have eroded, but " << started_ << " were there at the start."
+            << " have eroded or left, but " << started_ << " were there at the start."
             << exit(FatalError);
     }
     checkDebris();
+    const auto line = [](const char* what, const word& name, const erodedPoints& e)
+    {
+        Info<< what << ' ' << name << ": " << e.n << " points, mass " << e.mass
+            << ", momentum " << e.momentum << ", energy: kinetic " << e.kinetic
+            << ", stored " << e.stored;
+    };
     forAll(phases_, phasei)
     {
-        const erodedPoints& e = eroded_[phasei];
-        if (phases_[phasei].erosion() || e.n)
+        const materialPointPhase& phase = phases_[phasei];
+        if (left_[phasei].n)
         {
-            Info<< "Eroded " << phases_[phasei].name() << ": " << e.n
-                << " points, mass " << e.mass << ", momentum " << e.momentum
-                << ", energy: kinetic " << e.kinetic << ", stored "
-                << e.stored;
+            line("Outflow", phase.name(), left_[phasei]);
+            Info<< endl;
+        }
+        if (phase.erosion() || eroded_[phasei].n)
+        {
+            line("Eroded", phase.name(), eroded_[phasei]);
             if (debris_[phasei] >= 0)
             {
                 Info<< ", to " << phases_[debris_[phasei]].name();
@@ -223,37 +286,51 @@ void Foam::mpm::pointPhaseSystem::reportErosion(const label nPresent) const
 
 void Foam::mpm::pointPhaseSystem::addErosionState(dictionary& state) const
 {
-    dictionary eroded;
+    dictionary eroded, left;
     forAll(phases_, phasei)
     {
         if (phases_[phasei].erosion() || eroded_[phasei].n)
         {
             eroded.add(phases_[phasei].name(), eroded_[phasei].state());
         }
+        if (left_[phasei].n)
+        {
+            left.add(phases_[phasei].name(), left_[phasei].state());
+        }
     }
     if (eroded.size())
     {
         state.add("eroded", eroded);
+    }
+    if (left.size())
+    {
+        state.add("outflow", left);
     }
 }
 
 
 void Foam::mpm::pointPhaseSystem::setErosionState(const dictionary& state)
 {
-    if (state.found("eroded"))
+    const auto read = [&](const word& key, List<erodedPoints>& sums)
     {
-        const dictionary& eroded = requiredDict(state, "eroded");
+        if (!state.found(key))
+        {
+            return;
+        }
+        const dictionary& dict = requiredDict(state, key);
         DynamicList<word> names;
         forAll(phases_, phasei)
         {
             names.append(phases_[phasei].name());
-            if (eroded.found(names.last()))
+            if (dict.found(names.last()))
             {
-                eroded_[phasei].setState(requiredDict(eroded, names.last()));
+                sums[phasei].setState(requiredDict(dict, names.last()));
             }
         }
-        checkKeywords(eroded, wordList(names));
-    }
+        checkKeywords(dict, wordList(names));
+    };
+    read("eroded", eroded_);
+    read("outflow", left_);
     countStarted();
     checkDebris();
 }

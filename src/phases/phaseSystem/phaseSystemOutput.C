@@ -76,9 +76,11 @@ void Foam::mpm::pointPhaseSystem::stop(const badPoint& bad)
             << " to " << xNew << " in the step of " << dt << " s after time "
             << time.timeName() << "." << nl
             << written.c_str() << nl
-            << "Make the mesh larger, or keep points inside by the boundary"
+            << "Make the mesh larger, keep points inside by the boundary"
             << " conditions of U." << phase.velocityField()
-            << " (fixedValue or slip)." << exit(FatalError);
+            << " (fixedValue or slip), or let them go:"
+            << "  outflow { patches (...); }  in constant/phaseProperties."
+            << exit(FatalError);
     }
     FatalErrorInFunction
         << "Material point " << label(cloud.id()[0][pointi]) << " of "
@@ -208,7 +210,9 @@ void Foam::mpm::pointPhaseSystem::report() const
         << ", momentum " << momentum << nl
         << "Energy: kinetic " << kinetic << ", strain " << strain
         << ", total " << kinetic + strain << nl;
-    if (const energyBudget* b = budget())
+    const energyBudget* b = budget();
+    noteEnergy(kinetic + strain, b);
+    if (b)
     {
         Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
             << b->work.boundary << ", external " << b->work.external
@@ -218,7 +222,7 @@ void Foam::mpm::pointPhaseSystem::report() const
         {
             Info<< ", contact " << b->work.contact;
         }
-        if (erodes_)
+        if (erodes())
         {
             Info<< ", erosion " << b->erosion();
         }
@@ -403,6 +407,8 @@ const Foam::mpm::energyBudget* Foam::mpm::pointPhaseSystem::budget() const
 
 void Foam::mpm::pointPhaseSystem::writePoints()
 {
+    lookForSeparation();
+    updateWeights();
     for (gridState& field : fields_)
     {
         field.writeField();

@@ -22,6 +22,23 @@ void Foam::mpm::pointPhaseSystem::readNumerics()
     const dictionary& dict =
         requiredDict(mesh_.solutionDict(), "materialPoints");
 
+    checkNumerics(dict);
+    numerics_ = dict;
+    transfer_ = transfer(dict);
+    stressUpdate_ = stressUpdate::New(dict);
+    readLimits(dict);
+}
+
+
+void Foam::mpm::pointPhaseSystem::readLimits(const dictionary& dict)
+{
+    maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
+    maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
+}
+
+
+void Foam::mpm::pointPhaseSystem::checkNumerics(const dictionary& dict)
+{
     wordList valid(transfer::keywords());
     valid.append
     (
@@ -32,11 +49,6 @@ void Foam::mpm::pointPhaseSystem::readNumerics()
         })
     );
     checkKeywords(dict, valid);
-
-    transfer_ = transfer(dict);
-    stressUpdate_ = stressUpdate::New(dict);
-    maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
-    maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
 }
 
 
@@ -118,13 +130,18 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     g_(Zero),
     erodes_(false),
     started_(0),
+    empty_(false),
     rate_(0),
     waveRate_(0),
     nRedone_(0),
     dt_(0),
     tentative_(false),
     warned_(false),
-    coupling_(nullptr)
+    coupling_(nullptr),
+    startEnergy_(0),
+    largestEnergy_(0),
+    energyGrowth_(0),
+    sourceless_(false)
 {
     IOobject gHeader
     (
@@ -160,6 +177,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
                 << dimAcceleration << " (m/s2)." << exit(FatalError);
         }
         g_ = g.value();
+        checkGravity(gHeader.objectPath(), g_, mesh.geometricD());
     }
 
     requireClosed(properties_.objectPath());
@@ -176,6 +194,14 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     fieldOf_.setSize(names.size());
     movers_.setSize(names.size());
     eroded_.setSize(names.size());
+    left_.setSize(names.size());
+    if (properties_.found("outflow"))
+    {
+        outflow_.reset
+        (
+            new outflowPatches(requiredDict(properties_, "outflow"), grid_)
+        );
+    }
     debris_.setSize(names.size(), -1);
 
     wordList fieldNames;
@@ -244,7 +270,11 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     forAll(phases_, phasei)
     {
         materialPointPhase& phase = phases_[phasei];
-        phase.read(debris_.found(phasei));
+        phase.read
+        (
+            debris_.found(phasei),
+            phase.erosion() || (outflow_ && !phase.motion())
+        );
         Info<< "Phase " << phase.name() << ": "
             << returnReduce(phase.cloud().size(), sumOp<label>())
             << " points of ";
@@ -360,6 +390,17 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
         bookEnergy();
     }
     checkOverlap();
+
+    readWeights();
+    watches_.setSize(phases_.size());
+    forAll(phases_, phasei)
+    {
+        const materialPointPhase& phase = phases_[phasei];
+        if (!phase.motion() && phase.law().holdsTogether())
+        {
+            watches_.set(phasei, new separationWatch(phase));
+        }
+    }
 
     Info<< "Material points: " << nPoints() << " in "
         << phases_.size() << " phases, "

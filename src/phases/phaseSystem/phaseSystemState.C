@@ -79,8 +79,8 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
     (
         state,
         {
-            "rate", "waveRate", "stepsRedone", "failed", "eroded", "rigid",
-            "contact", "energy"
+            "rate", "waveRate", "stepsRedone", "failed", "eroded", "outflow",
+            "rigid", "contact", "energy"
         }
     );
 

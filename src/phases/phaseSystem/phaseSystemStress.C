@@ -230,7 +230,7 @@ void Foam::mpm::pointPhaseSystem::correctStress
         }
         if (phase.law().waveSpeedVaries())
         {
-            phase.setWaveSpeed(result.waveSpeed);
+            phase.setWaveSpeed(result.waveSpeed, result.fastest);
         }
     }
     if (withForce && !coupling_)

@@ -51,7 +51,9 @@ Foam::mpm::pointPasses::New(const dictionary& dict, const hexGrid& grid)
                     << "linear allows every mesh of hexahedra, GIMP needs"
                     << " boxes along the axes without re-entrant corners,"
                     << " quadraticBSpline and cubicBSpline also one width of"
-                    << " all cells in each direction."
+                    << " all cells in each direction. Cells refined locally do"
+                    << " not work: for finer cells in a place grade the blocks"
+                    << " of the mesh (simpleGrading), or refine all."
                     << exit(FatalIOError);
             }
         }

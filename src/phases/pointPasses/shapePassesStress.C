@@ -186,7 +186,7 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
     const scalar* damage = cloud.damage() ? (*cloud.damage())[0] : nullptr;
     const labelList& cells = cloud.cells();
     const labelList& first = cloud.start();
-    stressResult result{0, -1, 0};
+    stressResult result{0, -1, 0, -1};
 
     for (label k0 = 0; k0 < cells.size();)
     {
@@ -383,7 +383,11 @@ pointPasses::stressResult shapePasses<Shape, DIM, HOOP>::correctStress
                 failure->start(block);
             }
             law.correct(block);
-            result.waveSpeed = max(result.waveSpeed, block.waveSpeed);
+            if (block.waveSpeed > result.waveSpeed)
+            {
+                result.waveSpeed = block.waveSpeed;
+                result.fastest = begin;
+            }
             if (failure)
             {
                 result.nFailed += failure->finish(block);

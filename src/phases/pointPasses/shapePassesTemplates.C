@@ -453,7 +453,7 @@ pointPasses::moveResult shapePasses<Shape, DIM, HOOP>::move
                     {
                         continue;
                     }
-                    scalar x[DIM > 2 ? DIM : 3];
+                    scalar x[3] = {0, 0, 0};
                     bool finite = true;
                     for (int d = 0; d < DIM; ++d)
                     {
@@ -471,9 +471,18 @@ pointPasses::moveResult shapePasses<Shape, DIM, HOOP>::move
                     }
                     // A point that goes too far is not followed: the step
                     // will be redone
-                    const label to =
+                    const scalar beyond[3] = {x[0], x[1], x[2]};
+                    label to =
                         finite && way[l] <= 2 ? grid.locate(celli, x)
                       : finite ? celli : -1;
+                    if
+                    (
+                        to < 0 && finite && rule.outflow
+                     && rule.outflow->through(celli, beyond)
+                    )
+                    {
+                        to = outflowPatches::gone;
+                    }
                     if (to < 0)
                     {
                         result.badPoint = p + l;

@@ -27,6 +27,13 @@ Foam::wordList Foam::mpm::phaseNames
             << "There are no phases; list at least one in phases (...);"
             << exit(FatalIOError);
     }
+    constexpr label most = 1000;
+    if (names.size() > most)
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are " << names.size() << " phases; at most " << most
+            << " are possible." << exit(FatalIOError);
+    }
     forAll(names, i)
     {
         if (names.find(names[i]) != i)
@@ -39,7 +46,19 @@ Foam::wordList Foam::mpm::phaseNames
     wordList valid(names);
     valid.append("phases");
     valid.append("contact");
+    valid.append("outflow");
     valid.append("FoamFile");
+    for (const entry& e : dict)
+    {
+        if (e.isDict() && !valid.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Dictionary " << e.keyword() << " is no phase: it is not in"
+                << " the list phases " << flatOutput(names) << "." << nl
+                << "Add it there, or remove the dictionary; others that may"
+                << " be there are contact and outflow." << exit(FatalIOError);
+        }
+    }
     checkKeywords(dict, valid);
 
     DynamicList<word> found;

@@ -124,6 +124,14 @@ Foam::word Foam::mpm::oneOf
 )
 {
     requireKeyword(dict, key);
+    if (dict.isDict(key))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << key << " is a dictionary; it must be a word: " << key
+            << ' ' << valid.first() << ';' << nl << nl
+            << "Valid choices are: " << flatOutput(valid)
+            << exit(FatalIOError);
+    }
     const word value(dict.get<word>(key));
 
     if (!valid.found(value))

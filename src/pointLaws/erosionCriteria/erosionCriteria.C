@@ -12,6 +12,7 @@ Description
 #include "erosionCriterion.H"
 #include "selector.H"
 #include "PtrList.H"
+#include "point.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -225,6 +226,96 @@ public:
 };
 
 
+class outsideErosion
+:
+    public erosionCriterion
+{
+    const point min_, max_;
+
+public:
+
+    TypeName("outside");
+
+    outsideErosion(const dictionary& dict, const erodible&)
+    :
+        min_(required<vector>(dict, "min")),
+        max_(required<vector>(dict, "max"))
+    {
+        checkKeywords(dict, {"type", "min", "max"});
+        if (!(cmptMin(max_ - min_) > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The box of erosion by outside has no inside: min is "
+                << min_ << ", max is " << max_ << "." << exit(FatalIOError);
+        }
+    }
+
+    void mark(const erosionBlock& b, boolList& gone) const override
+    {
+        for (int d = 0; d < b.points.nDim; ++d)
+        {
+            const scalar low = min_[b.axis[d]], high = max_[b.axis[d]];
+            for (label p = 0; p < b.points.n; ++p)
+            {
+                gone[p] = gone[p] || b.x[d][p] < low || b.x[d][p] > high;
+            }
+        }
+    }
+};
+
+
+class timeStepErosion
+:
+    public erosionCriterion
+{
+    //- Limit of h/speed [s], 0: none; of the speed [m/s]
+    scalar limit_, fastest_;
+
+    bool marks(const scalar width, const scalar speed) const
+    {
+        return width < limit_*speed || speed > fastest_;
+    }
+
+public:
+
+    TypeName("timeStep");
+
+    timeStepErosion(const dictionary& dict, const erodible& of)
+    :
+        limit_(dict.found("limit") ? positive(dict, "limit") : 0),
+        fastest_(GREAT)
+    {
+        checkKeywords(dict, {"type", limit_ > 0 ? "limit" : "share"});
+        const scalar c0 = of.law.waveSpeed();
+        if (limit_ > 0)
+        {
+            return;
+        }
+        if (!(c0 > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "erosion by timeStep needs a limit [s]: the law "
+                << of.law.type() << " has no sound whose time step could be"
+                << " shared." << exit(FatalIOError);
+        }
+        fastest_ = c0/boundedOrDefault(dict, "share", 0.1, 1e-6, 0.5);
+    }
+
+    bool needsSpeeds(const scalar width, const scalar speed) const override
+    {
+        return marks(width, speed);
+    }
+
+    void mark(const erosionBlock& b, boolList& gone) const override
+    {
+        for (label p = 0; b.speed && p < b.points.n; ++p)
+        {
+            gone[p] = gone[p] || marks(b.width[p], b.speed[p]);
+        }
+    }
+};
+
+
 class anyErosion
 :
     public erosionCriterion
@@ -267,6 +358,18 @@ public:
         return false;
     }
 
+    bool needsSpeeds(const scalar width, const scalar speed) const override
+    {
+        for (const erosionCriterion& part : parts_)
+        {
+            if (part.needsSpeeds(width, speed))
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+
     void mark(const erosionBlock& b, boolList& gone) const override
     {
         for (const erosionCriterion& part : parts_)
@@ -288,6 +391,8 @@ addErosion(volumeRatioErosion);
 addErosion(damageErosion);
 addErosion(loneErosion);
 addErosion(speedErosion);
+addErosion(outsideErosion);
+addErosion(timeStepErosion);
 addErosion(anyErosion);
 
 #undef addErosion

@@ -123,6 +123,31 @@ void Foam::mpm::checkControlDict(const fileName& file)
 }
 
 
+void Foam::mpm::checkGravity
+(
+    const fileName& file,
+    const vector& g,
+    const Vector<label>& computed
+)
+{
+    for (int d = 0; d < 3; ++d)
+    {
+        if (computed[d] < 0 && g[d] != 0)
+        {
+            FatalErrorInFunction
+                << "Gravity in " << file << " is " << g << ": it acts along "
+                << "xyz"[d] << ", which the mesh does not compute (patches of"
+                << " type empty or wedge)." << nl
+                << "The computed directions are:"
+                << (computed[0] > 0 ? " x" : "")
+                << (computed[1] > 0 ? " y" : "")
+                << (computed[2] > 0 ? " z" : "")
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::mpm::cannotRead(const fileName& file, const string& problem)
 {
     FatalErrorInFunction

@@ -275,9 +275,14 @@ void Foam::mpm::hexGrid::makeCells()
         {
             FatalErrorInFunction
                 << "Cell " << celli << " at " << mesh.cellCentres()[celli]
-                << " is no hexahedron. Material points need a mesh of"
-                << " hexahedra (shape functions: linear; on meshes of boxes"
-                << " also GIMP and B-splines)." << exit(FatalError);
+                << " is no hexahedron: it has "
+                << mesh.cells()[celli].size() << " faces. Material points need"
+                << " a mesh of hexahedra (shape functions: linear; on meshes of"
+                << " boxes also GIMP and B-splines)." << nl
+                << "Cells beside locally refined ones have more faces and do"
+                << " not work: for finer cells in a place grade the blocks of"
+                << " the mesh (simpleGrading), or refine all."
+                << exit(FatalError);
         }
 
         // The six faces as three pairs without a common point. Of the prism at

@@ -87,6 +87,19 @@ def gasRows(solve, replace, remove, several, withPoints, line):
         ("gas with erosion", solve,
          inAir(replace(phases, r"(base\s*\{)", r"\1 erosion { type speed; limit 9; }")),
          inPhases + ["erosion", "gas"]),
+        ("gas with outflow", solve,
+         inAir(replace(phases, "phases", "outflow { patches (outside); }\nphases")),
+         inPhases + ["outflow", "does not work in a gas"]),
+        ("gas: waveTransmissive without names", solve,
+         inAir(replace("0/p", r"outside \{ type zeroGradient;",
+                       "outside { type waveTransmissive; gamma 1.4; fieldInf 1e5;"
+                       " lInf 1; value uniform 1e5;")),
+         ["waveTransmissive of patch outside of p", "phi phi.air; psi psi.air;"]),
+        ("gas: gravity along the empty direction", solve,
+         inAir(lambda case: case.write(
+             "constant/g", HEAD.format("uniformDimensionedVectorField", "g")
+             + "dimensions [0 1 -2 0 0 0 0]; value (0 0 1);\n")),
+         ["acts along z", "computed directions are: x y"]),
         ("gas: unknown thermo", solve,
          inAir(replace(phases, "perfectGas", "perfctGas")), inPhases + [valid, "perfectGas"]),
         ("gas: no gamma", solve, inAir(replace(phases, "gamma 1.4;", "")),

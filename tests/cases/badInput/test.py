@@ -33,6 +33,7 @@ CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
 sys.path.insert(0, os.path.join(PROJECT, "tests", "lib"))
 from report import Report  # noqa: E402
 from gasRows import gasRows  # noqa: E402
+from runRows import runRows  # noqa: E402
 
 
 # --- a case and changes of it ------------------------------------------------
@@ -1178,6 +1179,7 @@ ROWS += [
 ]
 
 ROWS += gasRows(SOLVE, replace, remove, several, withPoints, line)
+ROWS += runRows(SOLVE, replace, remove, several, withPoints, meshOf, line)
 
 for traps in ("true", "false"):
     for name, n in (("first step", 50), ("middle", 1234), ("write time", 900)):

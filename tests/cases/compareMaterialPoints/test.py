@@ -142,6 +142,17 @@ def main():
         _, text = compare(other, case, "-tolerance", "1", fails=True)
         table.check("a column is missing", "Only in the second case: column p of block" in text)
 
+        # Inner values alone, as a gas writes its state
+        parts = [copyOf(case, name) for name in ("inner", "inner-changed")]
+        for c, value in zip(parts, (2.0, 3.0)):
+            with open(c.file(last, "thetaRho.air"), "w") as f:
+                f.write(fileHeader("thetaRho.air", "volScalarField::Internal")
+                        + "dimensions [1 -3 0 0 0 0 0];\nvalue nonuniform List<scalar> 72\n("
+                        + "4 "*71 + f"{value});\n")
+        result, _ = compare(*parts, "-tolerance", "0.1", fails=True)
+        table.row("a field of inner values (thetaRho): largest difference", 1,
+                  result.get("thetaRho.air", [0]*6)[1], 1e-3)
+
         # Two times of one case
         result, text = compare(case, case, "-time", first, "-time2", last)
         x = [case.points(t, "block").byId("x") for t in (first, last)]

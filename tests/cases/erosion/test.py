@@ -11,7 +11,12 @@ booked      a block hits a plate that erodes: mass and momentum of left and erod
 anvil       the load on a rigid body that erodes a block
 gone        all points of one phase, then of all
 debris      the same into a phase of its own: nothing leaves, every column goes along
+outflow     a block flies out through a patch, then pieces of a plate do: mass, momentum
+            and energy of left and present points in every step, restart bit by bit, two
+            processors; the end of a run that loses all points
 separation  neighbours of the start against pairs that are counted here
+watched     a soft block is stretched: the solver warns of numerical fracture, once, when
+            neighbours have an empty cell between them, and not before
 """
 
 import os
@@ -79,6 +84,7 @@ def marked(table):
 
     near = 1e-6
     damaged = spread("damage", 0.0, 1.0)
+    c = np.sqrt(METAL["E"]*(1 - METAL["nu"])/(1 + METAL["nu"])/(1 - 2*METAL["nu"])/1000)
     rows = (
         ("plasticStrain", METAL, {"type": "plasticStrain", "limit": 0.5},
          spread("plasticStrain", 0.5*(1 - near), 0.5*(1 + near)), 1, "first"),
@@ -91,6 +97,10 @@ def marked(table):
         ("speed", METAL, {"type": "speed", "limit": 5},
          {"U": np.where(first, 5*(1 + near), 5*(1 - near))[:, None]
           * np.array((0.6, -0.8, 0))}, 1, "first"),
+        ("timeStep", METAL, {"type": "timeStep", "limit": H/(c + 50)},
+         {"U": np.where(first, 51, 49)[:, None]*np.array((0.4, -1, 0))}, 1, "first"),
+        ("outside", METAL, {"type": "outside", "min": (2.5*H, 0, -1),
+                            "max": (6.6*H, 4.8*H, -0.5)}, {}, 1, "outside"),
         ("damage", METAL, {"type": "damage"}, damaged, 1, "first"),
         ("damage, before its time", METAL, {"type": "damage", "time": 2.5*DT}, damaged,
          2, "none"),
@@ -115,7 +125,9 @@ def marked(table):
             writeField(case.file("0/lagrangian/body", name), values)
         case.run("materialPointFoam")
         lone = first & (np.arange(60) >= 48)
-        gone = {"first": first, "none": first & False, "lone": lone,
+        x = start["x"][np.argsort(ids)]/H
+        out = (x[:, 0] < 2.5) | (x[:, 0] > 6.6) | (x[:, 1] > 4.8)
+        gone = {"first": first, "none": first & False, "lone": lone, "outside": out,
                 "any": lone | (np.arange(60) % 7 == 0)}[which]
         left = np.sort(case.points(case.times()[-1], "body")["id"])
         table.check(f"{label}: exactly the points above the limit leave",
@@ -466,6 +478,97 @@ def debris(table):
                       np.abs(one["x"][a] - two["x"][b]).max()/H, 1e-9)
 
 
+# --- outflow -----------------------------------------------------------------
+
+OUT = {"outflow": {"patches": "(outer)"}}
+
+
+def lostAndPresent(table, label, s):
+    """Rows of materialPointBalance: points, mass and momentum in every step."""
+    table.check(f"{label}: points present and left, every step",
+                np.all(s[:, 1] + s[:, 13] == s[0, 1]) and s[-1, 13] > 0, s[-1, 13])
+    m = s[:, 2] + s[:, 14]
+    table.row(f"{label}: mass present and left, worst step", 0,
+              np.abs(m/m[0] - 1).max(), 1e-12)
+    P = s[:, 3:6] + s[:, 15:18]
+    table.row(f"{label}: momentum present and left, worst step", 0,
+              np.linalg.norm(P - P[0], axis=1).max()/np.linalg.norm(P[0]), 1e-12)
+
+
+def plateOut(name, contact):
+    """A block drives a plate out of the mesh."""
+    law = {p: {"constitutiveModel": METAL, "velocityField": p if contact else "solids",
+               "failureModel": {"type": "maxPrincipalStress", "strength": 4e5}}
+           for p in ("target", "flyer")}
+    case = planeCase(
+        name, law,
+        {"target": box("target", (22, 6), (25, 18)),
+         "flyer": box("flyer", (16, 10), (22, 14), velocity=(60, 1, 0))},
+        (28, 24), controlDict(1.2*END, 0.3*END, maxCo=0.3, functions=FUNCTIONS), **OUT,
+        **({"contact": {"all": {"type": "frictionless"}}} if contact else {}))
+    case.change("system/controlDict", "startFrom.*?;", "startFrom latestTime;")
+    return case
+
+
+def outflow(table):
+    law = {"constitutiveModel": METAL}
+    case = planeCase("outflow", {"block": law}, {"block": box(
+        "block", (3, 2), (7, 5), velocity=(30, 20, 0))}, (10, 8),
+        controlDict(0.01, 0.01, maxCo=0.3, functions=FUNCTIONS), **OUT)
+    case.run("materialPointFoam")
+    s = case.series("balance", "block.dat")
+    lostAndPresent(table, "block that flies out", s)
+    table.row("block that flies out: kinetic energy present and left, worst step", 1,
+              max(abs(s[:, 9] + s[:, 18])/s[0, 9], key=lambda r: abs(r - 1)), 1e-12)
+    table.row("block that flies out: stored energy over the kinetic, worst step", 0,
+              np.abs(s[:, 10]).max()/s[0, 9], 1e-12)
+    table.check("block that flies out: the run ends when nothing is left",
+                s[-1, 1] == 0 and "All material points have left" in case.log()
+                and case.log().rstrip().endswith("End") and float(case.times()[-1]) < 0.01)
+
+    for contact in (False, True):
+        label = "plate driven out" + (", contact" if contact else "")
+        name = label.replace(" ", "").replace(",", "-")
+        case = plateOut(name, contact)
+        case.run("materialPointFoam")
+        s = {p: case.series("balance", p + ".dat") for p in ("target", "total")}
+        lostAndPresent(table, label, s["total"])
+        e = case.series("energy", "energy.dat")
+        rest = e[:, 3] - e[0, 3] - np.sum(
+            e[:, [4, 5, 6, 7, 8, 9]] - e[0, [4, 5, 6, 7, 8, 9]], axis=1)
+        if not contact:
+            table.row(f"{label}: energy left less all terms of the budget, worst step, "
+                      "over the energy", 0, np.abs(rest).max()/e[0, 3], 1e-12)
+        table.row(f"{label}: the budget's erosion over what left", 1,
+                  -e[-1, 9]/(s["total"][-1, 18] + s["total"][-1, 19]), 1e-12)
+        table.check(f"{label}: the log has it", re.findall(
+            r"^Outflow target: (\d+) points", case.log(), re.M)[-1:]
+            == [f"{s['target'][-1, 13]:.0f}"])
+
+        times = case.times()
+        half, last = times[3], times[-1]
+        again = plateOut(name + "-again", contact)
+        shutil.copytree(case.file(half), again.file(half))
+        again.run("materialPointFoam")
+        table.check(f"{label}: restart, every column and every sum bit by bit", all(
+            sameFiles(case, again, last, p) for p in ("target", "flyer"))
+            and state(case, last) == state(again, last) and "outflow" in state(case, half))
+        split = plateOut(name + "-2", contact)
+        split.decompose((1, 2, 1))
+        split.runParallel()
+        t = split.series("balance", "total.dat")
+        table.check(f"{label}, 2 processors: as many leave in each step",
+                    len(t) == len(s["total"])
+                    and np.array_equal(t[:, 13], s["total"][:, 13]))
+        table.check(f"{label}, 2 processors: the same points are left", all(
+            np.array_equal(np.sort(case.points(last, p)["id"]),
+                           np.sort(split.points(last, p)["id"]))
+            for p in ("target", "flyer")))
+        table.row(f"{label}, 2 processors: momentum that left over that of one", 0,
+                  np.linalg.norm(t[-1, 15:18] - s["total"][-1, 15:18])
+                  / np.linalg.norm(t[-1, 15:18]), 1e-10)
+
+
 # --- separation --------------------------------------------------------------
 
 def separation(table):
@@ -503,8 +606,35 @@ def separation(table):
         table.row(f"separation by {shift} cells: largest distance [cells]", far, row[5], 1e-12)
 
 
+# --- watched -----------------------------------------------------------------
+
+def watched(table):
+    rate, end = 100.0, 0.024
+    law = {"constitutiveModel": {"type": "neoHookean", "rho": 1000, "E": 1, "nu": 0.3}}
+    for label, ppc, stretch, more, expected in (
+            ("2 points per cell, stretch 3.4", 2, 3.4, {}, 1),
+            ("2 points per cell, stretch 1.9", 2, 1.9, {}, 0),
+            ("4 points per cell, stretch 3.4", 4, 3.4, {}, 0),
+            ("2 points per cell, stretch 3.4, 2 processors", 2, 3.4, {}, 1)):
+        case = planeCase("watched-" + re.sub("[, .]+", "-", label), {"body": {**law, **more}},
+                         {"body": box("body", (2, 2), (8, 4), ppc)}, (28, 6),
+                         controlDict(end*(stretch - 1)/2.4, end*(stretch - 1)/9.6, maxCo=0.3))
+        x = case.points("0", "body")["x"][:, 0]
+        U = np.zeros((len(x), 3))
+        U[:, 0] = rate*(x - 2*H)
+        writeField(case.file("0/lagrangian/body/U"), U)
+        if "processors" in label:
+            case.decompose((2, 1, 1))
+            case.runParallel()
+        else:
+            case.run("materialPointFoam")
+        table.row(f"numerical fracture, {label}: warnings", expected,
+                  case.log().count("Numerical fracture: of body"), 0)
+
+
 def main():
-    return runParts("erosion", marked, bar, booked, anvil, gone, debris, separation)
+    return runParts("erosion", marked, bar, booked, anvil, gone, debris, outflow,
+                    separation, watched)
 
 
 if __name__ == "__main__":

@@ -13,7 +13,8 @@ Round trip: decomposePar on 2, run, reconstructPar, decomposePar on 4, go on: th
 result of the straight run to 1e-10. Restart on the same processors, binary: bit
 by bit; killed while it writes: goes on from the last complete time of all.
 
-Balance: cellWeights for decomposePar.
+Balance: cellWeights for decomposePar. Another number of processors by decomposePar
+-latestTime; a processor whose points are missing.
 """
 
 import os
@@ -28,7 +29,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, mpirun, noSchemes,
-                      velocityFile)
+                      readInternal, velocityFile)
 from plates import plateCase
 from report import Report
 
@@ -289,6 +290,50 @@ def balance(table):
               share["cellWeights"], 13, "atMost")
 
 
+def rankChange(table):
+    """From 2 to 3 processors as README.md says, shares by cellWeights."""
+    numerics = SMOOTH["2D GIMP FLIP"][1]
+    straight = fallingBlock("ranks-straight", 2, numerics)
+    straight.run("materialPointFoam")
+    half, end = straight.times()[1:3]
+
+    c = fallingBlock("ranks", 2, numerics)
+    c.run("setMaterialPoints", "-cellWeights")
+    c.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+    c.change("system/controlDict", "^endTime.*?;", f"endTime {half};")
+    c.decompose((1, 2, 1), "cellWeights")
+    c.runParallel()
+    c.run("reconstructPar", "-latestTime")
+    for d in c.processors():
+        shutil.rmtree(d)
+    c.decompose((3, 1, 1), "cellWeights")
+    for d in c.processors():
+        shutil.rmtree(d)
+    c.run("decomposePar", "-latestTime")
+    weights = readInternal(c.file(half, "cellWeights"))
+    table.row("other number of processors: sum of cellWeights over the points", 1,
+              np.sum(weights[weights > 1] - 0.02)/len(c.points(half, "block")["id"]), 1e-9)
+    c.change("system/controlDict", "^endTime.*?;", f"endTime {float(end)!r};")
+    c.runParallel()
+    c.run("reconstructPar", "-latestTime")
+    table.row("2, then 3 processors by decomposePar -latestTime against 1, largest "
+              "difference", 0, straight.largestDifference(c, end, ["block"], COLUMNS),
+              1e-10, "atMost")
+
+    # A processor has lost its points
+    lost = [d for d in c.processors()
+            if os.path.exists(os.path.join(d, end, "lagrangian/block/id"))][0]
+    shutil.rmtree(os.path.join(lost, end, "lagrangian"))
+    c.change("system/controlDict", "^endTime.*?;", f"endTime {2*float(end)!r};")
+    try:
+        c.runParallel()
+        table.check("a processor without lagrangian: the run stops", False, "exit status 0")
+    except RunFailed:
+        table.check("a processor without lagrangian: the run stops and says why",
+                    "were written: a folder lagrangian/block of some processor" in
+                    " ".join(c.log().split()))
+
+
 def main():
     table = Report("parallel")
     for label in SMOOTH:
@@ -296,7 +341,7 @@ def main():
             smooth(table, label)
         except RunFailed as e:
             table.check(f"{label} runs", False, e)
-    for part in (failing, roundTrip, killed, balance):
+    for part in (failing, roundTrip, killed, balance, rankChange):
         try:
             part(table)
         except RunFailed as e:

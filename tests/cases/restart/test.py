@@ -5,10 +5,13 @@ The spall strip with failure and Weibull scatter, GIMP, FLIP, FMPM and APIC
 with USAVG, points crossing cells: from every written time on, binary bit by bit, ascii (17 digits,
 writePrecision 6) to 1e-13 of each field's maximum. A run that is killed while it
 writes goes on from the last complete time, says so, and ends at the same result.
+The end of a run is written, SIGTERM and SIGINT write and end, limits of the time step
+and the energy end with the state written, fvSolution may be edited meanwhile.
 """
 
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -113,6 +116,106 @@ def killed(table, tries):
               0, difference(straight, c, end), 0, "atMost")
 
 
+def ended(table):
+    """The end is written whatever writeInterval is; SIGTERM writes and ends."""
+    straight = case("end-straight", "FMPM2", "binary")
+    straight.run("materialPointFoam")
+    c = case("end", "FMPM2", "binary")
+    c.change("system/controlDict", "writeInterval.*?;", f"writeInterval {0.7*END};")
+    c.run("materialPointFoam")
+    table.row("writeInterval does not divide endTime: last written time over endTime", 1,
+              float(c.times()[-1])/END, 1e-9)
+    for control, value in (("timeStep", 100000), ("runTime", 10*END)):
+        c = case(f"end-{control}", "FMPM2", "binary")
+        c.change("system/controlDict", "writeControl.*?;", f"writeControl {control};")
+        c.change("system/controlDict", "writeInterval.*?;", f"writeInterval {value};")
+        c.run("materialPointFoam")
+        table.row(f"writeControl {control}: last written time over endTime", 1,
+                  float(c.times()[-1])/END, 0.01)
+
+    for name, number in (("SIGTERM", signal.SIGTERM), ("SIGINT", signal.SIGINT)):
+        c = case(name, "FMPM2", "binary")
+        c.change("system/controlDict", "writeInterval.*?;", "writeInterval 1;")
+        c.change("system/controlDict", "endTime .*?;", "endTime 0.1; maxDeltaT 1e-10;")
+        with open(c.file("log.signal"), "w") as log:
+            p = subprocess.Popen(["materialPointFoam"], cwd=c.path, stdout=log, stderr=log,
+                                 env={**os.environ, "PWD": c.path})
+            for _ in range(600):
+                time.sleep(0.1)
+                if "\nTime = " in open(c.file("log.signal")).read():
+                    break
+            p.send_signal(number)
+            status = p.wait(60)
+        text = open(c.file("log.signal")).read()
+        table.check(f"{name}: the run says so, ends well and has its state", status == 0
+                    and f"Signal {int(number)} (" in text and text.rstrip().endswith("End")
+                    and os.path.exists(c.file(c.times()[-1], "uniform/materialPointState"))
+                    and float(c.times()[-1]) > 0, f"exit {status}, times {c.times()}")
+        if float(c.times()[-1]) < 0.9*END:
+            # To a time that the straight run has written
+            later = [t for t in straight.times() if float(t) > 1.05*float(c.times()[-1])][0]
+            c.change("system/controlDict", "writeInterval.*?;", f"writeInterval {INTERVAL};")
+            c.change("system/controlDict", "endTime .*?;.*?;", f"endTime {later};")
+            c.run("materialPointFoam")
+            table.check(f"{name}: goes on to the end", abs(
+                float(c.times()[-1])/float(later) - 1) < 1e-6, c.times()[-1])
+
+
+def limits(table):
+    """minDeltaT and maxEnergyGrowth end a run with its state, and it says who."""
+    c = case("minDeltaT", "FLIP", "binary")
+    c.change("system/controlDict", "^maxCo", "minDeltaT 1;\nmaxCo")
+    c.run("materialPointFoam")
+    table.check("minDeltaT: the run ends with its state", len(c.times()) == 2
+                and "below minDeltaT" in c.log() and os.path.exists(
+                    c.file(c.times()[-1], "uniform/materialPointState")), c.times())
+    table.check("the log names who sets the time step", re.search(
+        r"^deltaT set by (target|flyer): sound [\d.]+ m/s in \S+ mm", c.log(), re.M) is not None)
+    c = case("maxEnergyGrowth", "FLIP", "binary")
+    # FLIP beyond its stable step
+    c.change("system/controlDict", "adjustTimeStep.*?;", "adjustTimeStep no;")
+    c.change("system/controlDict", "deltaT .*?;", "deltaT 6e-9;")
+    c.change("system/controlDict", "^maxCo.*?;", "maxEnergyGrowth 0.5;")
+    c.change("system/controlDict", "endTime .*?;", "endTime 1e-3;")
+    c.run("materialPointFoam")
+    table.check("energy that grows without a source: one warning, then the end",
+                c.log().count("Energy has grown by") >= 2 and c.log().count(
+                    "Warning") >= 1 and "more than maxEnergyGrowth" in c.log()
+                and float(c.times()[-1]) < 1e-3, c.times()[-1])
+
+
+def edited(table):
+    """fvSolution that is changed while the run goes on."""
+    c = case("edited", "FMPM2", "binary")
+    c.change("system/controlDict", "runTimeModifiable.*?;", "runTimeModifiable yes;")
+    c.change("system/controlDict", "endTime .*?;", "endTime 1e-4; maxDeltaT 1e-13;")
+    c.change("system/controlDict", "writeInterval.*?;", "writeInterval 1;")
+    with open(c.file("log.edited"), "w") as log:
+        p = subprocess.Popen(["materialPointFoam"], cwd=c.path, stdout=log, stderr=log,
+                             env={**os.environ, "PWD": c.path})
+
+        def until(words):
+            for _ in range(300):
+                time.sleep(0.1)
+                if words in open(c.file("log.edited")).read():
+                    return True
+            return False
+
+        until("\nTime = ")
+        # Modification times of whole seconds, and OpenFOAM's own delay
+        time.sleep(2.1)
+        c.change("system/fvSolution", "order 2;", "order 3; maxStrain 0.1;\nstressUpdate USL;")
+        acts = until("act from time")
+        p.send_signal(signal.SIGTERM)
+        p.wait(60)
+    text = " ".join(open(c.file("log.edited")).read().split())
+    table.check("fvSolution edited while running: what acts is named", acts and re.search(
+        r"fvSolution.materialPoints has changed: \((order maxStrain|maxStrain order)\) act"
+        r" from time", text) is not None)
+    table.check("fvSolution edited while running: what does not act is named",
+                "(stressUpdate) act only in a new run" in text)
+
+
 def main():
     table = Report("restart")
     for scheme in SCHEMES:
@@ -121,10 +224,11 @@ def main():
                 restarts(table, scheme, writeFormat)
             except RunFailed as e:
                 table.check(f"{scheme}, {writeFormat} runs", False, e)
-    try:
-        killed(table, 20)
-    except RunFailed as e:
-        table.check("killed run goes on", False, e)
+    for part in (lambda t: killed(t, 20), ended, limits, edited):
+        try:
+            part(table)
+        except RunFailed as e:
+            table.check("runs", False, e)
     return table.finish()
 
 

@@ -11,8 +11,10 @@ that a tool gives are compared with the columns and tables of the run itself.
 import glob
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 
 import numpy as np
 
@@ -43,6 +45,7 @@ def makeCase():
         f"{name} {{\nlibs (mpmFunctionObjects);\nwriteControl timeStep;\n"
         + foamText(entries) + "}\n" for name, entries in FUNCTIONS.items())
     case.change("system/controlDict", r"^functions\s*\{", "functions\n{\n" + functions)
+    case.change("system/controlDict", "^deltaT ", "reportInterval 1;\ndeltaT ")
     case.run("materialPointFoam")
     return case
 
@@ -215,6 +218,32 @@ def fieldTools(table, case):
                 f"exit {status}")
 
 
+def copiedTutorial(table, case):
+    """A tutorial runs from a folder of its own; all look for the project by its name."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = os.path.join(folder, "deep", "down", "bar")
+        shutil.copytree(os.path.join(PROJECT, "tutorials/vibratingBar"), copy,
+                        ignore=shutil.ignore_patterns("log.*", "postProcessing", "polyMesh"))
+        control = os.path.join(copy, "system/controlDict")
+        with open(control) as f:
+            text = f.read()
+        with open(control, "w") as f:
+            f.write(text.replace("endTime         50;", "endTime         12.5;"))
+        run = subprocess.run([os.path.join(copy, "Allrun")], stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=120,
+                             cwd="/", env={**os.environ, "MPM_PROJECT_DIR": PROJECT})
+        log = os.path.join(copy, "log.materialPointFoam")
+        done = os.path.exists(log) and open(log).read().rstrip().endswith("End")
+        table.check("a copied tutorial runs elsewhere", done, run.stdout.decode()[-200:])
+        size = os.path.getsize(log)/1e6 if done else np.inf
+        table.row("size of its log [MB]", 1, size, 1, "atMost")
+    scripts = glob.glob(os.path.join(PROJECT, "tutorials/*/Allrun"))
+    bad = [s for s in scripts
+           if '. "${MPM_PROJECT_DIR:-../..}/etc/prepare"' not in open(s).read()]
+    table.check(f"all {len(scripts)} tutorials look for the project by its name", not bad,
+                " ".join(bad))
+
+
 def main():
     table = Report("tools")
     try:
@@ -222,7 +251,8 @@ def main():
     except RunFailed as error:
         table.check("the case runs", False, error)
         return table.finish()
-    for check in (ownOptions, ownPostProcess, times, foamLog, fieldTools, dictionaries):
+    for check in (ownOptions, ownPostProcess, times, foamLog, fieldTools, dictionaries,
+                  copiedTutorial):
         check(table, case)
     return table.finish()
 

@@ -8,6 +8,7 @@ License
 
 #include "constitutiveModel.H"
 #include "selector.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -86,6 +87,55 @@ void Foam::mpm::constitutiveModel::initialise(pointBlock& block) const
             }
         }
     }
+}
+
+Foam::scalar Foam::mpm::constitutiveModel::waveSpeedOf
+(
+    const pointBlock& block,
+    const label p,
+    const scalar width
+) const
+{
+    if (!waveSpeedVaries())
+    {
+        return waveSpeed();
+    }
+
+    // A step without motion on a copy of the point, with room for lanes
+    constexpr int nLanes = 16;
+    alignas(64) scalar copy[pointBlock::maxHistory + 9][nLanes];
+    alignas(64) scalar zero[nLanes] = {};
+    int n = 0;
+    const auto copied = [&](const scalar* value)
+    {
+        std::fill_n(copy[n], nLanes, value ? value[p] : 0);
+        return copy[n++];
+    };
+
+    pointBlock one(block);
+    one.n = 1;
+    one.dt = 1;
+    one.waveSpeed = 0;
+    std::fill_n(one.dL, 9, zero);
+    one.hoop = nullptr;
+    one.mass = copied(block.mass);
+    one.volume = copied(block.volume);
+    for (int i = 0; i < nStress(block.nDim); ++i)
+    {
+        one.stress[i] = copied(block.stress[i]);
+    }
+    for (int h = 0; h < nColumns(block.nDim); ++h)
+    {
+        one.history[h] = copied(block.history[h]);
+    }
+    one.damage = block.damage ? copied(block.damage) : nullptr;
+    one.strength = nullptr;
+    alignas(64) scalar widths[nLanes];
+    std::fill_n(widths, nLanes, width);
+    one.width = needsWidth() ? widths : nullptr;
+
+    correct(one);
+    return one.waveSpeed;
 }
 
 // ************************************************************************* //

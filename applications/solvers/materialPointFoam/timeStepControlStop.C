@@ -1,0 +1,160 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "timeStepControl.H"
+#include "selector.H"
+#include <cstring>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::timeStepControl::stop(const string& reason)
+{
+    if (time_.stopAt() == Time::stopAtControls::saWriteNow)
+    {
+        return;
+    }
+    Info<< nl << reason.c_str() << nl
+        << "The run ends after this step, which is written." << nl << endl;
+    time_.stopAt(Time::stopAtControls::saWriteNow);
+    last_ = true;
+}
+
+
+Foam::string Foam::mpm::timeStepControl::limiter() const
+{
+    const scalar points = points_ ? points_->courantRate() : 0;
+    const scalar gas = gas_ ? gas_->courantRate() : 0;
+    const dictionary& dict = time_.controlDict();
+    OStringStream os;
+    if (dict.getOrDefault<bool>("adjustTimeStep", false))
+    {
+        const scalar most = dict.getOrDefault<scalar>("maxDeltaT", GREAT);
+        const scalar courant = courantDeltaT();
+        if (growFrom_ < min(courant, most))
+        {
+            os  << "growth after a step that was redone; then by ";
+        }
+        else if (most < courant)
+        {
+            os  << "maxDeltaT; then by ";
+        }
+        if
+        (
+            gas_
+         && gas/dict.getOrDefault<scalar>("maxCoGas", 0.4)
+          > points/max(dict.getOrDefault<scalar>("maxCo", 1), VSMALL)
+        )
+        {
+            os  << "the gas: Courant number " << gas*time_.deltaTValue();
+            return os.str();
+        }
+    }
+    else
+    {
+        os  << "deltaT of controlDict; the least is that of ";
+    }
+    os  << (points_ ? points_->limiter().c_str() : "the gas");
+    return os.str();
+}
+
+
+void Foam::mpm::timeStepControl::watchDeltaT()
+{
+    const scalar dt = time_.deltaTValue();
+    largest_ = max(largest_, dt);
+
+    const dictionary& dict = time_.controlDict();
+    const scalar least = boundedOrDefault(dict, "minDeltaT", 0, 0, GREAT);
+    const bool fallen = !fallen_ && dt < 1e-3*largest_;
+    if (!fallen && !(dt < least))
+    {
+        return;
+    }
+    const string by(limiter());
+    if (fallen)
+    {
+        fallen_ = true;
+        WarningInFunction
+            << "The time step has fallen from " << largest_ << " s to " << dt
+            << " s at time " << time_.timeName() << ". It is set by "
+            << by.c_str() << "." << nl
+            << "Erosion { type timeStep; limit ...; } of the phase takes such"
+            << " points out; minDeltaT in system/controlDict ends the run with"
+            << " its state written." << endl;
+    }
+    if (dt < least)
+    {
+        stop
+        (
+            "The time step is below minDeltaT of system/controlDict; it is set"
+            " by " + by + "."
+        );
+    }
+}
+
+
+void Foam::mpm::timeStepControl::watchEnergy()
+{
+    if (!points_)
+    {
+        return;
+    }
+    const scalar growth = points_->energyGrowth();
+    const dictionary& dict = time_.controlDict();
+    const scalar most =
+        boundedOrDefault(dict, "maxEnergyGrowth", GREAT, 0, GREAT);
+    if (!grown_ && growth > 0.1)
+    {
+        grown_ = true;
+        WarningInFunction
+            << "Energy has grown by " << 100*growth << " % of the energy of the"
+            << " points without a source, at time " << time_.timeName() << '.'
+            << nl << "A smaller maxCo, or a transfer that dissipates (FMPM,"
+            << " PICfraction), keeps a run stable; maxEnergyGrowth in"
+            << " system/controlDict ends it with its state written." << endl;
+    }
+    if (growth > most)
+    {
+        OStringStream os;
+        os  << "Energy has grown by the share " << growth << " without a"
+            << " source, more than maxEnergyGrowth of system/controlDict.";
+        stop(os.str());
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::timeStepControl::endStep()
+{
+    if (const int number = signal_.received())
+    {
+        stop
+        (
+            "Signal " + Foam::name(number) + " (" + strsignal(number)
+          + ") was received."
+        );
+    }
+    if (points_ && points_->empty() && !gas_)
+    {
+        stop("All material points have left through the patches of outflow.");
+    }
+
+    // As Time::run() will find after this step
+    const scalar dt = time_.deltaTValue();
+    if
+    (
+        !openEnd()
+     && time_.value() + dt >= time_.endTime().value() - 0.5*dt
+    )
+    {
+        last_ = true;
+        time_.writeOnce();
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,230 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "separationWatch.H"
+#include "Time.H"
+#include "PstreamReduceOps.H"
+#include "ListOps.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
+:
+    warned_(false)
+{
+    const materialPointCloud& cloud = phase.cloud();
+    const hexGrid& grid = cloud.grid();
+    const int D = grid.nDim();
+    const labelList& cells = cloud.cells();
+    const label n = returnReduce(cloud.size(), sumOp<label>());
+    const label every = max(label(1), n/10000);
+
+    // Size of a point in a direction
+    const auto size = [&](const label celli, const label p, const int d)
+    {
+        if (const column* l = cloud.halfSize())
+        {
+            return 2*(*l)[d][p];
+        }
+        const auto k = std::lower_bound(cells.begin(), cells.end(), celli)
+          - cells.begin();
+        return
+            grid.width(celli, d)
+           /std::round(std::pow(cloud.start()[k + 1] - cloud.start()[k], 1.0/D));
+    };
+
+    // Pairs of ids: each chosen point with those above it in each direction,
+    // in its own cell and the next
+    DynamicList<labelPair> found;
+    forAll(cells, k)
+    {
+        for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+        {
+            if (label(cloud.id()[0][p]) % every)
+            {
+                continue;
+            }
+            for (int d = 0; d < D; ++d)
+            {
+                for (const label celli : {cells[k], grid.neighbour(cells[k], d, 1)})
+                {
+                    const auto at =
+                        std::lower_bound(cells.begin(), cells.end(), celli);
+                    if (at == cells.end() || *at != celli)
+                    {
+                        continue;
+                    }
+                    const label m = at - cells.begin();
+                    for (label q = cloud.start()[m]; q < cloud.start()[m + 1]; ++q)
+                    {
+                        bool next = q != p;
+                        for (int e = 0; e < D; ++e)
+                        {
+                            const scalar way =
+                                (cloud.x()[e][q] - cloud.x()[e][p])
+                               /size(cells[k], p, e);
+                            next = next && mag(way - (e == d)) < 0.4;
+                        }
+                        if (next)
+                        {
+                            found.append
+                            (
+                                labelPair
+                                (
+                                    label(cloud.id()[0][p]),
+                                    label(cloud.id()[0][q])
+                                )
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    // The same lists on all processors
+    List<List<labelPair>> parts(Pstream::nProcs());
+    parts[Pstream::myProcNo()] = found;
+    Pstream::gatherList(parts);
+    Pstream::scatterList(parts);
+    for (const List<labelPair>& part : parts)
+    {
+        pairs_.append(part);
+    }
+    for (const labelPair& pair : pairs_)
+    {
+        id_.append(pair.first());
+        id_.append(pair.second());
+    }
+    inplaceUniqueSort(id_);
+    for (labelPair& pair : pairs_)
+    {
+        pair = labelPair
+        (
+            findSortedIndex(id_, pair.first()),
+            findSortedIndex(id_, pair.second())
+        );
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
+{
+    if (warned_ || pairs_.empty())
+    {
+        return;
+    }
+    const materialPointCloud& cloud = phase.cloud();
+    const hexGrid& grid = cloud.grid();
+    const int D = grid.nDim();
+
+    // Place and cell width of the points that are here; width 0: elsewhere
+    vectorField x(id_.size(), Zero), h(id_.size(), Zero);
+    labelList failed(id_.size(), label(0));
+    forAll(cloud.cells(), k)
+    {
+        for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+        {
+            const label i = findSortedIndex(id_, label(cloud.id()[0][p]));
+            if (i < 0)
+            {
+                continue;
+            }
+            x[i] = cloud.position(p, cloud.cells()[k]);
+            for (int d = 0; d < D; ++d)
+            {
+                h[i][grid.direction(d)] = grid.width(cloud.cells()[k], d);
+            }
+            failed[i] = cloud.damage() && (*cloud.damage())[0][p] >= 1;
+        }
+    }
+    Pstream::listCombineGather(x, plusEqOp<vector>());
+    Pstream::listCombineGather(h, plusEqOp<vector>());
+    Pstream::listCombineGather(failed, maxEqOp<label>());
+    Pstream::listCombineScatter(x);
+    Pstream::listCombineScatter(h);
+    Pstream::listCombineScatter(failed);
+
+    label nPairs = 0;
+    DynamicList<labelPair> apart;
+    for (const labelPair& pair : pairs_)
+    {
+        const label i = pair.first(), j = pair.second();
+        if (h[i] == vector::zero || h[j] == vector::zero || failed[i] || failed[j])
+        {
+            continue;
+        }
+        ++nPairs;
+        for (int d = 0; d < D; ++d)
+        {
+            const int c = grid.direction(d);
+            const scalar way = mag(x[i][c] - x[j][c]);
+            if
+            (
+                way > max(h[i][c], h[j][c])
+             && !(grid.hasLattice() && way > 0.5*grid.period(d) && grid.period(d) > 0)
+            )
+            {
+                apart.append(pair);
+                break;
+            }
+        }
+    }
+
+    // Sheared past each other, or a gap: is there something in the middle?
+    labelList filled(apart.size(), label(0));
+    forAll(apart, i)
+    {
+        const point middle(0.5*(x[apart[i].first()] + x[apart[i].second()]));
+        scalar at[3] = {0, 0, 0};
+        for (int d = 0; d < D; ++d)
+        {
+            at[d] = middle[grid.direction(d)];
+        }
+        const label celli = grid.find(at);
+        filled[i] = std::binary_search
+        (
+            cloud.cells().begin(),
+            cloud.cells().end(),
+            celli
+        );
+    }
+    Pstream::listCombineGather(filled, maxEqOp<label>());
+    Pstream::listCombineScatter(filled);
+
+    label nApart = 0, first = -1;
+    forAll(apart, i)
+    {
+        if (!filled[i])
+        {
+            first = nApart++ ? first : i;
+        }
+    }
+    if (nApart < 3)
+    {
+        return;
+    }
+    warned_ = true;
+    const label i = apart[first].first(), j = apart[first].second();
+    WarningInFunction
+        << "Numerical fracture: of " << phase.name() << ", " << nApart
+        << " of the " << nPairs << " pairs of neighbours that were looked at"
+        << " are more than a cell apart with an empty cell between them, though"
+        << " nothing has failed there, at time "
+        << cloud.time().timeName() << "; e.g. the points " << id_[i]
+        << " and " << id_[j] << " at " << x[i] << " and " << x[j] << '.' << nl
+        << "Points lose each other from a stretch of about their number per"
+        << " cell and direction: give more pointsPerCell in"
+        << " setMaterialPointsDict, or a failureModel if the material shall"
+        << " break. The function object materialPointSeparation counts all"
+        << " pairs." << endl;
+}
+
+// ************************************************************************* //
