@@ -44,7 +44,9 @@ ROCK = {**SOLID, "cohesion": 200e6, "frictionAngle": 30, "dilationAngle": 10}
 Q = {"bulkViscosity": {"linear": 0.06, "quadratic": 1.5}}
 J2 = {"type": "J2Plasticity", **METAL, "yield": 250e6, "hardening": "none"}
 LAWS = {
-    "linearElastic": {"type": "linearElastic", **SOLID},
+    "linearElastic": {"type": "linearElastic", **SOLID, "stress": "Kirchhoff"},
+    # Its stored energy is exact for proportional strain paths only: in the table, no row
+    "linearCauchy": {"type": "linearElastic", **SOLID},
     "neoHookean": {"type": "neoHookean", **SOLID},
     "MooneyRivlin": {"type": "MooneyRivlin", "rho": RHO, "c10": 0.4*G, "c01": 0.1*G, "K": K},
     "J2": {**J2, "K": K},
@@ -62,7 +64,7 @@ MODELS = {
     "Gf": {"type": "maxPrincipalStress", "strength": STRENGTH, "Gf": 1500},
     "strain": {"type": "maxPrincipalStrain", "strain": 2.5e-3},
     "impulse": {"type": "TulerButcher", "strength": STRENGTH, "exponent": 1, "impulse": 20},
-    "flaws": {"type": "GradyKipp", "k": 1e32, "m": 8, "crackSpeed": 2000},
+    "flaws": {"type": "GradyKipp", "k": 1e28, "m": 8, "crackSpeed": 2000},
     "JCdamage": {"type": "JohnsonCookDamage", "D1": 0.01, "D2": 0.02, "D3": -1.5, "D4": 0,
                  "D5": 0, "referenceRate": 1, "referenceTemperature": 294,
                  "meltTemperature": 925}}
@@ -73,8 +75,8 @@ TRANSFERS = {
 #: Combinations whose points do not fail in this scene: nothing of a fluid without tension
 WHOLE = [("fluid", m) for m in MODELS]
 #: Refused: no plastic strain; no total strain
-REFUSED = ([(law, "JCdamage") for law in ("linearElastic", "neoHookean", "MooneyRivlin",
-                                          "fluid")] + [("fluid", "strain")])
+REFUSED = [(law, "JCdamage") for law in ("linearElastic", "linearCauchy", "neoHookean",
+                                         "MooneyRivlin", "fluid")] + [("fluid", "strain")]
 LIBS = {"libs": "(mpmFunctionObjects)", "writeControl": "timeStep"}
 
 
@@ -108,13 +110,13 @@ def planeRun(base, law, model, erosion, transfer):
     name = "-".join((law, model, "erosion" if erosion else "all", transfer))
     case = FoamCase("energyOfFailure", name, template=base.path)
     shutil.copytree(base.file("constant", "polyMesh"), case.file("constant", "polyMesh"))
-    phase = {"constitutiveModel": LAWS[law]}
+    ball = {"constitutiveModel": LAWS[law]}
     if MODELS[model]:
-        phase["failureModel"] = MODELS[model]
-        if erosion:
-            phase["erosion"] = {"type": "damage", "time": 2e-6}
+        ball["failureModel"] = MODELS[model]
+    # Somebody has to stay
+    plate = {**ball, "erosion": {"type": "damage", "time": 2e-6}} if erosion else ball
     case.write("constant/phaseProperties", {
-        "phases": ["ball", "plate"], "ball": phase, "plate": phase,
+        "phases": ["ball", "plate"], "ball": ball, "plate": plate,
         "contact": {"all": {"type": "frictionless"}}})
     case.write("system/fvSolution", {"materialPoints": {
         **TRANSFERS[transfer], "energyBudget": True}})
@@ -143,7 +145,9 @@ def judge(table, label, b):
     """Rows of a budget; its largest residual over the energy exchanged."""
     spent = b["kinetic"][0] - b["kinetic"].min()
     worst = np.abs(b["residual"]).max()/spent
-    table.row(f"{label}: largest residual over the energy exchanged", 0, worst, 0.01, "atMost")
+    if "Cauchy" not in label:
+        table.row(f"{label}: largest residual over the energy exchanged", 0, worst, 0.01,
+                  "atMost")
     table.row(f"{label}: energy that failure has given in all, over the energy exchanged", 0,
               b["failure"].max()/spent, 0.001, "atMost")
     table.row(f"{label}: dissipation that comes back, over the energy exchanged", 0,
@@ -210,8 +214,8 @@ METALS = {"bullet": ("copperOFHC", 90e6, 292e6, 0.31, 294, 383, 8960),
           "plate": ("aluminium6061T6", 324e6, 114e6, 0.42, 294, 896, 2700)}
 
 
-def metalCase(transfer, shape, erosion):
-    case = FoamCase("energyOfFailure", f"metal-{transfer}{'-erosion' if erosion else ''}")
+def metalCase(transfer, shape, erosion, end):
+    case = FoamCase("energyOfFailure", f"metal-{transfer}-{shape}{'-erosion' if erosion else ''}")
     mm = 1e-3
     phases = {}
     for phase, (metal, *_) in METALS.items():
@@ -239,7 +243,7 @@ def metalCase(transfer, shape, erosion):
         **TRANSFERS[transfer], "shapeFunction": shape, "energyBudget": True}})
     noSchemes(case)
     case.write("system/controlDict", controlDict(
-        18e-6, 18e-6, maxCo=0.3,
+        end, end, maxCo=0.3,
         functions={"energy": {"type": "materialPointEnergy", **LIBS, "writeInterval": 10}}))
     case.run("blockMesh")
     case.run("setMaterialPoints")
@@ -247,12 +251,13 @@ def metalCase(transfer, shape, erosion):
 
 
 def metal(table):
-    runs = [("FMPM2", "GIMP", False), ("APIC", "linear", False)]
+    runs = [("FMPM2", "GIMP", False, 18e-6), ("APIC", "linear", False, 18e-6)]
     if VERIFY:
-        runs += [("FLIP", "GIMP", False), ("APIC", "GIMP", False), ("FMPM2", "GIMP", True),
-                 ("FLIP", "GIMP", True), ("APIC", "GIMP", True)]
-    for transfer, shape, erosion in runs:
-        case = metalCase(transfer, shape, erosion)
+        # Until the first fast debris is at the end of the mesh
+        runs += [(transfer, "GIMP", erosion, 12e-6) for transfer in TRANSFERS
+                 for erosion in (False, True)]
+    for transfer, shape, erosion, end in runs:
+        case = metalCase(transfer, shape, erosion, end)
         label = f"metal, {transfer}, {shape}{', erosion' if erosion else ''}"
         seconds = case.run("materialPointFoam", limit=400)
         b = budget(case)
