@@ -153,15 +153,15 @@ def subCells(low, h, cells, n):
 
 def compare(table, name, case, region, low, h, cells, n, volume, tolerance=1e-10):
     """Volumes of the points, by id, against those of the sub-cells; parts below a
-    hundredth lie with their neighbours."""
+    thousandth lie with their neighbours."""
     s = h/n
     D = len(cells)
     exact = {tuple(np.round(np.subtract(c, low)/s).astype(int)): volume(c, [x + s for x in c])
              for c in subCells(low, h, cells, n)}
     whole = s**D
     V = case.points("0", region).byId("V")/(h if D == 2 else 1)
-    kept = [c for c, v in exact.items() if v >= 0.01*whole]
-    small = [c for c, v in exact.items() if tolerance*whole < v < 0.01*whole]
+    kept = [c for c, v in exact.items() if v >= 1e-3*whole]
+    small = [c for c, v in exact.items() if tolerance*whole < v < 1e-3*whole]
     table.row(f"{name}: points", len(kept), len(V), 0)
     if len(kept) != len(V):
         return
