@@ -472,12 +472,14 @@ def slope(table):
             (x0, y0), (x1, y0), (x1, y1), (x0, y1))]
 
     for mu in (0.0, 0.3):
+        # A rigid block lies on all its normals at once: one for all
         case = build(f"slope-{mu}", (0, 0), h, (70, 55), {
             "block": surfaceRegion("block.stl"), "slab": surfaceRegion("slab.stl")},
             phases={"block": free(), "slab": {"type": "rigid", "rho": RHO}},
             control=controlDict(0.3, 0.3, deltaT=5e-4, functions=BALANCE),
             gravity=(0, -g, 0), run=False, contact={"all": {
-                "type": "Coulomb", "mu": mu}})
+                "fields": "(block slab)", "type": "Coulomb", "mu": mu,
+                "normal": (-s, -c, 0)}})
         prisms(case, "block.stl", [turned(0.2, 0.5, 0, 0.15)])
         prisms(case, "slab.stl", [turned(0.05, 1.4, -0.06, 0)])
         case.run("setMaterialPoints")
