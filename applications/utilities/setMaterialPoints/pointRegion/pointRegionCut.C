@@ -19,8 +19,9 @@ namespace
 //- Parts of a sub-cell below this count as nothing, above one minus this as all
 constexpr Foam::scalar tolerance = 1e-10;
 
-//- A part below this goes to a point beside
-constexpr Foam::scalar smallPart = 0.01;
+//- A part below this goes to a point beside: boxes at faces along the axes keep
+//  their size, which then is small, others are drawn in
+constexpr Foam::scalar smallBox = 0.1, smallPart = 1e-3;
 
 }
 
@@ -184,6 +185,32 @@ Foam::label Foam::mpm::pointRegion::beside
 }
 
 
+Foam::vector Foam::mpm::pointRegion::boxOf(const cutPoint& c) const
+{
+    vector l(Zero);
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        const int e = grid_.direction(d);
+        l[e] = std::sqrt(3*c.variance[e]);
+    }
+    return l;
+}
+
+
+bool Foam::mpm::pointRegion::isBox(const label celli, const cutPoint& c) const
+{
+    // It reaches the surfaces and not beyond
+    const vector l(boxOf(c));
+    vector way;
+    return
+        (!formula_ && !cutter_)
+     || (
+            fit(celli, c, c.mean, l, way) == 1
+         && fit(celli, c, c.mean, (1 + 1e-6)*l, way) < 1
+        );
+}
+
+
 void Foam::mpm::pointRegion::joinSmallParts()
 {
     boolList gone(points_.size(), false);
@@ -194,11 +221,13 @@ void Foam::mpm::pointRegion::joinSmallParts()
         for (label p = start_[k]; p < start_[k + 1]; ++p)
         {
             const auto small = cutOf_.cfind(p);
-            if
-            (
-                !small.found()
-             || cut_[*small].area >= smallPart*cut_[*small].whole
-            )
+            if (!small.found())
+            {
+                continue;
+            }
+            const cutPoint& c = cut_[*small];
+            const scalar part = c.area/c.whole;
+            if (part >= (isBox(cells_[k], c) ? smallBox : smallPart))
             {
                 continue;
             }
@@ -227,7 +256,7 @@ void Foam::mpm::pointRegion::joinSmallParts()
                     }
                 }
             }
-            if (best < 0 || bestArea <= cut_[*small].area/cut_[*small].whole)
+            if (best < 0 || bestArea <= part)
             {
                 continue;
             }
@@ -419,36 +448,27 @@ void Foam::mpm::pointRegion::placeCutPoints()
             std::upper_bound(start_.begin(), start_.end(), c.point)
           - start_.begin() - 1;
 
-        vector l(Zero), way;
-        for (int d = 0; d < grid_.nDim(); ++d)
-        {
-            const int e = grid_.direction(d);
-            l[e] = std::sqrt(3*c.variance[e]);
-        }
+        const vector l(boxOf(c));
         p.x = c.mean;
-        scalar factor = fit(cells_[k], c, p.x, l, way);
-        if (factor == 1)
+        if (isBox(cells_[k], c))
         {
             p.halfSize = l;
             continue;
         }
 
         // A full box is drawn in, surface by surface
-        const vector full(p.halfSize);
-        for (label i = 0; i < nTries; ++i)
+        vector way;
+        bool fits = false;
+        for (label i = 0; i < nTries && !fits; ++i)
         {
-            if (fit(cells_[k], c, p.x, full, way) == 1)
-            {
-                factor = 1;
-                break;
-            }
-            p.x += way;
+            fits = fit(cells_[k], c, p.x, p.halfSize, way) == 1;
+            p.x += fits ? vector(Zero) : way;
         }
-        if (factor < 1 || !shape_->contains(cells_[k], p.x))
+        if (!fits || !shape_->contains(cells_[k], p.x))
         {
             // Too thin for it
             p.x = c.mean;
-            p.halfSize = max(factor, least)*l;
+            p.halfSize = max(fit(cells_[k], c, p.x, l, way), least)*l;
         }
     }
     cut_.clearStorage();
