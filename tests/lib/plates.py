@@ -20,14 +20,16 @@ P_AIR, RHO_AIR, R_AIR = 1e5, 1.2, 287.0
 
 def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxCo,
               strength=None, pointsPerCell=2, width=4, probes=(),
-              writeFormat="binary", air=None):
-    """Write, mesh and fill a case; not run yet. Probes: phase, name, fields,
+              writeFormat="binary", air=None, carried=(0, 0)):
+    """Write, mesh and fill a case; not run yet. carried: velocity of all, across
+    (through cyclic sides) and along the impact. Probes: phase, name, fields,
     y from, y to (of the start), operation. air: entries of the gas and, of the
     plates, volumeFraction (1) and drag (stick); None is vacuum."""
     h = exact.H/cellsPerFlyer
     # The target's outer face moves on with 100 m/s from 0.75 us
     margin = max(4, math.ceil(exact.V*(endTime - 0.7e-6)/h) + 3)
-    low, high = -margin*h, 3*exact.H + margin*h
+    above, below = (math.ceil(max(0, v)*endTime/h) for v in (carried[1], -carried[1]))
+    low, high = -(margin + below)*h, 3*exact.H + (margin + above)*h
     w = width*h
     law = {"velocityField": "plates",
            "constitutiveModel": {"type": "linearElastic", "rho": exact.RHO,
@@ -49,22 +51,28 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
         phases["air"] = {"type": "gas", "thermo": "perfectGas", "R": R_AIR,
                          "gamma": 1.4, **air}
 
+    sides = {"sides": ("patch", ("x-", "x+"))}
+    if carried[0]:
+        sides = {"left": ("cyclic; neighbourPatch right", ("x-",)),
+                 "right": ("cyclic; neighbourPatch left", ("x+",))}
     case = FoamCase(group, name)
     case.write("constant/phaseProperties",
                {"phases": list(phases), **phases})
     case.write("system/blockMeshDict", boxMesh(
-        (0, low, 0), (w, high, h), (width, 3*cellsPerFlyer + 2*margin, 1),
-        {**ends, "sides": ("patch", ("x-", "x+")),
+        (0, low, 0), (w, high, h), (width, 3*cellsPerFlyer + 2*margin + above + below, 1),
+        {**ends, **sides,
          "frontAndBack": ("empty", ("z-", "z+"))}))
     conditions = {name: "calculated" if air is None else "cyclic" for name in ends}
     conditions["frontAndBack"] = "empty"
-    velocityFile(case, "plates", {"sides": "slip", **conditions})
+    velocityFile(case, "plates", {
+        **{side: "cyclic" if carried[0] else "slip" for side in sides}, **conditions})
     case.write("system/setMaterialPointsDict", {"regions": {
         "target": {"phase": "target", "type": "box", "min": (0, 0, 0),
-                   "max": (w, 2*exact.H, h), **fill},
+                   "max": (w, 2*exact.H, h), **fill,
+                   "velocity": (*carried, 0)},
         "flyer": {"phase": "flyer", "type": "box", "min": (0, 2*exact.H, 0),
                   "max": (w, 3*exact.H, h), **fill,
-                  "velocity": (0, -exact.V, 0)}}})
+                  "velocity": (carried[0], carried[1] - exact.V, 0)}}})
     case.write("system/fvSolution", {"materialPoints": numerics})
     if air is None:
         noSchemes(case)
@@ -93,7 +101,7 @@ def startPositions(case, phase):
 
 
 def tensionRun(group, name, cells, numerics, maxCo, pointsPerCell=2, probes=(),
-               limit=300):
+               limit=300, carried=(0, 0)):
     """The impact without failure, 1.2 us; cells over the target. The case, its
     core-seconds, the mean sigma_yy of the points that were within half a cell of
     the target's mid-plane over time, and t343: when it rises through half of
@@ -103,7 +111,7 @@ def tensionRun(group, name, cells, numerics, maxCo, pointsPerCell=2, probes=(),
         group, name, cells//2, numerics, 1.2e-6, 1e-6, maxCo,
         pointsPerCell=pointsPerCell,
         probes=(("target", "middle", ("sigma_yy",), exact.H - h/2, exact.H + h/2, "mean"),
-                *probes))
+                *probes), carried=carried)
     seconds = case.run("materialPointFoam", limit=limit)
     t, sigma = case.series("middle", "sigma_yy.dat").T
     return case, seconds, t, sigma, crossing(t, sigma, exact.STRESS/2)

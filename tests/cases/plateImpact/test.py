@@ -56,6 +56,8 @@ SCHEMES.update({
                                          "strainFilter": f} for f in (0.75, 1)},
         "XPIC 2": {"transfer": "XPIC", "order": 2},
         "APIC": {"transfer": "APIC"}}.items()})
+SCHEMES["cubicBSpline FMPM 3"] = {"shapeFunction": "cubicBSpline", "transfer": "FMPM",
+                                  "order": 3}
 
 
 def measure(scheme, cells, maxCo):
