@@ -19,7 +19,8 @@ namespace
 using namespace Foam;
 using namespace Foam::mpm;
 
-//- h max(-div u, 0) of a cell from its corners [m/s], h its shortest side
+//- h max(-div u, 0) of a cell from its corners [m/s], h its shortest side; on
+//  a wedge div u of the plane
 scalar velocityLoss
 (
     const hexGrid& grid,

@@ -33,7 +33,10 @@ Foam::mpm::granularPressure::granularPressure(const dictionary& dict)
     checkKeywords
     (
         dict,
-        {"type", "alphaMin", "alphaMax", "Fr", "eta", "n", "delta", "linear", "quadratic"}
+        {
+            "type", "alphaMin", "alphaMax", "Fr", "eta", "n", "delta", "linear",
+            "quadratic"
+        }
     );
 }
 
