@@ -298,7 +298,7 @@ public:
                 << of.law.type() << " has no sound whose time step could be"
                 << " shared." << exit(FatalIOError);
         }
-        fastest_ = c0/boundedOrDefault(dict, "share", 0.1, 1e-6, 0.5);
+        fastest_ = c0/boundedOrDefault(dict, "share", 0.25, 1e-6, 0.5);
     }
 
     bool needsSpeeds(const scalar width, const scalar speed) const override
