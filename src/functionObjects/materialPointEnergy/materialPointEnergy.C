@@ -58,6 +58,10 @@ void Foam::functionObjects::materialPointEnergy::prepare
     {
         header += "\terosion[J]";
     }
+    if (points.damps())
+    {
+        header += "\tdamping[J]";
+    }
     setFiles(wordList(1, "energy"), List<string>(1, header));
 }
 
@@ -92,6 +96,10 @@ void Foam::functionObjects::materialPointEnergy::sample
         if (points.erodes())
         {
             os  << tab << b->erosion();
+        }
+        if (points.damps())
+        {
+            os  << tab << b->damping;
         }
         os  << endl;
     }

@@ -47,6 +47,10 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
     {
         state.add("contact", contact_->state());
     }
+    if (damps())
+    {
+        state.add("damping", dampingState());
+    }
     if (budget_.active)
     {
         dictionary energy;
@@ -63,6 +67,7 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
             energy.add("gas", coupling_->balance().state());
         }
         energy.add("contact", budget_.work.contact);
+        energy.add("damping", budget_.damping);
         state.add("energy", energy);
     }
     return state;
@@ -76,7 +81,7 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         state,
         {
             "rate", "waveRate", "stepsRedone", "failed", "eroded", "rigid",
-            "contact", "energy"
+            "contact", "energy", "damping"
         }
     );
 
@@ -131,6 +136,11 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         contact_->setState(requiredDict(state, "contact"));
     }
 
+    if (state.found("damping"))
+    {
+        setDampingState(requiredDict(state, "damping"));
+    }
+
     if (state.found("energy"))
     {
         budget_.active = true;
@@ -158,6 +168,7 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
             }
         }
         budget_.work.contact = energy.getOrDefault<scalar>("contact", 0);
+        budget_.damping = energy.getOrDefault<scalar>("damping", 0);
     }
     if (!timeDependent())
     {
