@@ -21,7 +21,7 @@ void Foam::mpm::rigidNodes::startShares
 {
     const label corners = label(1) << grid_.nDim();
     scalar* q = mass_.data();
-    power_ = passes.reach() && !passes.hasExtent() ? 4 : 2;
+    power_ = passes.reach() && !passes.hasExtent() ? 5 : 2;
     for (const label n : active)
     {
         q[stride*n] = 0;
