@@ -59,6 +59,10 @@ void Foam::functionObjects::materialPointEnergy::prepare
         header += "\terosion[J]";
     }
     header += "\tdissipation[J]\tremap[J]";
+    if (points.damps())
+    {
+        header += "\tdamping[J]";
+    }
     setFiles(wordList(1, "energy"), List<string>(1, header));
 }
 
@@ -94,7 +98,12 @@ void Foam::functionObjects::materialPointEnergy::sample
         {
             os  << tab << b->erosion();
         }
-        os  << tab << b->losses.dissipation << tab << b->remap() << endl;
+        os  << tab << b->losses.dissipation << tab << b->remap();
+        if (points.damps())
+        {
+            os  << tab << b->damping;
+        }
+        os  << endl;
     }
 }
 

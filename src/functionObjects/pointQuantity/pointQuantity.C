@@ -37,7 +37,7 @@ known[] =
     {"x", 3, "[m]"},
     {"displacement", 3, "[m]"},
     {"sigma", 6, "[Pa]"},
-    {"p", 1, "[Pa]"},
+    {"pPoint", 1, "[Pa]"},
     {"sigmaEq", 1, "[Pa]"},
     {"sigmaMax", 1, "[Pa]"},
     {"damage", 1, "[-]"},
@@ -129,7 +129,14 @@ Foam::mpm::pointQuantity::pointQuantity
     {
         for (int i = 0; i < HISTORY; ++i)
         {
-            if (has(phase.cloud(), i) && asked == known[i].name)
+            if
+            (
+                has(phase.cloud(), i)
+             && (
+                    asked == known[i].name
+                 || (i == PRESSURE && asked == "p")
+                )
+            )
             {
                 quantity_ = i;
                 rank_ = known[i].rank;

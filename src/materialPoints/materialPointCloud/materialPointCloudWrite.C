@@ -240,9 +240,10 @@ void Foam::mpm::materialPointCloud::writePoints() const
         }
     }
 
-    // For the eye: pressure and equivalent stress
+    // For the eye: pressure, not by the name of the gas' field, whose colours
+    // ParaView would share, and equivalent stress
     writeField<scalar>
-    (*this, "p", n_, [&](label p) { return -tr(sigma(p))/3; });
+    (*this, "pPoint", n_, [&](label p) { return -tr(sigma(p))/3; });
     writeField<scalar>
     (
         *this, "sigmaEq", n_,

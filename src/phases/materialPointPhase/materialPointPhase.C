@@ -68,6 +68,7 @@ Foam::mpm::materialPointPhase::materialPointPhase
             dict,
             {
                 "type", "constitutiveModel", "failureModel", "bodyForce",
+                "surfaceLoads", "damping",
                 "erosion", "velocityField", "volumeModel", "drag",
                 "granularPressure", "heatTransfer", "Cv"
             }
@@ -91,6 +92,22 @@ Foam::mpm::materialPointPhase::materialPointPhase
         {
             cloud_.needReference();
         }
+    }
+
+    if (dict.found("surfaceLoads"))
+    {
+        const dictionary& loads = requiredDict(dict, "surfaceLoads");
+        for (const word& load : loads.toc())
+        {
+            surfaceLoads_.append
+            (
+                new surfaceLoad(requiredDict(loads, load), grid)
+            );
+        }
+    }
+    if (dict.found("damping"))
+    {
+        damping_.reset(new pointDamping(requiredDict(dict, "damping")));
     }
 
     if (dict.found("heatTransfer"))
@@ -405,6 +422,26 @@ Foam::scalar
 Foam::mpm::materialPointPhase::storedEnergy(const pointBlock& b) const
 {
     return failure_ ? failure_->storedEnergy(b) : law_->strainEnergy(b);
+}
+
+
+void Foam::mpm::materialPointPhase::scaleVelocity(const scalar factor)
+{
+    const auto scale = [&](column& c)
+    {
+        for (int i = 0; i < c.nComponents(); ++i)
+        {
+            for (label p = 0; p < cloud_.size(); ++p)
+            {
+                c[i][p] *= factor;
+            }
+        }
+    };
+    scale(cloud_.U());
+    if (cloud_.affine())
+    {
+        scale(*cloud_.affine());
+    }
 }
 
 

@@ -317,8 +317,14 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
         reduce(work, sumOp<scalar>());
         reduce(momentum, sumOp<vector>());
         reduce(body, sumOp<scalar>());
+        scalar load = 0;
+        for (const gridState& field : fields_)
+        {
+            load += field.loadWork(dt);
+        }
+        reduce(load, sumOp<scalar>());
         forceWork& step = budget_.step;
-        step.external = dt*((g_ & momentum) + body) + gravityWork;
+        step.external = dt*((g_ & momentum) + body) + gravityWork + load;
         step.internal =
             work + bodyWork - step.external - step.boundary - step.contact;
     }
@@ -468,7 +474,23 @@ void Foam::mpm::pointPhaseSystem::couple(pointCoupling& coupling)
                 << exit(FatalIOError);
         }
     }
+    if (damps())
+    {
+        FatalIOErrorInFunction(properties_)
+            << "damping does not work in a gas, whose drag has to take what"
+            << " the points lose." << exit(FatalIOError);
+    }
+    bool shares = false;
+    forAll(phases_, phasei)
+    {
+        shares = shares || sharesNodes(phasei);
+    }
     coupling_ = &coupling;
+    if (shares)
+    {
+        // In a gas rigid bodies have whole nodes
+        startNodes();
+    }
 }
 
 
@@ -541,6 +563,7 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
     }
     stressUpdate_->end(*this, dt);
     erode(dt);
+    damp(dt);
     if (contact_)
     {
         // The strain has changed the points' volumes and boxes

@@ -226,6 +226,10 @@ void Foam::mpm::pointPhaseSystem::report() const
         {
             Info<< ", erosion " << b->erosion();
         }
+        if (damps())
+        {
+            Info<< ", damping " << b->damping;
+        }
         if (b->hasGas)
         {
             const gasBudget& g = b->gas;

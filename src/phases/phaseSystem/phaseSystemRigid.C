@@ -16,7 +16,12 @@ bool Foam::mpm::pointPhaseSystem::timeDependent() const
 {
     for (const materialPointPhase& phase : phases_)
     {
-        if (phase.motion() || phase.hasBodyForce())
+        if
+        (
+            phase.motion()
+         || phase.hasBodyForce()
+         || phase.surfaceLoads().size()
+        )
         {
             return true;
         }
@@ -92,11 +97,25 @@ void Foam::mpm::pointPhaseSystem::reachRigid
                 field.rigid().clearMass(field.activeNew(), field.stride());
             passes_->project(phase.cloud(), state, mass);
             field.sumWithMass(mass);
+            const bool shares = sharesNodes(phasei);
+            if (shares)
+            {
+                field.rigid().startShares
+                (
+                    *passes_,
+                    phase.cloud(),
+                    field.nodeVolume(),
+                    field.activeNew(),
+                    field.stride()
+                );
+                field.largestOfShared(mass, field.stride(), 1);
+            }
             field.rigid().add
             (
                 phasei,
                 *phase.motion(),
                 phase.largestMass(),
+                shares ? &field.nodeVolume() : nullptr,
                 field.activeNew(),
                 field.stride()
             );
@@ -117,6 +136,52 @@ void Foam::mpm::pointPhaseSystem::reachRigid
             field.rigid().setParts(marks, field.stride());
             done[fieldi] = true;
         }
+    }
+}
+
+
+bool Foam::mpm::pointPhaseSystem::sharesNodes(const label phasei) const
+{
+    return
+        phases_[phasei].prescribed()
+     && phases_[phasei].motion()->moves()
+     && !coupling_
+     && !(contact_ && contact_->has(fieldOf_[phasei]));
+}
+
+
+void Foam::mpm::pointPhaseSystem::addRigidTraction()
+{
+    forAll(fields_, fieldi)
+    {
+        gridState& field = fields_[fieldi];
+        rigidNodes& rigid = field.rigid();
+        bool shares = false;
+        forAll(phases_, phasei)
+        {
+            shares = shares
+             || (fieldOf_[phasei] == fieldi && sharesNodes(phasei));
+        }
+        rigid.setShares(shares);
+        if (!shares)
+        {
+            continue;
+        }
+        scalar* q = rigid.clearSums(field.active());
+        forAll(phases_, phasei)
+        {
+            if (fieldOf_[phasei] == fieldi)
+            {
+                rigid.addSums
+                (
+                    *passes_,
+                    phases_[phasei].cloud(),
+                    phases_[phasei].motion()
+                );
+            }
+        }
+        field.sumShared(q, rigidNodes::nSums, rigidNodes::nSums);
+        rigid.addTraction(field.stride(), field.force());
     }
 }
 

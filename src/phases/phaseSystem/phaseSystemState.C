@@ -47,6 +47,10 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
     {
         state.add("contact", contact_->state());
     }
+    if (damps())
+    {
+        state.add("damping", dampingState());
+    }
     if (budget_.active)
     {
         dictionary energy;
@@ -67,6 +71,7 @@ Foam::dictionary Foam::mpm::pointPhaseSystem::state() const
             energy.add("gas", coupling_->balance().state());
         }
         energy.add("contact", budget_.work.contact);
+        energy.add("damping", budget_.damping);
         state.add("energy", energy);
     }
     return state;
@@ -80,7 +85,7 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         state,
         {
             "rate", "waveRate", "stepsRedone", "failed", "eroded", "outflow",
-            "rigid", "contact", "energy"
+            "rigid", "contact", "energy", "damping"
         }
     );
 
@@ -135,6 +140,11 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
         contact_->setState(requiredDict(state, "contact"));
     }
 
+    if (state.found("damping"))
+    {
+        setDampingState(requiredDict(state, "damping"));
+    }
+
     if (state.found("energy"))
     {
         budget_.active = true;
@@ -169,6 +179,7 @@ void Foam::mpm::pointPhaseSystem::setState(const dictionary& state)
             }
         }
         budget_.work.contact = energy.getOrDefault<scalar>("contact", 0);
+        budget_.damping = energy.getOrDefault<scalar>("damping", 0);
     }
     if (!timeDependent())
     {

@@ -70,6 +70,8 @@ void Foam::mpm::pointPhaseSystem::finishForce(const scalar dt)
     {
         field.sumForce();
     }
+    addSurfaceLoads(mesh_.time().value() + dt);
+    addRigidTraction();
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

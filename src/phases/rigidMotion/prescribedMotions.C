@@ -61,6 +61,11 @@ public:
         checkKeywords(dict, {"type"});
     }
 
+    bool moves() const override
+    {
+        return false;
+    }
+
     vector rate(const scalar) const override
     {
         return Zero;

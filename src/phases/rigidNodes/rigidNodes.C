@@ -136,7 +136,9 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
 
 Foam::mpm::rigidNodes::rigidNodes(const hexGrid& grid)
 :
-    grid_(grid)
+    grid_(grid),
+    shares_(false),
+    power_(2)
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -177,6 +179,7 @@ void Foam::mpm::rigidNodes::clear()
     next_.value.clear();
     next_.increment.clear();
     next_.part.clear();
+    next_.weight.clear();
 }
 
 
@@ -185,22 +188,47 @@ void Foam::mpm::rigidNodes::add
     const label phasei,
     const rigidMotion& motion,
     const scalar largest,
+    const scalarList* volume,
     const labelList& active,
     const int stride
 )
 {
-    // Nodes that an earlier phase of the list has are marked by a negative
-    // mass
-    for (const label n : next_.node)
+    const scalar* mass = mass_.data() + grid_.nDim();
+    const auto weight = [&](const label n)
     {
+        return
+            volume
+          ? std::pow
+            (
+                min
+                (
+                    scalar(1),
+                    mass[stride*n]/(*volume)[n]*mass_.data()[stride*n]/0.8
+                ),
+                power_
+            )
+          : 1;
+    };
+
+    // Nodes that an earlier phase of the list has as well are marked by a
+    // negative mass
+    forAll(next_.node, i)
+    {
+        const label n = next_.node[i];
+        if (mass[stride*n] > 1e-9*largest && weight(n) > next_.weight[i])
+        {
+            next_.phase[i] = phasei;
+            next_.weight[i] = weight(n);
+        }
         mass_.data()[stride*n + grid_.nDim()] = -1;
     }
     for (const label n : active)
     {
-        if (mass_.data()[stride*n + grid_.nDim()] > 1e-9*largest)
+        if (mass[stride*n] > 1e-9*largest)
         {
             next_.node.append(n);
             next_.phase.append(phasei);
+            next_.weight.append(weight(n));
         }
     }
     setVelocity(phasei, motion, next_);
@@ -396,9 +424,12 @@ void Foam::mpm::rigidNodes::impose
     const int D = grid_.nDim();
     forAll(set.node, i)
     {
+        const scalar w = set.weight[i];
         for (int d = 0; d < D; ++d)
         {
-            u[stride*set.node[i] + d] = imposed(set, homogeneous, D*i + d);
+            scalar& un = u[stride*set.node[i] + d];
+            const scalar to = imposed(set, homogeneous, D*i + d);
+            un = w < 1 ? un + w*(to - un) : to;
         }
     }
 }
@@ -417,7 +448,7 @@ void Foam::mpm::rigidNodes::addImpulse
     forAll(now_.node, i)
     {
         const label n = now_.node[i];
-        const scalar m = now_.part[i]*mU[massStride*n + D];
+        const scalar m = now_.weight[i]*now_.part[i]*mU[massStride*n + D];
         for (int d = 0; d < D; ++d)
         {
             step_[now_.phase[i]][grid_.direction(d)] +=
@@ -485,6 +516,9 @@ void Foam::mpm::rigidNodes::takeNew()
         b.body->acceptNodes();
     }
     now_.part.swap(next_.part);
+    now_.weight.swap(next_.weight);
+    traction_.resize(shares_ ? grid_.nDim()*now_.node.size() : 0);
+    traction_ = 0;
 }
 
 

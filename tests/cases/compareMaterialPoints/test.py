@@ -83,8 +83,8 @@ def main():
         first, last = (case.timeName(t) for t in (1e-3, 2e-3))
         same, _ = compare(case, copyOf(case, "copy"), "-tolerance", "0")
         points = case.points(last, "block")
-        expected = {"x", "U", "m", "V", "sigma", "halfSize", "leftStretch", "p", "sigmaEq",
-                    "alpha.block", "Umean.block", "sigma.block", "U.block"}
+        expected = {"x", "U", "m", "V", "sigma", "halfSize", "leftStretch", "pPoint",
+                    "sigmaEq", "alpha.block", "Umean.block", "sigma.block", "U.block"}
         table.check("a copy: all columns and fields are compared", expected == set(same),
                     " ".join(sorted(set(same) ^ expected)) or len(same))
         table.row("a copy: largest difference", 0, max(r[1] for r in same.values()), 0)

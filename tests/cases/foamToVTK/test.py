@@ -22,7 +22,7 @@ from report import Report
 
 TIME = 2.5e-7
 PHASES = ("target", "flyer")
-COMPONENTS = {"sigma": 6, "p": 1, "sigmaEq": 1, "damage": 1, "V": 1, "m": 1, "U": 3}
+COMPONENTS = {"sigma": 6, "pPoint": 1, "sigmaEq": 1, "damage": 1, "V": 1, "m": 1, "U": 3}
 VTK_ORDER = [0, 3, 5, 1, 4, 2]      # of xx xy xz yy yz zz
 
 #: Half a unit in the last place of float32, and the rounding of small values
@@ -118,7 +118,7 @@ def checkReader(table, case, ascii):
                   FLOAT32)
         array = data.GetPointData().GetArray("p")
         table.row(f"{phase}: vtkOpenFOAMReader, values of p", 0,
-                  difference(vtk_to_numpy(array), points["p"]) if array else np.nan,
+                  difference(vtk_to_numpy(array), points["pPoint"]) if array else np.nan,
                   FLOAT32)
 
 

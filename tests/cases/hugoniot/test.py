@@ -176,14 +176,14 @@ def main():
         front = []
         for time in TIMES:
             x, points, plateau = behind(case, time, Us)
-            values = points.byId("p")
+            values = points.byId("pPoint")
             # Front of equal area, from the plateau to the matter ahead
             window = (x > 0.55*Us*time) & (x < 1.3*Us*time)
             front.append(x[window][0] + np.trapz(values[window], x[window])
                          /np.mean(values[plateau]))
         speed = (front[1] - front[0])/(TIMES[1] - TIMES[0])
         table.row(f"{label}: pressure [GPa]", p/1e9,
-                  np.mean(points.byId("p")[plateau])/1e9, 0.01, "relative")
+                  np.mean(points.byId("pPoint")[plateau])/1e9, 0.01, "relative")
         table.row(f"{label}: shock speed [m/s]", Us, speed, 0.01, "relative")
         table.row(f"{label}: velocity [m/s]", u,
                   np.mean(points.byId("U")[plateau, 0]), 0.01, "relative")

@@ -70,7 +70,7 @@ LATER_CLOUDS = ("spall", "twoDisks", "vibratingBar", "obliqueTranslation/ball")
 SAME = object()
 
 #: Files that our tools do not read, changed as a whole only
-UNREAD = r".*/lagrangian/\w+/(coordinates|positions|p|sigmaEq|origId|origProcId)" \
+UNREAD = r".*/lagrangian/\w+/(coordinates|positions|p|pPoint|sigmaEq|origId|origProcId)" \
     r"|\d.*/(alpha|Umean|sigma)\.\w+|system/fvSchemes" \
     r"|.*/uniform/(lagrangian|functionObjects)/.*"
 

@@ -1,0 +1,103 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseSystem.H"
+#include "noTraps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pointPhaseSystem::addSurfaceLoads(const scalar time)
+{
+    forAll(phases_, phasei)
+    {
+        gridState& field = fields_[fieldOf_[phasei]];
+        for (const surfaceLoad& load : phases_[phasei].surfaceLoads())
+        {
+            load.addForce
+            (
+                *passes_,
+                phases_[phasei].cloud(),
+                time,
+                field.load(),
+                field.stride()
+            );
+        }
+    }
+    for (gridState& field : fields_)
+    {
+        field.addLoad();
+    }
+}
+
+
+void Foam::mpm::pointPhaseSystem::damp(const scalar dt)
+{
+    bool slower = false;
+    for (materialPointPhase& phase : phases_)
+    {
+        if (phase.damping())
+        {
+            const scalar K = phase.kineticEnergy();
+            const scalar factor = phase.damping()->factor(dt, K);
+            if (factor < 1)
+            {
+                phase.scaleVelocity(factor);
+                budget_.damping -= (1 - sqr(factor))*K;
+                slower = true;
+            }
+        }
+    }
+    if (slower)
+    {
+        projectAnew(dt);
+    }
+}
+
+
+bool Foam::mpm::pointPhaseSystem::damps() const
+{
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (phase.damping())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::dictionary Foam::mpm::pointPhaseSystem::dampingState() const
+{
+    dictionary state;
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (phase.damping())
+        {
+            state.add(phase.name(), phase.damping()->before());
+        }
+    }
+    return state;
+}
+
+
+void Foam::mpm::pointPhaseSystem::setDampingState(const dictionary& state)
+{
+    for (materialPointPhase& phase : phases_)
+    {
+        if (phase.damping())
+        {
+            phase.damping()->setBefore
+            (
+                state.getOrDefault<scalar>(phase.name(), 0)
+            );
+        }
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,248 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "rigidNodes.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::rigidNodes::startShares
+(
+    const pointPasses& passes,
+    const materialPointCloud& cloud,
+    const scalarList& volume,
+    const labelList& active,
+    const int stride
+)
+{
+    const label corners = label(1) << grid_.nDim();
+    scalar* q = mass_.data();
+    power_ = passes.reach() && !passes.hasExtent() ? 5 : 2;
+    for (const label n : active)
+    {
+        q[stride*n] = 0;
+    }
+    passes.forStencils
+    (
+        cloud,
+        [&](const label k, const label* stencil)
+        {
+            const label* c = grid_.corners(cloud.cells()[k]);
+            scalar most = VSMALL;
+            for (label i = 0; i < corners; ++i)
+            {
+                most =
+                    max(most, q[stride*c[i] + grid_.nDim()]/volume[c[i]]);
+            }
+            for (label i = 0; i < passes.nStencil(); ++i)
+            {
+                if (stencil[i] >= 0)
+                {
+                    q[stride*stencil[i]] = max(q[stride*stencil[i]], 1/most);
+                }
+            }
+        }
+    );
+}
+
+
+void Foam::mpm::rigidNodes::fill(const scalar* mU, const int stride)
+{
+    forAll(next_.node, i)
+    {
+        if (!(mU[stride*next_.node[i] + grid_.nDim()] > 0))
+        {
+            next_.weight[i] = 1;
+        }
+    }
+}
+
+
+Foam::scalar* Foam::mpm::rigidNodes::clearSums(const labelList& active)
+{
+    if (!sums_.data())
+    {
+        sums_ = alignedArray(nSums*grid_.nNodes());
+    }
+    for (const label n : active)
+    {
+        for (int c = 0; c < nSums; ++c)
+        {
+            sums_.data()[nSums*n + c] = 0;
+        }
+    }
+
+    // What addSums() looks for
+    near_.setSize(grid_.nNodes());
+    near_ = false;
+    forAll(now_.node, i)
+    {
+        near_[now_.node[i]] = now_.weight[i] < 1;
+    }
+    return sums_.data();
+}
+
+
+void Foam::mpm::rigidNodes::addSums
+(
+    const pointPasses& passes,
+    const materialPointCloud& cloud,
+    const bool rigid
+)
+{
+    const int D = grid_.nDim();
+    const column* half = cloud.halfSize();
+    DynamicList<label> nodes;
+    DynamicList<scalar> S, gradS;
+    passes.forStencils
+    (
+        cloud,
+        [&](const label k, const label* stencil)
+        {
+            bool near = false;
+            for (label i = 0; i < passes.nStencil(); ++i)
+            {
+                near = near || (stencil[i] >= 0 && near_[stencil[i]]);
+            }
+            for
+            (
+                label p = cloud.start()[k];
+                near && p < cloud.start()[k + 1];
+                ++p
+            )
+            {
+                scalar x[3], l[3] = {0, 0, 0};
+                for (int d = 0; d < D; ++d)
+                {
+                    x[d] = cloud.x()[d][p];
+                    l[d] = half ? (*half)[d][p] : 0;
+                }
+                passes.weights
+                (
+                    cloud.cells()[k],
+                    x,
+                    half ? l : nullptr,
+                    nodes,
+                    S,
+                    gradS
+                );
+                const scalar v = cloud.volume()[0][p];
+                const tensor sigma
+                (
+                    rigid ? tensor(Zero) : tensor(cloud.sigma(p))
+                );
+                forAll(nodes, i)
+                {
+                    if (nodes[i] < 0 || !near_[nodes[i]])
+                    {
+                        continue;
+                    }
+                    scalar* q = sums_.data() + nSums*nodes[i];
+                    for (int d = 0; d < D; ++d)
+                    {
+                        q[(rigid ? 10 : 7) + d] += v*gradS[D*i + d];
+                    }
+                    if (grid_.radial() >= 0)
+                    {
+                        q[(rigid ? 10 : 7) + grid_.radial()] +=
+                            v*S[i]/x[grid_.radial()];
+                    }
+                    q[0] += rigid ? 0 : v*S[i];
+                    for (int d = 0, c = 1; !rigid && d < D; ++d)
+                    {
+                        for (int e = d; e < D; ++e)
+                        {
+                            q[c++] +=
+                                v*S[i]
+                               *sigma
+                                (
+                                    grid_.direction(d),
+                                    grid_.direction(e)
+                                );
+                        }
+                    }
+                }
+            }
+        }
+    );
+}
+
+
+void Foam::mpm::rigidNodes::addTraction(const int stride, scalar* force)
+{
+    const int D = grid_.nDim();
+    traction_.resize(D*now_.node.size());
+    forAll(now_.node, i)
+    {
+        scalar* t = traction_.begin() + D*i;
+        const scalar* q = sums_.data() + nSums*now_.node[i];
+        for (int d = 0; d < D; ++d)
+        {
+            t[d] = 0;
+        }
+        if (!(now_.weight[i] < 1) || !(q[0] > 0))
+        {
+            continue;
+        }
+        for (int d = 0, c = 1; d < D; ++d)
+        {
+            for (int e = d; e < D; ++e)
+            {
+                const scalar sigma = q[c++]/q[0];
+                const auto surface = [&](const int f)
+                {
+                    const scalar a = q[10 + f], b = -q[7 + f];
+                    return a*b > 0 ? (mag(a) < mag(b) ? a : b) : 0;
+                };
+                t[d] -= sigma*surface(e);
+                if (e > d)
+                {
+                    t[e] -= sigma*surface(d);
+                }
+            }
+        }
+        for (int d = 0; d < D; ++d)
+        {
+            force[stride*now_.node[i] + d] += t[d];
+        }
+    }
+}
+
+
+Foam::scalar Foam::mpm::rigidNodes::tractionWork
+(
+    const scalar dt,
+    const scalar* U,
+    const scalar* UL,
+    const int stride
+) const
+{
+    const int D = grid_.nDim();
+    scalar work = 0;
+    forAll(traction_, j)
+    {
+        const label n = now_.node[j/D];
+        const int d = j % D;
+        work +=
+            now_.part[j/D]*dt*traction_[j]
+           *(U[stride*n + d] + 0.5*UL[2*stride*n + stride + d]);
+    }
+    return work;
+}
+
+
+void Foam::mpm::rigidNodes::addTractionImpulse(const scalar dt)
+{
+    const int D = grid_.nDim();
+    forAll(traction_, j)
+    {
+        step_[now_.phase[j/D]][grid_.direction(j % D)] -=
+            now_.part[j/D]*dt*traction_[j];
+    }
+}
+
+// ************************************************************************* //
