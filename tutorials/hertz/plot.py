@@ -26,13 +26,15 @@ last = max((d for d in os.listdir(".") if re.fullmatch(r"[0-9.e-]+", d)
             and os.path.isdir(f"{d}/lagrangian")), key=float)
 x = readField(f"{last}/lagrangian/cylinder/x")
 sigma = readField(f"{last}/lagrangian/cylinder/sigma")
-# The lowest row of points, means of the two in each cell
+# Points less than half a cell from the surface, means of those in a cell's width
 ids = readField(f"{last}/lagrangian/cylinder/id")
 first = readField("0/lagrangian/cylinder/x")[np.argsort(readField("0/lagrangian/cylinder/id"))]
-x, sigma = x[np.argsort(ids)], sigma[np.argsort(ids)]
+volume = readField(f"{last}/lagrangian/cylinder/V")
+x, sigma, volume = (v[np.argsort(ids)] for v in (x, sigma, volume))
 low = np.flatnonzero(first[:, 1] - first[:, 0]**2/(2*R) < 0.5*H)
-low = low[np.argsort(first[low, 0])]
-r, p = x[low, 0].reshape(-1, 2).mean(1), -sigma[low, 3].reshape(-1, 2).mean(1)
+column = (first[low, 0]/H).astype(int)
+r, p = (np.bincount(column, volume[low]*v)/np.bincount(column, volume[low])
+        for v in (x[low, 0], -sigma[low, 3]))
 
 a = np.sqrt(4*F*R*(1 - NU**2)/(np.pi*E))
 p0 = 2*F/(np.pi*a)
@@ -49,7 +51,7 @@ print(f"largest pressure of a cell {p.max()/1e6:.4f} MPa"
       f" ({100*(p.max()/p0 - 1):+.2f} %); cells in the half-width {a/H:.1f}")
 
 figure, axes = plt.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
-axes[0].plot(r/a, p/p0, ".", label="lowest row of points, means of two")
+axes[0].plot(r/a, p/p0, ".", label="points at the surface, means in a cell's width")
 s = np.linspace(0, 1, 200)
 axes[0].plot(s, np.sqrt(1 - s*s), "k", lw=0.8, label="Hertz")
 axes[0].set(xlabel="x/a", ylabel="p/p0", xlim=(0, 2))

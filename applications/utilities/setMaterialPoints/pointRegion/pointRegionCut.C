@@ -464,9 +464,19 @@ void Foam::mpm::pointRegion::placeCutPoints()
             fits = fit(cells_[k], c, p.x, p.halfSize, way) == 1;
             p.x += fits ? vector(Zero) : way;
         }
-        if (!fits || !shape_->contains(cells_[k], p.x))
+        scalar x[3];
+        for (int d = 0; d < grid_.nDim(); ++d)
         {
-            // Too thin for it
+            x[d] = p.x[grid_.direction(d)];
+        }
+        if
+        (
+            !fits
+         || !shape_->contains(cells_[k], p.x)
+         || (grid_.locate(cells_[k], x) < 0 && grid_.find(x) < 0)
+        )
+        {
+            // Too thin for it, or the mesh ends here
             p.x = c.mean;
             p.halfSize = max(fit(cells_[k], c, p.x, l, way), least)*l;
         }
