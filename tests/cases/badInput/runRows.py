@@ -39,7 +39,7 @@ def runRows(solve, replace, remove, several, withPoints, meshOf, line):
          inPhases + ["lid", "Valid choices", "outside"]),
         ("outflow: empty patch", solve, outflow("patches (frontAndBack);"),
          inPhases + ["frontAndBack", "Valid choices", "ground"]),
-        ("outflow: no patches", solve, outflow(""), inPhases + ["patches", "missing"]),
+        ("outflow: no patches", solve, outflow(""), ["outflow", "patches is missing"]),
         ("outflow: unknown keyword", solve, outflow("patches (outside); phase block;"),
          inPhases + ["phase", "[Vv]alid keywords"]),
         ("allowed: outflow", solve, away(outflow('patches ("out.*");')), None,
