@@ -138,9 +138,10 @@ def main():
         table.row("a point is missing: the others are compared", len(ids) - 1, result["x"][0], 0)
         table.row("a point is missing: the others are the same", 0,
                   max(r[2] for r in result.values()), 1e-14)
-        os.remove(other.file(last, "lagrangian/block/p"))
+        os.remove(other.file(last, "lagrangian/block/pPoint"))
         _, text = compare(other, case, "-tolerance", "1", fails=True)
-        table.check("a column is missing", "Only in the second case: column p of block" in text)
+        table.check("a column is missing",
+                    "Only in the second case: column pPoint of block" in text)
 
         # Inner values alone, as a gas writes its state
         parts = [copyOf(case, name) for name in ("inner", "inner-changed")]

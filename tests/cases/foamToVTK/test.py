@@ -116,8 +116,8 @@ def checkReader(table, case, ascii):
         table.row(f"{phase}: vtkOpenFOAMReader, positions", 0,
                   difference(vtk_to_numpy(data.GetPoints().GetData()), points["x"]),
                   FLOAT32)
-        array = data.GetPointData().GetArray("p")
-        table.row(f"{phase}: vtkOpenFOAMReader, values of p", 0,
+        array = data.GetPointData().GetArray("pPoint")
+        table.row(f"{phase}: vtkOpenFOAMReader, values of pPoint", 0,
                   difference(vtk_to_numpy(array), points["pPoint"]) if array else np.nan,
                   FLOAT32)
 
