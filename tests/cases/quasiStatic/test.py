@@ -10,6 +10,7 @@ ring       thick ring, inner pressure (Lame): stresses and displacement
 hole       plate with a hole under tension: Howland's factor of the finite width (a fit of his
            values: Pilkey, Peterson's Stress Concentration Factors), stress along the
            narrowest section (Kirsch)
+axis       thick tube on a wedge, inner pressure (Lame)
 restart    kinetic damping and a load that grows: bit by bit
 parallel   the same on two processors
 bad input  messages
@@ -25,6 +26,7 @@ from foamCase import (VERIFY, FoamCase, RunFailed, boxMesh, controlDict, noSchem
                       velocityFile)
 from report import Report
 from surfaces import strip, surfaceRegion
+from wedge import wedgeConditions, wedgeMesh
 
 E, NU, RHO = 1e6, 0.3, 1000.0
 LAW = {"constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": E, "nu": NU}}
@@ -35,15 +37,25 @@ ENERGY = {"energy": {"type": "materialPointEnergy", "libs": "(mpmFunctionObjects
                      "writeControl": "timeStep", "writeInterval": 1}}
 
 
-def build(name, cells, region, phase, end, writeInterval=None, lines=None, maxCo=0.4):
-    """Quarter of a body on cells of 1 m, symmetry planes at x = 0 and y = 0."""
+def build(name, cells, region, phase, end, writeInterval=None, lines=None, maxCo=0.4,
+          wedge=False):
+    """Quarter of a body on cells of 1 m, symmetry planes at x = 0 and y = 0; or on a
+    wedge, symmetry planes across the axis x."""
     case = FoamCase("quasiStatic", name.replace(" ", "-"))
     patches = {"left": ("symmetryPlane", ["x-"]), "bottom": ("symmetryPlane", ["y-"]),
                "outside": ("patch", ["x+", "y+"]), "sides": ("empty", ["z-", "z+"])}
-    case.write("system/blockMeshDict", boxMesh((0, 0, 0), (*cells, 1), (*cells, 1), patches))
+    conditions = {"left": "symmetryPlane", "bottom": "symmetryPlane",
+                  "outside": "calculated", "sides": "empty"}
+    mesh = boxMesh((0, 0, 0), (*cells, 1), (*cells, 1), patches)
+    if wedge:
+        mesh = wedgeMesh((0, 0), cells, cells, {
+            "left": ("symmetryPlane", "x-"), "right": ("symmetryPlane", "x+"),
+            "outside": ("patch", "r+")})
+        conditions = wedgeConditions({"left": "symmetryPlane", "right": "symmetryPlane",
+                                      "outside": "calculated"})
+    case.write("system/blockMeshDict", mesh)
     case.write("constant/phaseProperties", {"phases": ["body"], "body": {**LAW, **phase}})
-    velocityFile(case, "body", {"left": "symmetryPlane", "bottom": "symmetryPlane",
-                                "outside": "calculated", "sides": "empty"})
+    velocityFile(case, "body", conditions)
     if lines:
         strip(case, "body.stl", *lines)
         region = surfaceRegion("body.stl")
@@ -132,6 +144,25 @@ def ring(table, a, limit):
     exact = (1 + NU)/E*k*((1 - 2*NU)*r + b*b/r)
     table.row(f"ring, a {a} h: displacement, mean over the exact", 1,
               np.mean(ur[inner]/exact[inner]), limit, "relative")
+
+
+def axis(table, a=6.0):
+    b, p = 2*a, 100.0
+    case = build("axis", (4, int(b) + 2),
+                 {"type": "box", "min": (0, a, -9), "max": (4, b, 9)},
+                 {"surfaceLoads": {"inside": {"pressure": p, "max": (9, a + 1.5, 9)}},
+                  "damping": {"type": "kinetic"}}, 40*b/C, wedge=True)
+    case.run("materialPointFoam", limit=100)
+    x, _, sigma = last(case)
+    r = x[:, 1]
+    k = p*a*a/(b*b - a*a)
+    peak = k*(1 + b*b/a/a)
+    cell = np.floor(r).astype(int) - int(a)
+    for name, value, exact in (("hoop", sigma[:, 5], k*(1 + b*b/r**2)),
+                               ("radial", sigma[:, 3], k*(1 - b*b/r**2))):
+        mean = np.bincount(cell, value - exact)/np.bincount(cell)
+        table.row(f"tube on a wedge, a {a:g} h: {name} stress of cells, largest error of the"
+                  " largest", 0, np.abs(mean).max()/peak, 0.02)
 
 
 def hole(table, a, limit, width=6):
@@ -227,6 +258,7 @@ def main():
         lambda: plate(table, "kinetic", {"type": "kinetic"}, 5),
         lambda: ring(table, 6, 0.05),
         lambda: hole(table, 4, 0.1),
+        lambda: axis(table),
         lambda: restart(table),
         lambda: parallel(table),
         lambda: badInput(table)]
