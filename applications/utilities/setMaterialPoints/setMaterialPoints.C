@@ -72,7 +72,8 @@ Usage
 
     samples only counts where the parts are not known exactly: on meshes without
     a lattice, and for surfaces inside other shapes. There they are those of
-    samples^nDim positions in each sub-cell.
+    samples^nDim positions in each sub-cell. In a gas its default is 1: whole
+    sub-cells whose centres lie in the shape (pointRegion.H).
 
     Entries of the dictionary velocity, which are added up:
     \verbatim
@@ -114,6 +115,7 @@ Usage
 #include "fatalMessages.H"
 #include "noTraps.H"
 #include "regionTable.H"
+#include "phaseNames.H"
 
 using namespace Foam;
 using namespace Foam::mpm;
@@ -167,6 +169,7 @@ void readRegions
     const hexGrid& grid,
     const dictionary& dict,
     const PtrList<materialPointPhase>& phases,
+    const bool inGas,
     PtrList<pointRegion>& regions
 )
 {
@@ -198,7 +201,7 @@ void readRegions
         regions.set
         (
             i,
-            new pointRegion(grid, requiredDict(regionsDict, keys[i]), names)
+            new pointRegion(grid, requiredDict(regionsDict, keys[i]), names, inGas)
         );
         pointRegion& region = regions[i];
         const materialPointPhase& phase = phaseOf(region);
@@ -430,7 +433,8 @@ int main(int argc, char *argv[])
     const IOdictionary dict(dictIO);
     requireClosed(dict.objectPath());
     PtrList<pointRegion> regions;
-    readRegions(grid, dict, phases, regions);
+    const bool inGas = phaseNames(phaseProperties, {"gas"}).size();
+    readRegions(grid, dict, phases, inGas, regions);
 
     printTable(namesOf(phases), regions);
     printStart(phaseProperties, phases, regions);
