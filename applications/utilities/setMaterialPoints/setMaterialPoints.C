@@ -55,6 +55,7 @@ Usage
         phase          | one of phases (phaseProperties) | yes     |
         type           | shape, see below               | yes      |
         pointsPerCell  | per direction, 1 to 16         | yes      |
+        parts          | exact or sampled               | no       | exact
         samples        | per direction, 1 to 8          | no       | 4
         velocity       | [m/s], or a dictionary         | no       | (0 0 0)
         stress         | (xx xy xz yy yz zz) [Pa] or ambient | no  | 0
@@ -72,8 +73,9 @@ Usage
 
     samples only counts where the parts are not known exactly: on meshes without
     a lattice, and for surfaces inside other shapes. There they are those of
-    samples^nDim positions in each sub-cell. In a gas its default is 1: whole
-    sub-cells whose centres lie in the shape (pointRegion.H).
+    samples^nDim positions in each sub-cell. In a gas and with parts sampled its
+    default is 1: whole sub-cells whose centres lie in the shape
+    (pointRegion.H).
 
     Entries of the dictionary velocity, which are added up:
     \verbatim

@@ -158,8 +158,13 @@ Foam::mpm::pointRegion::pointRegion
     name_(dict.dictName()),
     phase_(oneOf(dict, "phase", phases)),
     shape_(pointRegionShape::New(grid, dict)),
-    inGas_(inGas),
-    m_(boundedLabelOrDefault(dict, "samples", inGas ? 1 : 4, 1, 8)),
+    inGas_
+    (
+        inGas
+     || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"})
+     == "sampled"
+    ),
+    m_(boundedLabelOrDefault(dict, "samples", inGas_ ? 1 : 4, 1, 8)),
     volumeFraction_
     (
         boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)
