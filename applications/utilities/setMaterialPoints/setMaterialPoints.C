@@ -55,6 +55,7 @@ Usage
         phase          | one of phases (phaseProperties) | yes     |
         type           | shape, see below               | yes      |
         pointsPerCell  | per direction, 1 to 16         | yes      |
+        parts          | exact or sampled               | no       | exact
         samples        | per direction, 1 to 8          | no       | 4
         velocity       | [m/s], or a dictionary         | no       | (0 0 0)
         stress         | (xx xy xz yy yz zz) [Pa] or ambient | no  | 0
@@ -72,7 +73,9 @@ Usage
 
     samples only counts where the parts are not known exactly: on meshes without
     a lattice, and for surfaces inside other shapes. There they are those of
-    samples^nDim positions in each sub-cell.
+    samples^nDim positions in each sub-cell. In a gas and with parts sampled its
+    default is 1: whole sub-cells whose centres lie in the shape
+    (pointRegion.H).
 
     Entries of the dictionary velocity, which are added up:
     \verbatim
@@ -114,6 +117,7 @@ Usage
 #include "fatalMessages.H"
 #include "noTraps.H"
 #include "regionTable.H"
+#include "phaseNames.H"
 
 using namespace Foam;
 using namespace Foam::mpm;
@@ -167,6 +171,7 @@ void readRegions
     const hexGrid& grid,
     const dictionary& dict,
     const PtrList<materialPointPhase>& phases,
+    const bool inGas,
     PtrList<pointRegion>& regions
 )
 {
@@ -198,7 +203,7 @@ void readRegions
         regions.set
         (
             i,
-            new pointRegion(grid, requiredDict(regionsDict, keys[i]), names)
+            new pointRegion(grid, requiredDict(regionsDict, keys[i]), names, inGas)
         );
         pointRegion& region = regions[i];
         const materialPointPhase& phase = phaseOf(region);
@@ -430,7 +435,8 @@ int main(int argc, char *argv[])
     const IOdictionary dict(dictIO);
     requireClosed(dict.objectPath());
     PtrList<pointRegion> regions;
-    readRegions(grid, dict, phases, regions);
+    const bool inGas = phaseNames(phaseProperties, {"gas"}).size();
+    readRegions(grid, dict, phases, inGas, regions);
 
     printTable(namesOf(phases), regions);
     printStart(phaseProperties, phases, regions);

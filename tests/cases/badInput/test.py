@@ -946,8 +946,9 @@ ROWS += [
 
     #- regions and meshes
     ("region without points", SET,
-     replace(REGIONS, r"min +\(3 3 0\);\s+max +\(7 6 1\)",
-             "min (3.3 3.3 0); max (3.7 3.7 1)"),
+     replace(REGIONS, r"type +box;\s+min +\(3 3 0\);\s+max +\(7 6 1\)",
+             "type difference; shapes { a { type box; min (3 3 0); max (7 6 1); }"
+             " b { type cells; } }"),
      inRegion + ["block has no points"]),
     ("region outside the mesh", SET,
      replace(REGIONS, r"min +\(3 3 0\);\s+max +\(7 6 1\)",

@@ -56,7 +56,7 @@ def crackBar(name, h, pointsPerCell=2, angle=0.0, fly=0.0, entries=None):
             x*along + y*across for x, y in ((x0, -WIDTH/2), (x1, -WIDTH/2),
                                             (x1, WIDTH/2), (x0, WIDTH/2))]])
         moves = {} if phase == region else {"velocity": (*drift, 0)}
-        regions[region] = surfaceRegion(region + ".stl", phase=phase,
+        regions[region] = surfaceRegion(region + ".stl", phase=phase, parts="sampled", samples=4,
                                         pointsPerCell=pointsPerCell, **moves)
     case.write("system/setMaterialPointsDict", {"regions": regions})
     case.write("system/fvSolution", {"materialPoints": {

@@ -149,7 +149,8 @@ Foam::mpm::pointRegion::pointRegion
 (
     const hexGrid& grid,
     const dictionary& dict,
-    const wordList& phases
+    const wordList& phases,
+    const bool inGas
 )
 :
     grid_(grid),
@@ -157,7 +158,13 @@ Foam::mpm::pointRegion::pointRegion
     name_(dict.dictName()),
     phase_(oneOf(dict, "phase", phases)),
     shape_(pointRegionShape::New(grid, dict)),
-    m_(boundedLabelOrDefault(dict, "samples", 4, 1, 8)),
+    inGas_
+    (
+        inGas
+     || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"})
+     == "sampled"
+    ),
+    m_(boundedLabelOrDefault(dict, "samples", inGas_ ? 1 : 4, 1, 8)),
     volumeFraction_
     (
         boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)
@@ -176,7 +183,7 @@ Foam::mpm::pointRegion::pointRegion
 {
     checkEntries();
     readPointsPerCell();
-    if (grid_.hasLattice())
+    if (grid_.hasLattice() && !inGas_)
     {
         formula_.reset(new shapeFormula);
         if (!shape_->formula(*formula_))
@@ -237,7 +244,10 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     {
         fill(celli, density);
     }
-    joinSmallParts();
+    if (!inGas_)
+    {
+        joinSmallParts();
+    }
     placeCutPoints();
 
     if (points_.empty())

@@ -141,6 +141,11 @@ int Foam::mpm::pointRegion::sampleSubCell
             sqr(half)/3*std::pow(part, 2.0/grid_.nDim());
     }
     c.area = part*c.whole;
+    if (inGas_)
+    {
+        c.mean = map.position(xi);
+        c.variance *= std::pow(part, -2.0/grid_.nDim());
+    }
     return 2;
 }
 

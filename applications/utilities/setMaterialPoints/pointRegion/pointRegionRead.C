@@ -16,7 +16,7 @@ void Foam::mpm::pointRegion::checkEntries() const
 {
     wordList valid
     ({
-        "phase", "type", "pointsPerCell", "samples", "velocity", "stress",
+        "phase", "type", "pointsPerCell", "parts", "samples", "velocity", "stress",
         "pressure", "temperature", "volumeFraction", "density", "overlap"
     });
     valid.append(shape_->keywords());
