@@ -228,6 +228,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     rule.dt = dt;
     rule.kind = transfer_.kind;
     rule.PICfraction = transfer_.fraction(dt*courantRate());
+    rule.mean = meanMove();
 
     rule.energy = budget_.active;
 
