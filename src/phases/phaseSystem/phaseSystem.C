@@ -233,6 +233,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::move(const scalar dt)
     pointPasses::moveRule rule;
     rule.dt = dt;
     rule.kind = transfer_.kind;
+    rule.mean = meanMove();
     rule.energy = budget_.active;
     rule.outflow = outflow_.get();
 

@@ -200,7 +200,7 @@ void Foam::mpm::pointPhaseSystem::correctStress
                 phase.law(),
                 booked ? booked.get() : phase.failure(),
                 dt,
-                stressUpdate_->square(),
+                meanMove() ? 0 : stressUpdate_->square(),
                 fields_[fieldOf_[phasei]].Ustrain(),
                 withForce && !coupling_
               ? fields_[fieldOf_[phasei]].force()

@@ -351,6 +351,7 @@ pointPasses::moveResult shapePasses<Shape, DIM, HOOP>::move
         ways[d] = (*cloud.way())[d];
     }
     const double dt = rule.dt, a = rule.PICfraction;
+    const double late = rule.mean ? 0.5 : 0;
 
     moveResult result{0, 0, -1, false, 0, Zero, 0};
     T travel = {}, rate = {}, work = {}, momentum[DIM] = {}, body = {};
@@ -379,7 +380,7 @@ pointPasses::moveResult shapePasses<Shape, DIM, HOOP>::move
                 {
                     // (7) and (8)
                     V[d] = (1 - a)*(load<W>(U[d] + p) + du[d]) + a*uL[d];
-                    dX[d] = dt*uL[d];
+                    dX[d] = dt*(uL[d] - late*du[d]);
                 }
             }
             else
@@ -387,7 +388,8 @@ pointPasses::moveResult shapePasses<Shape, DIM, HOOP>::move
                 shapeType::template gather<DIM, 2*P>(S, s.nodes, u, V);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    dX[d] = dt*V[d];
+                    const T v = load<W>(U[d] + p);
+                    dX[d] = dt*(rule.mean ? 0.5*(v + V[d]) : V[d]);
                 }
             }
 
