@@ -8,6 +8,7 @@ License
 
 #include "OSspecific.H"
 #include "materialPointCloud.H"
+#include "selector.H"
 #include "noTraps.H"
 #include "fullPrecision.H"
 #include "Cloud.H"
@@ -79,9 +80,10 @@ void Foam::mpm::materialPointCloud::checkRecord(const label n) const
     }
     IFstream is(file);
     const dictionary record(is);
+    checkKeywords(record, {"nCells", "min", "max", "points"});
     const dictionary now(meshRecord());
     const auto size = mag(now.get<vector>("max") - now.get<vector>("min"));
-    const label nCells = record.getOrDefault<label>("nCells", 0);
+    const label nCells = record.get<label>("nCells");
     if
     (
         nCells != now.get<label>("nCells")
@@ -89,7 +91,7 @@ void Foam::mpm::materialPointCloud::checkRecord(const label n) const
      || mag(record.get<vector>("max") - now.get<vector>("max")) > 1e-6*size
     )
     {
-        FatalErrorInFunction
+        FatalIOErrorInFunction(record)
             << "The mesh is not that of the points of " << name()
             << ", time " << time().timeName() << ": it has "
             << now.get<label>("nCells") << " cells in "
@@ -98,19 +100,22 @@ void Foam::mpm::materialPointCloud::checkRecord(const label n) const
             << record.get<vector>("min") << ' ' << record.get<vector>("max")
             << "." << nl
             << "Scale or refine a mesh before setMaterialPoints, and run that"
-            << " again." << exit(FatalError);
+            << " again." << exit(FatalIOError);
     }
-    const label written =
-        record.subOrEmptyDict("points").getOrDefault<label>(name(), -1);
-    if (Pstream::parRun() && n < written)
+    const dictionary& points = record.subDict("points");
+    const label written = points.getOrDefault<label>(name(), max(n, label(0)));
+    if (max(n, label(0)) != written)
     {
-        FatalErrorInFunction
-            << "The processors have " << max(n, label(0)) << " material points"
-            << " of " << name() << " at time " << time().timeName() << ", but "
-            << written << " were written: a folder "
-            << cloud::prefix/name() << " of some processor is missing." << nl
-            << "Run decomposePar again, or start from a time that is complete."
-            << exit(FatalError);
+        FatalIOErrorInFunction(points)
+            << "There are " << max(n, label(0)) << " material points of "
+            << name() << " at time " << time().timeName() << ", but "
+            << written << " were written: a part of "
+            << cloud::prefix/name() << " is missing"
+            << (Pstream::parRun() ? ", perhaps of one processor." : ".") << nl
+            << "Start from a time that is complete; "
+            << (Pstream::parRun() ? "run decomposePar again."
+                                  : "run setMaterialPoints again.")
+            << exit(FatalIOError);
     }
 }
 

@@ -391,6 +391,7 @@ Foam::scalar Foam::mpm::pointPhaseSystem::project(const scalar dt)
 
 void Foam::mpm::pointPhaseSystem::accept()
 {
+    damped_ = false;
     for (materialPointPhase& phase : phases_)
     {
         phase.cloud().accept();
@@ -524,6 +525,7 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
         }
     }
     stressUpdate_->start(*this, dt);
+    damp(dt);
 
     if (coupling_)
     {
@@ -564,7 +566,6 @@ bool Foam::mpm::pointPhaseSystem::advance(const scalar dt, scalar& factor)
     }
     stressUpdate_->end(*this, dt);
     erode(dt);
-    damp(dt);
     if (contact_)
     {
         // The strain has changed the points' volumes and boxes

@@ -37,6 +37,14 @@ void Foam::mpm::pointPhaseSystem::addSurfaceLoads(const scalar time)
 
 void Foam::mpm::pointPhaseSystem::damp(const scalar dt)
 {
+    // Once, also where the step is redone. Behind the strain of u^n (USAVG,
+    // USF): points and strain see the same velocities
+    if (damped_)
+    {
+        return;
+    }
+    damped_ = true;
+
     bool slower = false;
     for (materialPointPhase& phase : phases_)
     {
@@ -54,7 +62,7 @@ void Foam::mpm::pointPhaseSystem::damp(const scalar dt)
     }
     if (slower)
     {
-        projectAnew(dt);
+        projectAnew(0);
     }
 }
 

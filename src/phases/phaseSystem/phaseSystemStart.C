@@ -136,6 +136,7 @@ Foam::mpm::pointPhaseSystem::pointPhaseSystem(const fvMesh& mesh)
     nRedone_(0),
     dt_(0),
     tentative_(false),
+    damped_(false),
     warned_(false),
     coupling_(nullptr),
     startEnergy_(0),

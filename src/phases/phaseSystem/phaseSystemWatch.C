@@ -106,11 +106,13 @@ void Foam::mpm::pointPhaseSystem::noteEnergy
             largestEnergy_,
             max(energy, mag(b->hasGas ? b->gas.energy - b->gas.energy0 : 0))
         );
-        energyGrowth_ = b->residual()/largestEnergy_;
+        // remap too: what forces and stresses do not agree on can grow
+        energyGrowth_ =
+            (b->residual() + b->remap())/max(largestEnergy_, VSMALL);
     }
     else if (sourceless_)
     {
-        energyGrowth_ = (energy - startEnergy_)/largestEnergy_;
+        energyGrowth_ = (energy - startEnergy_)/max(largestEnergy_, VSMALL);
     }
 }
 

@@ -68,4 +68,66 @@ Foam::mpm::pointPasses::New(const dictionary& dict, const hexGrid& grid)
     return nullptr;
 }
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::pointPasses::forNodesOf
+(
+    const materialPointCloud& cloud,
+    const boolList& marked,
+    const std::function
+    <
+        void(const label, const label, const scalar, const scalar*)
+    >& f
+) const
+{
+    const int D = cloud.grid().nDim(), radial = cloud.grid().radial();
+    const column* half = cloud.halfSize();
+    DynamicList<label> nodes;
+    DynamicList<scalar> S, gradS;
+    forStencils
+    (
+        cloud,
+        [&](const label k, const label* stencil)
+        {
+            bool near = false;
+            for (label i = 0; i < nStencil(); ++i)
+            {
+                near = near || (stencil[i] >= 0 && marked[stencil[i]]);
+            }
+            const label end = near ? cloud.start()[k + 1] : cloud.start()[k];
+            for (label p = cloud.start()[k]; p < end; ++p)
+            {
+                scalar x[3], l[3] = {0, 0, 0};
+                for (int d = 0; d < D; ++d)
+                {
+                    x[d] = cloud.x()[d][p];
+                    l[d] = half ? (*half)[d][p] : 0;
+                }
+                weights
+                (
+                    cloud.cells()[k], x, half ? l : nullptr, nodes, S, gradS
+                );
+                const scalar v = cloud.volume()[0][p];
+                forAll(nodes, i)
+                {
+                    if (nodes[i] < 0 || !marked[nodes[i]])
+                    {
+                        continue;
+                    }
+                    scalar A[3];
+                    for (int d = 0; d < D; ++d)
+                    {
+                        A[d] = v*gradS[D*i + d];
+                    }
+                    if (radial >= 0)
+                    {
+                        A[radial] += v*S[i]/x[radial];
+                    }
+                    f(p, nodes[i], S[i], A);
+                }
+            }
+        }
+    );
+}
+
 // ************************************************************************* //

@@ -95,76 +95,30 @@ void Foam::mpm::rigidNodes::addSums
 )
 {
     const int D = grid_.nDim();
-    const column* half = cloud.halfSize();
-    DynamicList<label> nodes;
-    DynamicList<scalar> S, gradS;
-    passes.forStencils
+    passes.forNodesOf
     (
         cloud,
-        [&](const label k, const label* stencil)
+        near_,
+        [&](const label p, const label node, const scalar S, const scalar* A)
         {
-            bool near = false;
-            for (label i = 0; i < passes.nStencil(); ++i)
+            scalar* q = sums_.data() + nSums*node;
+            for (int d = 0; d < D; ++d)
             {
-                near = near || (stencil[i] >= 0 && near_[stencil[i]]);
+                q[(rigid ? 10 : 7) + d] += A[d];
             }
-            for
-            (
-                label p = cloud.start()[k];
-                near && p < cloud.start()[k + 1];
-                ++p
-            )
+            if (rigid)
             {
-                scalar x[3], l[3] = {0, 0, 0};
-                for (int d = 0; d < D; ++d)
+                return;
+            }
+            const scalar vS = cloud.volume()[0][p]*S;
+            const tensor sigma(cloud.sigma(p));
+            q[0] += vS;
+            for (int d = 0, c = 1; d < D; ++d)
+            {
+                for (int e = d; e < D; ++e)
                 {
-                    x[d] = cloud.x()[d][p];
-                    l[d] = half ? (*half)[d][p] : 0;
-                }
-                passes.weights
-                (
-                    cloud.cells()[k],
-                    x,
-                    half ? l : nullptr,
-                    nodes,
-                    S,
-                    gradS
-                );
-                const scalar v = cloud.volume()[0][p];
-                const tensor sigma
-                (
-                    rigid ? tensor(Zero) : tensor(cloud.sigma(p))
-                );
-                forAll(nodes, i)
-                {
-                    if (nodes[i] < 0 || !near_[nodes[i]])
-                    {
-                        continue;
-                    }
-                    scalar* q = sums_.data() + nSums*nodes[i];
-                    for (int d = 0; d < D; ++d)
-                    {
-                        q[(rigid ? 10 : 7) + d] += v*gradS[D*i + d];
-                    }
-                    if (grid_.radial() >= 0)
-                    {
-                        q[(rigid ? 10 : 7) + grid_.radial()] +=
-                            v*S[i]/x[grid_.radial()];
-                    }
-                    q[0] += rigid ? 0 : v*S[i];
-                    for (int d = 0, c = 1; !rigid && d < D; ++d)
-                    {
-                        for (int e = d; e < D; ++e)
-                        {
-                            q[c++] +=
-                                v*S[i]
-                               *sigma
-                                (
-                                    grid_.direction(d),
-                                    grid_.direction(e)
-                                );
-                        }
-                    }
+                    q[c++] +=
+                        vS*sigma(grid_.direction(d), grid_.direction(e));
                 }
             }
         }

@@ -99,65 +99,22 @@ void Foam::mpm::surfaceLoad::addForce
     const int D = grid.nDim();
     const scalar p = pressure_ ? pressure_->value(time) : 0;
     const vector t(traction_ ? traction_->value(time) : Zero);
-    const column* half = cloud.halfSize();
-    DynamicList<label> nodes;
-    DynamicList<scalar> S, gradS;
-    passes.forStencils
+    passes.forNodesOf
     (
         cloud,
-        [&](const label k, const label* stencil)
+        node_,
+        [&](const label, const label node, const scalar, const scalar* A)
         {
-            bool near = false;
-            for (label i = 0; i < passes.nStencil(); ++i)
+            scalar* fl = f + stride*node;
+            scalar along = 0;
+            for (int d = 0; d < D; ++d)
             {
-                near = near || (stencil[i] >= 0 && node_[stencil[i]]);
+                fl[d] -= p*A[d];
+                along += A[d]*normal_[grid.direction(d)];
             }
-            for
-            (
-                label q = cloud.start()[k];
-                near && q < cloud.start()[k + 1];
-                ++q
-            )
+            for (int d = 0; traction_ && d < D; ++d)
             {
-                scalar x[3], l[3] = {0, 0, 0};
-                for (int d = 0; d < D; ++d)
-                {
-                    x[d] = cloud.x()[d][q];
-                    l[d] = half ? (*half)[d][q] : 0;
-                }
-                passes.weights
-                (
-                    cloud.cells()[k],
-                    x,
-                    half ? l : nullptr,
-                    nodes,
-                    S,
-                    gradS
-                );
-                const scalar v = cloud.volume()[0][q];
-                forAll(nodes, i)
-                {
-                    if (nodes[i] < 0 || !node_[nodes[i]])
-                    {
-                        continue;
-                    }
-                    scalar* fl = f + stride*nodes[i];
-                    scalar along = 0;
-                    for (int d = 0; d < D; ++d)
-                    {
-                        scalar A = v*gradS[D*i + d];
-                        if (d == grid.radial())
-                        {
-                            A += v*S[i]/x[d];
-                        }
-                        fl[d] -= p*A;
-                        along += A*normal_[grid.direction(d)];
-                    }
-                    for (int d = 0; traction_ && d < D; ++d)
-                    {
-                        fl[d] += along*t[grid.direction(d)];
-                    }
-                }
+                fl[d] += along*t[grid.direction(d)];
             }
         }
     );

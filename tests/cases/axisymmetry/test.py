@@ -95,7 +95,7 @@ def identities(table):
     for shape in SHAPES:
         numerics = {**FLIP, "shapeFunction": shape}
 
-        # A rigid phase over all gives the nodes its velocity
+        # A rigid phase over the whole mesh gives all nodes its velocity
         V, dt = 0.01, 0.05
         case = build(
             f"opened-{shape}",
@@ -106,8 +106,8 @@ def identities(table):
             {"tool": {"type": "rigid", "rho": 1, "motion": {
                 "type": "translation", "velocity": (0, V, 0)}},
              "body": {"constitutiveModel": LAW}},
-            {p: {"min": (0, 0.6, -1), "max": (L, 0.9, 1), "overlap": "allow"}
-             for p in ("tool", "body")},
+            {p: {"min": (0, inner, -1), "max": (L, outer, 1), "overlap": "allow"}
+             for p, inner, outer in (("tool", a, b), ("body", 0.6, 0.9))},
             numerics, controlDict(dt, dt, deltaT=dt))
         case.run("materialPointFoam")
         start, now = case.points("0", "body"), case.points(case.times()[-1], "body")

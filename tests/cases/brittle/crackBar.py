@@ -2,7 +2,8 @@
 
 2D, plane strain with nu = 0, so its stress is uniaxial: length 20 mm, width 10 mm, at an
 angle to the mesh, between two rigid phases of its own velocity field. A slice of 1.25 mm
-in the middle has 0.9 of the strength, so there is one crack. E Gf/f^2 = 10 mm; the crack
+in the middle has 0.9 of the strength, the 5 mm at each rigid phase 1.5: one crack, and
+none where an oblique rigid phase makes the stress uneven. E Gf/f^2 = 10 mm; the crack
 is open at 2 Gf/(0.9 f) = 22 um, and at the end the rigid phases are 30 um apart. Exact:
 the energy of the crack is Gf per area. The bar may fly over the mesh meanwhile.
 """
@@ -13,7 +14,7 @@ from foamCase import FoamCase, boxMesh, controlDict, noSchemes, velocityFile
 from surfaces import prisms, surfaceRegion
 
 E, STRENGTH, GF, RHO = 2e9, 2e6, 20.0, 1840.0
-LENGTH, WIDTH, WEAK = 20e-3, 10e-3, 1.25e-3
+LENGTH, MIDDLE, WIDTH, WEAK = 20e-3, 10e-3, 10e-3, 1.25e-3
 END, PULL = 2e-4, 0.15
 
 
@@ -36,7 +37,8 @@ def crackBar(name, h, pointsPerCell=2, angle=0.0, fly=0.0, entries=None):
                            "velocity": (*(drift + side*0.5*PULL*along), 0)}}
 
     case.write("constant/phaseProperties", {
-        "phases": ["bar", "weak", "left", "right"], "bar": solid(1), "weak": solid(0.9),
+        "phases": ["bar", "weak", "ends", "left", "right"], "bar": solid(1),
+        "weak": solid(0.9), "ends": solid(1.5),
         "left": grip(-1), "right": grip(1)})
     # The slice lies anyhow on the cells
     half, shift = 30e-3, 0.31*h
@@ -49,8 +51,10 @@ def crackBar(name, h, pointsPerCell=2, angle=0.0, fly=0.0, entries=None):
 
     regions = {}
     for region, phase, x0, x1 in (
-            ("low", "bar", -LENGTH/2, -WEAK/2), ("middle", "weak", -WEAK/2, WEAK/2),
-            ("high", "bar", WEAK/2, LENGTH/2), ("left", "left", -LENGTH/2 - 2*h, -LENGTH/2),
+            ("lowEnd", "ends", -LENGTH/2, -MIDDLE/2), ("low", "bar", -MIDDLE/2, -WEAK/2),
+            ("middle", "weak", -WEAK/2, WEAK/2), ("high", "bar", WEAK/2, MIDDLE/2),
+            ("highEnd", "ends", MIDDLE/2, LENGTH/2),
+            ("left", "left", -LENGTH/2 - 2*h, -LENGTH/2),
             ("right", "right", LENGTH/2, LENGTH/2 + 2*h)):
         prisms(case, region + ".stl", [[
             x*along + y*across for x, y in ((x0, -WIDTH/2), (x1, -WIDTH/2),

@@ -534,8 +534,7 @@ def outflow(table):
         s = {p: case.series("balance", p + ".dat") for p in ("target", "total")}
         lostAndPresent(table, label, s["total"])
         e = case.series("energy", "energy.dat")
-        rest = e[:, 3] - e[0, 3] - np.sum(
-            e[:, [4, 5, 6, 7, 8, 9]] - e[0, [4, 5, 6, 7, 8, 9]], axis=1)
+        rest = e[:, 3] - e[0, 3] - np.sum(e[:, 4:12] - e[0, 4:12], axis=1)
         if not contact:
             table.row(f"{label}: energy left less all terms of the budget, worst step, "
                       "over the energy", 0, np.abs(rest).max()/e[0, 3], 1e-12)

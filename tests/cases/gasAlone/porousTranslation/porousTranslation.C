@@ -135,6 +135,7 @@ int main(int argc, char *argv[])
     const label n = mesh.nFaces();
     scalarField raw(n, 0), rawNew(n, 0), thetaS0(n, 0), thetaS(n, 0), phiS(n, 0),
         uS(n, 0), K(n, args.opt<scalar>("drag", 0)), limit(n, 0), rhoS(n, 2700),
+        inertia(n, GREAT),
         dilation(mesh.nCells(), 0);
     mpm::porosity pores;
     pores.thetaS0 = thetaS0.cdata();
@@ -143,6 +144,7 @@ int main(int argc, char *argv[])
     pores.uS = uS.cdata();
     pores.K = K.cdata();
     pores.dragLimit = limit.cdata();
+    pores.inertia = inertia.cdata();
     pores.rhoS = rhoS.cdata();
     pores.dilation = dilation.cdata();
     pores.eps = eps;
