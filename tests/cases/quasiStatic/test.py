@@ -94,7 +94,7 @@ def plate(table, label, damping, periods, h=16.37, w=6):
     case = build(f"plate {label}", (w + 2, int(h) + 3),
                  {"type": "box", "min": (0, 0, 0), "max": (w, h, 1)},
                  {"surfaceLoads": loads, "damping": damping}, periods*4*h/C,
-                 maxCo=0.2)
+                 maxCo=0.1)
     case.run("materialPointFoam", limit=120)
     x, u, sigma = last(case)
     table.row(f"plate, {label}: sigma_yy/t of all points, largest error", 0,
@@ -166,7 +166,7 @@ def axis(table, a=6.0):
                   " largest", 0, np.abs(mean).max()/peak, 0.02)
 
 
-def sphere(table, a=6.0, limit=0.05):
+def sphere(table, a=10.0, limit=0.05):
     b, p = 2*a, 100.0
     n = int(b) + 2
     case = build("sphere", (n, n), {"type": "sphere", "centre": (0, 0, 0), "radius": b,
