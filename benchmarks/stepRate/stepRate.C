@@ -19,7 +19,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "phaseSystem.H"
+#include "materialPointSystem.H"
 #include <chrono>
 #include <fstream>
 #include <string>
@@ -62,7 +62,7 @@ int main(int argc, char *argv[])
     const label nWarmup = args.getOrDefault<label>("warmup", 5);
     const label nRepeat = args.getOrDefault<label>("repeat", 3);
 
-    mpm::pointPhaseSystem points(mesh);
+    mpm::materialPointSystem points(mesh);
 
     const auto run = [&](const label n)
     {
@@ -82,10 +82,10 @@ int main(int argc, char *argv[])
     run(nWarmup);
 
     scalar best = GREAT;
-    mpm::pointPhaseSystem::clocks part;
+    mpm::materialPointSystem::clocks part;
     for (label i = 0; i < nRepeat; ++i)
     {
-        const mpm::pointPhaseSystem::clocks before(points.clock());
+        const mpm::materialPointSystem::clocks before(points.clock());
         returnReduce(label(0), sumOp<label>());
         const auto start = std::chrono::steady_clock::now();
         run(nSteps);
@@ -100,7 +100,7 @@ int main(int argc, char *argv[])
         if (s < best)
         {
             best = s;
-            const mpm::pointPhaseSystem::clocks after(points.clock());
+            const mpm::materialPointSystem::clocks after(points.clock());
             part.nodes = after.nodes - before.nodes;
             part.move = after.move - before.move;
             part.sort = after.sort - before.sort;

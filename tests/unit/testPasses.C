@@ -46,7 +46,7 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
         const int D = g.nDim();
         const int P = D == 1 ? 2 : 4;
         const auto passesPtr(passes(it.shape, g));
-        const pointPasses& pass = *passesPtr;
+        const pointGridTransfer& pass = *passesPtr;
 
         materialPointCloud cloud(g, "test");
         if (pass.hasExtent()) cloud.needHalfSize();
@@ -80,7 +80,7 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
 
         const label N = g.nNodes();
         alignedArray mU(P*N), f(P*N), q(P*N), u2(2*P*N), Mu(P*N);
-        pass.project(cloud, pointPasses::current, mU.data());
+        pass.project(cloud, pointGridTransfer::current, mU.data());
         pass.force(cloud, f.data());
 
         scalar mass = 0, p0[3] = {}, nodeMass = 0, np[3] = {}, nf[3] = {};
@@ -259,7 +259,7 @@ TEST_CASE("sort brings every column along and reject restores every bit")
         const labelList cells0(cloud.cells()), start0(cloud.start());
 
         // Random walk, reflected
-        DynamicList<materialPointCloud::mover> movers;
+        DynamicList<materialPointCloud::cellChange> cellChanges;
         forAll(cells0, k)
         {
             for (label p = start0[k]; p < start0[k + 1]; ++p)
@@ -277,11 +277,11 @@ TEST_CASE("sort brings every column along and reject restores every bit")
                 REQUIRE(to >= 0);
                 if (to != cells0[k])
                 {
-                    movers.append(materialPointCloud::mover{p, to});
+                    cellChanges.append(materialPointCloud::cellChange{p, to});
                 }
             }
         }
-        cloud.sort(movers);
+        cloud.sort(cellChanges);
 
         if (round % 3 == 2)
         {
@@ -371,9 +371,9 @@ TEST_CASE("APIC: points that turn as a rigid body give nodes and a gradient that
             (*cloud.affine())[D][p] = omega;
         }
 
-        const autoPtr<pointPasses> passPtr(passes(name, g));
+        const autoPtr<pointGridTransfer> passPtr(passes(name, g));
         alignedArray mU(P*g.nNodes());
-        passPtr->project(cloud, pointPasses::current, mU.data());
+        passPtr->project(cloud, pointGridTransfer::current, mU.data());
         scalar* q = mU.data();
         for (label n = 0; n < g.nNodes(); ++n)
         {

@@ -18,11 +18,11 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "phaseSystem.H"
+#include "materialPointSystem.H"
 #include "eulerianGas.H"
 #include "gasCoupling.H"
 #include "phaseNames.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "uniformDimensionedFields.H"
 #include "timer.H"
 #include "timeStepControl.H"

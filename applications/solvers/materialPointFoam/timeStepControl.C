@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "timeStepControl.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "fatalMessages.H"
 #include "fullPrecision.H"
 #include "cloud.H"
@@ -36,7 +36,7 @@ fileName stateFile(const fileName& path, const word& instance)
 Foam::mpm::timeStepControl::timeStepControl
 (
     Time& time,
-    pointPhaseSystem* points,
+    materialPointSystem* points,
     eulerianGas* gas
 )
 :

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "timeStepControl.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include <cstring>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

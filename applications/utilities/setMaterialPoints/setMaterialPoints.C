@@ -113,7 +113,7 @@ Usage
 #include "OSspecific.H"
 #include "PtrList.H"
 #include "materialPointPhase.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "fatalMessages.H"
 #include "noTraps.H"
 #include "regionTable.H"

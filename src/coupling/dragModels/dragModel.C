@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dragModel.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

@@ -10,7 +10,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "dragModel.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

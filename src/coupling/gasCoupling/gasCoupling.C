@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasCoupling.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "noTraps.H"
 #include "emptyPolyPatch.H"
 #include "coupledPolyPatch.H"
@@ -17,7 +17,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::gasCoupling::raw
+Foam::scalar Foam::mpm::gasCoupling::unclippedFraction
 (
     const scalarList& face,
     const label facei
@@ -243,7 +243,7 @@ void Foam::mpm::gasCoupling::prepareFaces(const scalar dt)
 
 Foam::mpm::gasCoupling::gasCoupling
 (
-    pointPhaseSystem& points,
+    materialPointSystem& points,
     eulerianGas& gas,
     const dictionary& properties
 )
@@ -373,7 +373,7 @@ Foam::mpm::gasCoupling::gasCoupling
     {
         // The points began before the gas was there
         needEnergy();
-        book();
+        startBudget();
     }
 }
 
@@ -395,7 +395,7 @@ void Foam::mpm::gasCoupling::force()
     G_ = 0;
     const auto jump = [&](const label f, const scalar pO, const scalar pN)
     {
-        const scalar theta = raw(face_, f);
+        const scalar theta = unclippedFraction(face_, f);
         if (theta > 0)
         {
             const int d = sums_.direction(f);

@@ -63,7 +63,7 @@ void Foam::mpm::gasCoupling::bookRigid()
         for (int d = 0; d < D; ++d)
         {
             const scalar* F = (*cloud.gasForce())[d];
-            const scalar* way = (*cloud.way())[d];
+            const scalar* way = (*cloud.displacement())[d];
             for (label p = 0; p < cloud.size(); ++p)
             {
                 rigidWork_ -= F[p]*way[p];
@@ -114,10 +114,10 @@ void Foam::mpm::gasCoupling::needEnergy() const
 }
 
 
-void Foam::mpm::gasCoupling::book()
+void Foam::mpm::gasCoupling::startBudget()
 {
     books_ = true;
-    gas_.book();
+    gas_.startBudget();
     budget_ = gasBudget();
     budget_.mass0 = gas_.mass();
     budget_.momentum0 = gas_.momentum();
@@ -145,7 +145,7 @@ Foam::mpm::gasBudget Foam::mpm::gasCoupling::balance() const
 
 void Foam::mpm::gasCoupling::setBalance(const gasBudget& sums)
 {
-    book();
+    startBudget();
     budget_ = Pstream::master() ? sums : gasBudget();
 }
 

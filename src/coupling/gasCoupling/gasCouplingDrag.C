@@ -72,9 +72,9 @@ void Foam::mpm::gasCoupling::dragPhase(const label phasei, const scalar dt)
 {
     materialPointPhase& phase = points_.phases()[phasei];
     materialPointCloud& cloud = phase.cloud();
-    const pointPasses& passes = points_.passes();
+    const pointGridTransfer& passes = points_.gridTransfer();
     const label fieldi = points_.fieldOf(phasei);
-    gridState& field = points_.fields()[fieldi];
+    velocityField& field = points_.fields()[fieldi];
     const int D = sums_.grid().nDim(), stride = field.stride();
     const label n = passes.nStencil();
 

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasCoupling.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "coupledPolyPatch.H"
 #include "syncTools.H"
 
@@ -102,7 +102,7 @@ const Foam::scalarList& Foam::mpm::gasCoupling::grainJumps(const label phasei)
 
     // Nodes of cells with points have a velocity
     const hexGrid& grid = sums_.grid();
-    const gridState& field = points_.fields()[points_.fieldOf(phasei)];
+    const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
     const scalar rho = points_.phases()[phasei].rho();
     for (const label c : points_.phases()[phasei].cloud().cells())
     {

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasCoupling.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "noTraps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

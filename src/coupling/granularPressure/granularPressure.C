@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "granularPressure.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

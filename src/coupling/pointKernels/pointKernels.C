@@ -29,7 +29,7 @@ class boxKernels
     static constexpr int nCells = DIM == 1 ? 3 : DIM == 2 ? 9 : 27;
     static constexpr int nFaces = 2*nCells/3;
 
-    const latticeSums& sums_;
+    const fractionLattice& sums_;
 
     //- Computed direction of the radius where HOOP is
     const int radial_;
@@ -233,7 +233,7 @@ class boxKernels
 
 public:
 
-    explicit boxKernels(const latticeSums& sums)
+    explicit boxKernels(const fractionLattice& sums)
     :
         sums_(sums),
         radial_(sums.grid().radial())
@@ -246,7 +246,7 @@ public:
         for (int d = 0; d < DIM; ++d)
         {
             x[d] = cloud.x()[d];
-            way[d] = (*cloud.way())[d];
+            way[d] = (*cloud.displacement())[d];
         }
         const scalar* v = (*cloud.gasVolume())[0];
 
@@ -291,7 +291,7 @@ public:
         for (int d = 0; d < DIM; ++d)
         {
             x[d] = cloud.x()[d];
-            way[d] = (*cloud.way())[d];
+            way[d] = (*cloud.displacement())[d];
         }
         const scalar* v = (*cloud.gasVolume())[0];
         const scalar* m = cloud.mass()[0];
@@ -422,7 +422,7 @@ public:
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-autoPtr<pointKernels> pointKernels::New(const latticeSums& sums)
+autoPtr<pointKernels> pointKernels::New(const fractionLattice& sums)
 {
     if (sums.grid().radial() >= 0)
     {

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianGas.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "noTraps.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "emptyPolyPatch.H"

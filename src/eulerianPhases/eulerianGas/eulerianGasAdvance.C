@@ -75,7 +75,7 @@ Foam::mpm::eulerianGas::sums Foam::mpm::eulerianGas::carried
 
 
 template<bool Porous, bool Energy>
-void Foam::mpm::eulerianGas::cells(const scalar dt, const porosity* pores)
+void Foam::mpm::eulerianGas::cells(const scalar dt, const solidOnFaces* pores)
 {
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
@@ -401,7 +401,7 @@ void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianGas::advance(const scalar dt, const porosity* pores)
+void Foam::mpm::eulerianGas::advance(const scalar dt, const solidOnFaces* pores)
 {
     const noTraps guard;
 

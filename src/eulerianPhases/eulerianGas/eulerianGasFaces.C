@@ -11,7 +11,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::eulerianGas::markNearSolid(const porosity& pores)
+void Foam::mpm::eulerianGas::markNearSolid(const solidOnFaces& pores)
 {
     // So much less than 1 is left behind by rounding and by a body that has
     // passed
@@ -53,7 +53,7 @@ void Foam::mpm::eulerianGas::markNearSolid(const porosity& pores)
 
 
 template<bool Porous>
-void Foam::mpm::eulerianGas::faces(const scalar dt, const porosity* pores)
+void Foam::mpm::eulerianGas::faces(const scalar dt, const solidOnFaces* pores)
 {
     const label nCells = mesh_.nCells();
     const label nInternal = mesh_.nInternalFaces();
@@ -204,7 +204,7 @@ template<bool Porous>
 void Foam::mpm::eulerianGas::limitOutflow
 (
     const scalar dt,
-    const porosity* pores
+    const solidOnFaces* pores
 )
 {
     const label nInternal = mesh_.nInternalFaces();
@@ -283,7 +283,7 @@ void Foam::mpm::eulerianGas::limitOutflow
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const porosity* pores)
+void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores)
 {
     const noTraps guard;
 

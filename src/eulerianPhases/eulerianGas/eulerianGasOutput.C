@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianGas.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "fullPrecision.H"
 #include "Time.H"
 

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasThermo.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "ListOps.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

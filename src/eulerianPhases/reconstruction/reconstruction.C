@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "reconstruction.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "surfaceFields.H"
 #include "surfaceInterpolationScheme.H"
 #include "NVDTVD.H"

@@ -132,7 +132,7 @@ Foam::wordList Foam::functionObjects::materialPointBalance::keywords() const
 
 void Foam::functionObjects::materialPointBalance::prepare
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     origin_ = dict_.getOrDefault<point>("origin", Zero);
@@ -179,15 +179,15 @@ void Foam::functionObjects::materialPointBalance::prepare
                     << " say when it writes." << exit(FatalIOError);
             }
         }
-        mpm::pointPhaseSystem& system =
-            *mesh_.getObjectPtr<mpm::pointPhaseSystem>(points.name());
-        for (mpm::gridState& field : system.fields())
+        mpm::materialPointSystem& system =
+            *mesh_.getObjectPtr<mpm::materialPointSystem>(points.name());
+        for (mpm::velocityField& field : system.fields())
         {
             field.needReactions();
         }
         if (!points.booksEnergy())
         {
-            points.coupling()->book();
+            points.coupling()->startBudget();
         }
         first_ = true;
         impulse_ = Zero;
@@ -213,7 +213,7 @@ void Foam::functionObjects::materialPointBalance::prepare
 
 bool Foam::functionObjects::materialPointBalance::execute()
 {
-    const mpm::pointPhaseSystem& points = system();
+    const mpm::materialPointSystem& points = system();
     if (!points.coupling() || first_)
     {
         return true;
@@ -224,7 +224,7 @@ bool Foam::functionObjects::materialPointBalance::execute()
         mass += phase.prescribed() ? 0 : phase.mass();
     }
     vector J(Zero);
-    for (const mpm::gridState& field : points.fields())
+    for (const mpm::velocityField& field : points.fields())
     {
         const mpm::nodeReactions& reactions = *field.reactions();
         for (const mpm::nodeReactions::part& p : reactions.parts())
@@ -241,7 +241,7 @@ bool Foam::functionObjects::materialPointBalance::execute()
 
 void Foam::functionObjects::materialPointBalance::sampleGas
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     const mpm::gasBudget gas(points.coupling()->balance());
@@ -297,7 +297,7 @@ void Foam::functionObjects::materialPointBalance::sampleGas
 
 void Foam::functionObjects::materialPointBalance::sample
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     sums total;

@@ -35,7 +35,7 @@ Foam::wordList Foam::functionObjects::materialPointEnergy::keywords() const
 
 void Foam::functionObjects::materialPointEnergy::prepare
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     if (!functionObject::postProcess)
@@ -69,7 +69,7 @@ void Foam::functionObjects::materialPointEnergy::prepare
 
 void Foam::functionObjects::materialPointEnergy::sample
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     if (const mpm::energyBudget* b = points.budget())

@@ -53,7 +53,7 @@ Foam::wordList Foam::functionObjects::materialPointExtent::keywords() const
 
 void Foam::functionObjects::materialPointExtent::prepare
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     halfSize_ = dict_.getOrDefault<bool>("halfSize", false);
@@ -82,7 +82,7 @@ void Foam::functionObjects::materialPointExtent::prepare
 
 void Foam::functionObjects::materialPointExtent::sample
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     forAll(phases_, phasei)

@@ -12,7 +12,7 @@ License
 #include "pointFields.H"
 #include "pointMesh.H"
 #include "pointQuantity.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include <cctype>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -85,7 +85,7 @@ scalarField nodeVolumes(const mpm::hexGrid& grid, const label reach)
 template<class Function>
 void forWeights
 (
-    const mpm::pointPasses& passes,
+    const mpm::pointGridTransfer& passes,
     const mpm::materialPointCloud& cloud,
     const Function& f
 )
@@ -127,7 +127,7 @@ Foam::wordList Foam::functionObjects::materialPointFields::keywords() const
 
 void Foam::functionObjects::materialPointFields::prepare
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     phases_ = selectedPhases(points);
@@ -207,7 +207,7 @@ void Foam::functionObjects::materialPointFields::writeField
 
 void Foam::functionObjects::materialPointFields::writeQuantity
 (
-    const mpm::pointPhaseSystem& points,
+    const mpm::materialPointSystem& points,
     const label phasei,
     const word& field
 )
@@ -215,7 +215,7 @@ void Foam::functionObjects::materialPointFields::writeQuantity
     const mpm::materialPointPhase& material = phase(points, phases_[phasei]);
     const mpm::materialPointCloud& cloud = material.cloud();
     const mpm::hexGrid& grid = points.grid();
-    const mpm::sharedNodes& shared = grid.shared(points.passes().reach());
+    const mpm::sharedNodes& shared = grid.shared(points.gridTransfer().reach());
 
     word name(field);
     name[0] = char(std::toupper(name[0]));
@@ -226,7 +226,7 @@ void Foam::functionObjects::materialPointFields::writeQuantity
         scalarField V(grid.nNodes(), Zero);
         forWeights
         (
-            points.passes(),
+            points.gridTransfer(),
             cloud,
             [&](const label p, const label n, const scalar S)
             {
@@ -234,7 +234,7 @@ void Foam::functionObjects::materialPointFields::writeQuantity
             }
         );
         shared.sum(V.data(), 1, 1);
-        const scalarField all(nodeVolumes(grid, points.passes().reach()));
+        const scalarField all(nodeVolumes(grid, points.gridTransfer().reach()));
         forAll(V, n)
         {
             V[n] = all[n] > 0 ? V[n]/all[n] : 0;
@@ -259,7 +259,7 @@ void Foam::functionObjects::materialPointFields::writeQuantity
     label last = -1;
     forWeights
     (
-        points.passes(),
+        points.gridTransfer(),
         cloud,
         [&](const label p, const label n, const scalar S)
         {
@@ -300,7 +300,7 @@ void Foam::functionObjects::materialPointFields::writeQuantity
 
 void Foam::functionObjects::materialPointFields::sample
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     if (!functionObject::postProcess && !mesh_.time().writeTime())

@@ -7,17 +7,17 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointOutput.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include <sstream>
 #include "OSspecific.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::mpm::pointPhaseSystem*
+const Foam::mpm::materialPointSystem*
 Foam::functionObjects::materialPointOutput::findPoints() const
 {
-    return mesh_.cfindObject<mpm::pointPhaseSystem>("pointPhaseSystem");
+    return mesh_.cfindObject<mpm::materialPointSystem>("materialPointSystem");
 }
 
 
@@ -57,10 +57,10 @@ Foam::OFstream* Foam::functionObjects::materialPointOutput::newFile
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-const Foam::mpm::pointPhaseSystem&
+const Foam::mpm::materialPointSystem&
 Foam::functionObjects::materialPointOutput::system()
 {
-    const mpm::pointPhaseSystem* points = findPoints();
+    const mpm::materialPointSystem* points = findPoints();
 
     if (!points)
     {
@@ -80,7 +80,7 @@ Foam::functionObjects::materialPointOutput::system()
 
 Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 ) const
 {
     DynamicList<word> valid;
@@ -139,7 +139,7 @@ Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases
 const Foam::mpm::materialPointPhase&
 Foam::functionObjects::materialPointOutput::phase
 (
-    const mpm::pointPhaseSystem& points,
+    const mpm::materialPointSystem& points,
     const word& name
 )
 {
@@ -269,7 +269,7 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
     mpm::checkKeywords(dict, valid);
 
     // Mistakes in the dictionary stop the run before its first step
-    if (const mpm::pointPhaseSystem* points = findPoints())
+    if (const mpm::materialPointSystem* points = findPoints())
     {
         prepare(*points);
         ready_ = true;
@@ -280,7 +280,7 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
 
 bool Foam::functionObjects::materialPointOutput::write()
 {
-    const mpm::pointPhaseSystem& points = system();
+    const mpm::materialPointSystem& points = system();
     if (sampled_)
     {
         sample(points);

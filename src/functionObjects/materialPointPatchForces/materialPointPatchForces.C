@@ -9,7 +9,7 @@ License
 #include "materialPointPatchForces.H"
 #include "addToRunTimeSelectionTable.H"
 #include "FlatOutput.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "processorPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -38,7 +38,7 @@ Foam::wordList Foam::functionObjects::materialPointPatchForces::keywords() const
 
 void Foam::functionObjects::materialPointPatchForces::readFields
 (
-    mpm::pointPhaseSystem& points
+    mpm::materialPointSystem& points
 )
 {
     wordList valid(points.fields().size());
@@ -81,7 +81,7 @@ void Foam::functionObjects::materialPointPatchForces::readFields
 
 void Foam::functionObjects::materialPointPatchForces::readPatches
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     // Those that hold a node on any processor
@@ -145,7 +145,7 @@ void Foam::functionObjects::materialPointPatchForces::readPatches
 
 void Foam::functionObjects::materialPointPatchForces::prepare
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     if (functionObject::postProcess)
@@ -170,7 +170,7 @@ void Foam::functionObjects::materialPointPatchForces::prepare
     origin_ = dict_.getOrDefault<point>("origin", Zero);
 
     // Reactions are kept from now on
-    readFields(*mesh_.getObjectPtr<mpm::pointPhaseSystem>(points.name()));
+    readFields(*mesh_.getObjectPtr<mpm::materialPointSystem>(points.name()));
     readPatches(points);
 
     impulse_ = vectorField(patches_.size(), Zero);
@@ -202,7 +202,7 @@ void Foam::functionObjects::materialPointPatchForces::prepare
 
 void Foam::functionObjects::materialPointPatchForces::sample
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     Pstream::listCombineGather(impulse_, plusEqOp<vector>());
@@ -250,7 +250,7 @@ Foam::functionObjects::materialPointPatchForces::materialPointPatchForces
 
 bool Foam::functionObjects::materialPointPatchForces::execute()
 {
-    const mpm::pointPhaseSystem& points = system();
+    const mpm::materialPointSystem& points = system();
     const mpm::hexGrid& grid = points.grid();
 
     for (const label fieldi : fields_)

@@ -10,7 +10,7 @@ License
 #include "FlatOutput.H"
 #include "addToRunTimeSelectionTable.H"
 #include "pointQuantity.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include <algorithm>
 #include <limits>
 
@@ -40,7 +40,7 @@ Foam::wordList Foam::functionObjects::materialPointProbes::keywords() const
 
 void Foam::functionObjects::materialPointProbes::prepare
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     phase_ = dict_.get<word>("phase");
@@ -204,7 +204,7 @@ void Foam::functionObjects::materialPointProbes::writeRow
 
 void Foam::functionObjects::materialPointProbes::sample
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     const mpm::materialPointPhase& material = phase(points, phase_);

@@ -8,7 +8,7 @@ License
 
 #include "materialPointProbes.H"
 #include "boundBox.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

@@ -147,7 +147,7 @@ Foam::functionObjects::materialPointSeparation::neighbours
 
 void Foam::functionObjects::materialPointSeparation::prepare
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     phases_ = selectedPhases(points);
@@ -193,7 +193,7 @@ void Foam::functionObjects::materialPointSeparation::prepare
 
 void Foam::functionObjects::materialPointSeparation::sample
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     const mpm::hexGrid& grid = points.grid();

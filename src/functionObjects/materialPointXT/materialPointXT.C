@@ -9,7 +9,7 @@ License
 #include "materialPointXT.H"
 #include "addToRunTimeSelectionTable.H"
 #include "pointQuantity.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "Pair.H"
 #include <vector>
 
@@ -101,7 +101,7 @@ void Foam::functionObjects::materialPointXT::makeBins
 
 void Foam::functionObjects::materialPointXT::prepare
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     phases_ = selectedPhases(points);
@@ -169,7 +169,7 @@ void Foam::functionObjects::materialPointXT::prepare
 
 void Foam::functionObjects::materialPointXT::sample
 (
-    const mpm::pointPhaseSystem& points
+    const mpm::materialPointSystem& points
 )
 {
     scalarField sum(nBins_, Zero), volume(nBins_, Zero);

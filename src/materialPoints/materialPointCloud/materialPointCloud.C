@@ -231,7 +231,7 @@ void Foam::mpm::materialPointCloud::needGas()
 {
     const int D = grid_.nDim();
     gasVolume_.reset(new column("gasVolume", column::scalars, D));
-    way_.reset(new column("way", column::vectors, D));
+    displacement_.reset(new column("displacement", column::vectors, D));
     gasPressure_.reset(new column("gasPressure", column::scalars, D));
     gasForce_.reset(new column("gasForce", column::vectors, D));
 }
@@ -240,7 +240,7 @@ void Foam::mpm::materialPointCloud::needGas()
 void Foam::mpm::materialPointCloud::allocateGas()
 {
     const label n = max(x_.capacity(), label(1));
-    for (column* c : {&*gasVolume_, &*way_, &*gasPressure_, &*gasForce_})
+    for (column* c : {&*gasVolume_, &*displacement_, &*gasPressure_, &*gasForce_})
     {
         c->reserve(n, 0);
     }

@@ -24,13 +24,13 @@ Foam::label Foam::mpm::materialPointCloud::rowSize()
 }
 
 
-void Foam::mpm::materialPointCloud::pack(const UList<mover>& movers)
+void Foam::mpm::materialPointCloud::pack(const UList<cellChange>& cellChanges)
 {
     for (DynamicList<scalar>& rows : leaving_)
     {
         rows.clear();
     }
-    for (const mover& mv : movers)
+    for (const cellChange& mv : cellChanges)
     {
         if (mv.cell < grid_.nCells() || mv.cell == outflowPatches::gone)
         {
@@ -121,7 +121,7 @@ void Foam::mpm::materialPointCloud::sendRows()
 }
 
 
-void Foam::mpm::materialPointCloud::unpack(DynamicList<mover>& movers)
+void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
 {
     const label row = rowSize();
     label n = 0;
@@ -172,14 +172,14 @@ void Foam::mpm::materialPointCloud::unpack(DynamicList<mover>& movers)
                     xNew_[d][p] = x[d];
                 }
             }
-            movers.append(mover{p, celli});
+            cellChanges.append(cellChange{p, celli});
         }
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::materialPointCloud::exchange(DynamicList<mover>& movers)
+void Foam::mpm::materialPointCloud::exchange(DynamicList<cellChange>& cellChanges)
 {
     if (!Pstream::parRun())
     {
@@ -197,21 +197,21 @@ void Foam::mpm::materialPointCloud::exchange(DynamicList<mover>& movers)
     bool more = true;
     while (more)
     {
-        pack(SubList<mover>(movers, movers.size() - first, first));
-        first = movers.size();
+        pack(SubList<cellChange>(cellChanges, cellChanges.size() - first, first));
+        first = cellChanges.size();
         sendRows();
-        unpack(movers);
+        unpack(cellChanges);
 
         more = false;
         if (!grid_.hasLattice())
         {
-            for (label m = first; m < movers.size(); ++m)
+            for (label m = first; m < cellChanges.size(); ++m)
             {
                 more =
                     more
                  || (
-                        movers[m].cell >= grid_.nCells()
-                     && movers[m].cell != outflowPatches::gone
+                        cellChanges[m].cell >= grid_.nCells()
+                     && cellChanges[m].cell != outflowPatches::gone
                     );
             }
             reduce(more, orOp<bool>());

@@ -61,10 +61,10 @@ void Foam::mpm::materialPointCloud::order(const labelList& cell)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
+bool Foam::mpm::materialPointCloud::sort(const UList<cellChange>& cellChanges)
 {
     sorted_ = false;
-    if (movers.empty())
+    if (cellChanges.empty())
     {
         return false;
     }
@@ -82,36 +82,36 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
     label m = 0, nLeft = 0;
     forAll(cells_, k)
     {
-        for (; m < movers.size() && movers[m].point < start_[k + 1]; ++m)
+        for (; m < cellChanges.size() && cellChanges[m].point < start_[k + 1]; ++m)
         {
             --count_[cells_[k]];
-            if (movers[m].cell >= grid_.nCells())
+            if (cellChanges[m].cell >= grid_.nCells())
             {
                 ++nLeft;
                 continue;
             }
-            label& c = count_[movers[m].cell];
+            label& c = count_[cellChanges[m].cell];
             if (c == 0)
             {
                 c = 1;
-                fresh.append(movers[m].cell);
+                fresh.append(cellChanges[m].cell);
             }
             ++c;
         }
     }
-    for (; m < movers.size(); ++m)
+    for (; m < cellChanges.size(); ++m)
     {
         // Arrived
-        if (movers[m].cell >= grid_.nCells())
+        if (cellChanges[m].cell >= grid_.nCells())
         {
             ++nLeft;
             continue;
         }
-        label& c = count_[movers[m].cell];
+        label& c = count_[cellChanges[m].cell];
         if (c == 0)
         {
             c = 1;
-            fresh.append(movers[m].cell);
+            fresh.append(cellChanges[m].cell);
         }
         ++c;
     }
@@ -149,7 +149,7 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
     }
     start_[cells.size()] = n;
 
-    // Stayers in their order, then movers; points that have left stand behind
+    // Stayers in their order, then cellChanges; points that have left stand behind
     // all others until the state is accepted
     oldN_ = n_;
     n_ += nArrived_ - nLeft;
@@ -163,7 +163,7 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
         label to = count_[celli];
         for (label p = oldStart_[k]; p < oldStart_[k + 1]; ++p)
         {
-            if (m < movers.size() && movers[m].point == p)
+            if (m < cellChanges.size() && cellChanges[m].point == p)
             {
                 ++m;
             }
@@ -175,7 +175,7 @@ bool Foam::mpm::materialPointCloud::sort(const UList<mover>& movers)
         count_[celli] = to;
     }
     const scalar* id = id_[0];
-    for (const mover& mv : movers)
+    for (const cellChange& mv : cellChanges)
     {
         if (mv.cell >= grid_.nCells())
         {

@@ -8,7 +8,7 @@ License
 
 #include "OSspecific.H"
 #include "materialPointCloud.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "noTraps.H"
 #include "fullPrecision.H"
 #include "Cloud.H"

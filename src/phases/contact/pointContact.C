@@ -7,13 +7,13 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointContact.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::pointContact::relative
 (
-    const meeting& m,
+    const contactNode& m,
     const scalar* ua,
     const scalar* ub,
     const int step,
@@ -21,7 +21,7 @@ void Foam::mpm::pointContact::relative
     scalar* du
 ) const
 {
-    const pairOf& pair = pairs_[m.pair];
+    const contactPair& pair = pairs_[m.pair];
     const int stride = fields_[pair.a].stride();
     const scalar* Ja = impulse_[pair.a].cdata() + stride*m.node;
     for (int d = 0; d < nDim_; ++d)
@@ -39,7 +39,7 @@ void Foam::mpm::pointContact::relative
 }
 
 
-void Foam::mpm::pointContact::collide
+void Foam::mpm::pointContact::computeImpulses
 (
     const List<scalar*>& u,
     const int step,
@@ -48,9 +48,9 @@ void Foam::mpm::pointContact::collide
 )
 {
     const label sweeps = pairs_.size() > 1 ? 5 : 1;
-    const auto give = [&](const meeting& m, const int d, const scalar J)
+    const auto give = [&](const contactNode& m, const int d, const scalar J)
     {
-        const pairOf& pair = pairs_[m.pair];
+        const contactPair& pair = pairs_[m.pair];
         const int stride = fields_[pair.a].stride();
         impulse_[pair.a][stride*m.node + d] -= J;
         if (pair.b >= 0)
@@ -59,16 +59,16 @@ void Foam::mpm::pointContact::collide
         }
     };
 
-    for (meeting& m : meetings_)
+    for (contactNode& m : contactNodes_)
     {
-        m.want = 0;
+        m.stickImpulse = 0;
         m.Jn = m.Jt[0] = m.Jt[1] = m.Jt[2] = 0;
     }
     for (label sweep = 0; sweep < sweeps; ++sweep)
     {
-        for (meeting& m : meetings_)
+        for (contactNode& m : contactNodes_)
         {
-            const pairOf& pair = pairs_[m.pair];
+            const contactPair& pair = pairs_[m.pair];
             const scalar M = 1/(m.ia + m.ib);
             scalar du[3] = {0, 0, 0};
             relative
@@ -86,15 +86,15 @@ void Foam::mpm::pointContact::collide
             {
                 un += du[d]*m.n[d];
             }
-            const scalar may = m.gap > 0 ? m.gap/max(dt, VSMALL) : 0;
-            const scalar Jn = max(scalar(0), m.Jn - M*(may + un));
+            const scalar approach = m.gap > 0 ? m.gap/max(dt, VSMALL) : 0;
+            const scalar Jn = max(scalar(0), m.Jn - M*(approach + un));
 
             // Tangential: all of the slip, within what friction holds
-            scalar want[3], size = 0;
+            scalar slip[3], size = 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                want[d] = m.Jt[d] - M*(du[d] - un*m.n[d]);
-                size += sqr(want[d]);
+                slip[d] = m.Jt[d] - M*(du[d] - un*m.n[d]);
+                size += sqr(slip[d]);
             }
             size = std::sqrt(size);
             const bool stuck =
@@ -103,12 +103,12 @@ void Foam::mpm::pointContact::collide
                 stuck ? 1 : size > 0 ? min(scalar(1), pair.how.mu*Jn/size) : 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                const scalar Jt = part*want[d];
+                const scalar Jt = part*slip[d];
                 give(m, d, (Jn - m.Jn)*m.n[d] + Jt - m.Jt[d]);
                 m.Jt[d] = Jt;
             }
             m.Jn = Jn;
-            m.want = size;
+            m.stickImpulse = size;
             m.closed = Jn > 0;
             m.stuck = stuck;
         }
@@ -122,23 +122,23 @@ Foam::mpm::pointContact::pointContact
     const dictionary& dict,
     const hexGrid& grid,
     const PtrList<materialPointPhase>& phases,
-    PtrList<gridState>& fields,
+    PtrList<velocityField>& fields,
     const labelList& fieldOf,
-    const pointPasses& passes
+    const pointGridTransfer& passes
 )
 :
     grid_(grid),
     phases_(phases),
     fields_(fields),
     fieldOf_(fieldOf),
-    passes_(passes),
+    gridTransfer_(passes),
     nDim_(grid.nDim()),
     any_(false),
     has_(fields.size(), false),
     position_(grid.nodePositions()),
     gradient_(fields.size()),
     impulse_(fields.size()),
-    heavy_(grid.nNodes(), label(-1)),
+    prescribedStamp_(grid.nNodes(), label(-1)),
     stamp_(0),
     owner_(grid.nNodes(), label(-1)),
     otherOwner_(grid.nNodes(), label(-1)),
@@ -170,9 +170,9 @@ Foam::autoPtr<Foam::mpm::pointContact> Foam::mpm::pointContact::New
     const dictionary& phaseProperties,
     const hexGrid& grid,
     const PtrList<materialPointPhase>& phases,
-    PtrList<gridState>& fields,
+    PtrList<velocityField>& fields,
     const labelList& fieldOf,
-    const pointPasses& passes
+    const pointGridTransfer& passes
 )
 {
     autoPtr<pointContact> contact;
@@ -198,7 +198,7 @@ Foam::autoPtr<Foam::mpm::pointContact> Foam::mpm::pointContact::New
 
 bool Foam::mpm::pointContact::between(const label a, const label b) const
 {
-    for (const pairOf& pair : pairs_)
+    for (const contactPair& pair : pairs_)
     {
         if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))
         {
@@ -209,14 +209,14 @@ bool Foam::mpm::pointContact::between(const label a, const label b) const
 }
 
 
-Foam::scalar Foam::mpm::pointContact::push
+Foam::scalar Foam::mpm::pointContact::applyImpulses
 (
     const scalar dt,
     const bool withWork,
     scalar& boundary
 )
 {
-    for (pairOf& pair : pairs_)
+    for (contactPair& pair : pairs_)
     {
         pair.step = Zero;
         pair.nClosed = 0;
@@ -234,16 +234,16 @@ Foam::scalar Foam::mpm::pointContact::push
     const int step = 2*fields_[0].stride();
     if (bodies_.size())
     {
-        settle(u, step, dt);
+        solveBodies(u, step, dt);
     }
     else
     {
-        collide(u, step, dt, false);
+        computeImpulses(u, step, dt, false);
     }
 
-    for (const meeting& m : meetings_)
+    for (const contactNode& m : contactNodes_)
     {
-        pairOf& pair = pairs_[m.pair];
+        contactPair& pair = pairs_[m.pair];
         const scalar part = fields_[pair.a].part(m.node);
         pair.nClosed += m.closed ? part : 0;
         for (int d = 0; d < nDim_; ++d)
@@ -273,18 +273,18 @@ Foam::scalar Foam::mpm::pointContact::push
     }
 
     // Work on the points: J.(u^n + u^L)/2 of each field at each node once, on
-    // free bodies for each meeting where it acts
+    // free bodies for each contact node where it acts
     scalar work = 0;
-    for (const meeting& m : meetings_)
+    for (const contactNode& m : contactNodes_)
     {
-        const pairOf& pair = pairs_[m.pair];
+        const contactPair& pair = pairs_[m.pair];
         for (const label fieldi : {pair.a, pair.b})
         {
             if (fieldi < 0)
             {
                 continue;
             }
-            const gridState& field = fields_[fieldi];
+            const velocityField& field = fields_[fieldi];
             const int stride = field.stride();
             scalar* J = impulse_[fieldi].data() + stride*m.node;
             const bool isA = fieldi == pair.a;
@@ -321,7 +321,7 @@ Foam::scalar Foam::mpm::pointContact::push
 }
 
 
-void Foam::mpm::pointContact::pushStrain(const scalar dt)
+void Foam::mpm::pointContact::applyStrainImpulses(const scalar dt)
 {
     if (!any_)
     {
@@ -333,10 +333,10 @@ void Foam::mpm::pointContact::pushStrain(const scalar dt)
         u[fieldi] = fields_[fieldi].strainU();
     }
     const int stride = fields_[0].stride();
-    collide(u, stride, dt, false);
-    for (const meeting& m : meetings_)
+    computeImpulses(u, stride, dt, false);
+    for (const contactNode& m : contactNodes_)
     {
-        const pairOf& pair = pairs_[m.pair];
+        const contactPair& pair = pairs_[m.pair];
         for (int side = 0; side < 2; ++side)
         {
             const label fieldi = side == 0 ? pair.a : pair.b;
@@ -368,13 +368,13 @@ void Foam::mpm::pointContact::filter(const bool changes)
     {
         shareIncrement();
     }
-    for (const meeting& m : meetings_)
+    for (const contactNode& m : contactNodes_)
     {
         if (!m.closed || hard(m))
         {
             continue;
         }
-        const pairOf& pair = pairs_[m.pair];
+        const contactPair& pair = pairs_[m.pair];
         const int step = 2*fields_[pair.a].stride();
         scalar* va = fields_[pair.a].increment() + step*m.node;
         scalar* vb =
@@ -401,7 +401,7 @@ void Foam::mpm::pointContact::filter(const bool changes)
 
 void Foam::mpm::pointContact::accept()
 {
-    for (pairOf& pair : pairs_)
+    for (contactPair& pair : pairs_)
     {
         pair.sum += pair.step;
     }
@@ -410,10 +410,10 @@ void Foam::mpm::pointContact::accept()
 
 void Foam::mpm::pointContact::report(const scalar dt) const
 {
-    for (const pairOf& pair : pairs_)
+    for (const contactPair& pair : pairs_)
     {
         scalar least = GREAT;
-        for (const meeting& m : meetings_)
+        for (const contactNode& m : contactNodes_)
         {
             if (&pairs_[m.pair] == &pair)
             {

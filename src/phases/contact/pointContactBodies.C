@@ -13,7 +13,7 @@ License
 
 void Foam::mpm::pointContact::setBodyU(const List<freeBody::vector6>& V)
 {
-    for (meeting& m : meetings_)
+    for (contactNode& m : contactNodes_)
     {
         for (int side = 0; side < 2; ++side)
         {
@@ -37,7 +37,7 @@ void Foam::mpm::pointContact::setBodyU(const List<freeBody::vector6>& V)
 
 Eigen::Matrix3d Foam::mpm::pointContact::stiffness
 (
-    const meeting& m,
+    const contactNode& m,
     const slope kind
 ) const
 {
@@ -74,7 +74,7 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness
             {
                 across(grid_.direction(d), grid_.direction(d)) += 1;
             }
-            P += Jt/m.want*across;
+            P += Jt/m.stickImpulse*across;
         }
     }
     return M*P;
@@ -85,7 +85,7 @@ Foam::List<Foam::mpm::freeBody::vector6>
 Foam::mpm::pointContact::pushes() const
 {
     List<vector> sums(2*bodies_.size(), vector(Zero));
-    for (const meeting& m : meetings_)
+    for (const contactNode& m : contactNodes_)
     {
         const scalar part = fields_[pairs_[m.pair].a].part(m.node);
         for (int side = 0; side < 2; ++side)
@@ -130,7 +130,7 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
     // C + sum G^T (-dJ/du) G over bodies
     const label n = 6*bodies_.size();
     scalarList sums(n*n, scalar(0));
-    for (const meeting& m : meetings_)
+    for (const contactNode& m : contactNodes_)
     {
         if
         (
@@ -211,9 +211,9 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
 
 void Foam::mpm::pointContact::clearImpulses()
 {
-    for (const meeting& m : meetings_)
+    for (const contactNode& m : contactNodes_)
     {
-        const pairOf& pair = pairs_[m.pair];
+        const contactPair& pair = pairs_[m.pair];
         const int stride = fields_[pair.a].stride();
         for (int d = 0; d < nDim_; ++d)
         {
@@ -227,7 +227,7 @@ void Foam::mpm::pointContact::clearImpulses()
 }
 
 
-void Foam::mpm::pointContact::settle
+void Foam::mpm::pointContact::solveBodies
 (
     const List<scalar*>& u,
     const int step,
@@ -248,7 +248,7 @@ void Foam::mpm::pointContact::settle
     {
         clearImpulses();
         setBodyU(V);
-        collide(u, step, dt, true);
+        computeImpulses(u, step, dt, true);
         J = pushes();
         scalar all = 0, size = 0;
         forAll(bodies_, b)
@@ -282,7 +282,7 @@ void Foam::mpm::pointContact::settle
 
     // The last step in J, not in V: rounding does not grow by the stiffness, and
     // what did not converge stays that of a linear contact
-    for (meeting& m : meetings_)
+    for (contactNode& m : contactNodes_)
     {
         if ((m.bodyA < 0 && m.bodyB < 0) || !m.closed)
         {
@@ -298,7 +298,7 @@ void Foam::mpm::pointContact::settle
             du += bodies_[m.bodyB].body->at(m.at, false)*dV[m.bodyB];
         }
         const Eigen::Vector3d dJ(-stiffness(m, kind)*du);
-        const pairOf& pair = pairs_[m.pair];
+        const contactPair& pair = pairs_[m.pair];
         const label at = fields_[pair.a].stride()*m.node;
         for (int d = 0; d < nDim_; ++d)
         {
@@ -313,7 +313,7 @@ void Foam::mpm::pointContact::settle
     }
     J = pushes();
 
-    // gridState::addImpulse gives the nodes their change
+    // velocityField::addImpulse gives the nodes their change
     forAll(fields_, fieldi)
     {
         fields_[fieldi].rigid().impose(u[fieldi], step, false, false);
@@ -322,7 +322,7 @@ void Foam::mpm::pointContact::settle
     {
         bodies_[b].body->change(bodies_[b].body->response(J[b]));
     }
-    for (gridState& field : fields_)
+    for (velocityField& field : fields_)
     {
         field.rigid().renew();
     }
@@ -333,13 +333,13 @@ void Foam::mpm::pointContact::shareIncrement()
 {
     // r of W = 0: what the others' increments push
     List<vector> sums(2*bodies_.size(), vector(Zero));
-    for (const meeting& m : meetings_)
+    for (const contactNode& m : contactNodes_)
     {
         if (!m.closed || hard(m) || (m.bodyA < 0 && m.bodyB < 0))
         {
             continue;
         }
-        const pairOf& pair = pairs_[m.pair];
+        const contactPair& pair = pairs_[m.pair];
         const int step = 2*fields_[pair.a].stride();
         const scalar part = fields_[pair.a].part(m.node);
         scalar dv[3] = {0, 0, 0}, dvn = 0;
@@ -386,7 +386,7 @@ void Foam::mpm::pointContact::shareIncrement()
     const List<freeBody::vector6> W(newton(r, filtered));
     forAll(bodies_, b)
     {
-        gridState& field = fields_[bodies_[b].field];
+        velocityField& field = fields_[bodies_[b].field];
         rigidNodes& rigid = field.rigid();
         rigid.addIncrement
         (

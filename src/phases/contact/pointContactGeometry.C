@@ -27,13 +27,13 @@ void Foam::mpm::pointContact::forPoints
         }
         const materialPointCloud& cloud = phases_[phasei].cloud();
         const column* half = cloud.halfSize();
-        passes_.forStencils
+        gridTransfer_.forStencils
         (
             cloud,
             [&](const label k, const label* stencil)
             {
                 bool near = false;
-                for (label i = 0; i < passes_.nStencil(); ++i)
+                for (label i = 0; i < gridTransfer_.nStencil(); ++i)
                 {
                     near = near || (stencil[i] >= 0 && placeOf_[stencil[i]] >= 0);
                 }
@@ -50,7 +50,7 @@ void Foam::mpm::pointContact::forPoints
                         x[d] = cloud.x()[d][p];
                         l[d] = half ? (*half)[d][p] : 0;
                     }
-                    passes_.weights(celli, x, half ? l : nullptr, nodes, S, gradS);
+                    gridTransfer_.weights(celli, x, half ? l : nullptr, nodes, S, gradS);
                     if (!half)
                     {
                         // A box like the cell's with the point's volume
@@ -74,22 +74,22 @@ void Foam::mpm::pointContact::forPoints
 
 void Foam::mpm::pointContact::meet(const label pairi)
 {
-    const pairOf& pair = pairs_[pairi];
-    const gridState& A = fields_[pair.a];
+    const contactPair& pair = pairs_[pairi];
+    const velocityField& A = fields_[pair.a];
 
     // 1/m where a field has mass or is prescribed, else -1
-    const auto inverse = [&](const gridState& field, const label n)
+    const auto inverse = [&](const velocityField& field, const label n)
     {
         const scalar m = field.momentum()[field.stride()*n + nDim_];
-        return heavy_[n] == stamp_ ? 0 : m > 0 ? 1/m : -1;
+        return prescribedStamp_[n] == stamp_ ? 0 : m > 0 ? 1/m : -1;
     };
-    const auto stampHeavy = [&](const gridState& field)
+    const auto stampHeavy = [&](const velocityField& field)
     {
         ++stamp_;
         const rigidNodes& rigid = field.rigid();
         forAll(rigid.nodes(), i)
         {
-            heavy_[rigid.nodes()[i]] = stamp_;
+            prescribedStamp_[rigid.nodes()[i]] = stamp_;
             owner_[rigid.nodes()[i]] = -1;
             forAll(bodies_, b)
             {
@@ -101,26 +101,26 @@ void Foam::mpm::pointContact::meet(const label pairi)
         }
         for (const label n : field.fixedNodes())
         {
-            if (heavy_[n] == stamp_)
+            if (prescribedStamp_[n] == stamp_)
             {
                 continue;
             }
             owner_[n] = -1;
             if (field.momentum()[field.stride()*n + nDim_] > 0)
             {
-                heavy_[n] = stamp_;
+                prescribedStamp_[n] = stamp_;
             }
         }
     };
 
     if (pair.b >= 0)
     {
-        const gridState& B = fields_[pair.b];
+        const velocityField& B = fields_[pair.b];
         stampHeavy(B);
         for (const label n : B.active())
         {
             other_[n] = inverse(B, n);
-            otherOwner_[n] = heavy_[n] == stamp_ ? owner_[n] : -1;
+            otherOwner_[n] = prescribedStamp_[n] == stamp_ ? owner_[n] : -1;
         }
     }
 
@@ -140,7 +140,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
                 ib = pair.wall[nDim_*n + d] != 0 ? 0 : ib;
             }
         }
-        const label bodyA = heavy_[n] == stamp_ ? owner_[n] : -1;
+        const label bodyA = prescribedStamp_[n] == stamp_ ? owner_[n] : -1;
         const label bodyB = pair.b >= 0 ? otherOwner_[n] : -1;
         if (ia < 0 || ib < 0 || (ia + ib <= 0 && bodyA < 0 && bodyB < 0))
         {
@@ -150,7 +150,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         {
             continue;
         }
-        meeting m{};
+        contactNode m{};
         m.pair = pairi;
         m.node = n;
         m.at = position_[n];
@@ -166,7 +166,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
             const scalar b = bodyB < 0 ? 0 : soft/bodies_[bodyB].body->mass();
             (a >= b ? m.ia : m.ib) = max(a, b);
         }
-        meetings_.append(m);
+        contactNodes_.append(m);
     }
 
     if (pair.b >= 0)
@@ -188,7 +188,7 @@ void Foam::mpm::pointContact::sumGradients()
         {
             continue;
         }
-        gridState& field = fields_[fieldi];
+        velocityField& field = fields_[fieldi];
         const int stride = field.stride();
         scalarList& g = gradient_[fieldi];
         g.setSize(stride*grid_.nNodes());
@@ -199,9 +199,9 @@ void Foam::mpm::pointContact::sumGradients()
                 g[stride*n + d] = 0;
             }
         }
-        for (const meeting& m : meetings_)
+        for (const contactNode& m : contactNodes_)
         {
-            const pairOf& pair = pairs_[m.pair];
+            const contactPair& pair = pairs_[m.pair];
             if (pair.a == fieldi || pair.b == fieldi)
             {
                 placeOf_[m.node] = 0;
@@ -237,7 +237,7 @@ void Foam::mpm::pointContact::sumGradients()
                 }
             }
         );
-        for (const meeting& m : meetings_)
+        for (const contactNode& m : contactNodes_)
         {
             placeOf_[m.node] = -1;
         }
@@ -252,11 +252,11 @@ void Foam::mpm::pointContact::setNormals()
     DynamicList<scalar> steep;
     scalarList steepest(pairs_.size(), scalar(0));
     label kept = 0;
-    for (const meeting& from : meetings_)
+    for (const contactNode& from : contactNodes_)
     {
-        meeting m = from;
-        const pairOf& pair = pairs_[m.pair];
-        const gridState& A = fields_[pair.a];
+        contactNode m = from;
+        const contactPair& pair = pairs_[m.pair];
+        const velocityField& A = fields_[pair.a];
         const bool given = mag(pair.how.normal) > 0;
         scalar wa = 1, wb = 1, size2 = GREAT;
         if (pair.b >= 0 && !given)
@@ -314,11 +314,11 @@ void Foam::mpm::pointContact::setNormals()
             {
                 m.n[d] /= std::sqrt(size);
             }
-            meetings_[kept++] = m;
+            contactNodes_[kept++] = m;
             steep.append(std::sqrt(size2));
         }
     }
-    meetings_.resize(kept);
+    contactNodes_.resize(kept);
     if (bodies_.empty())
     {
         return;
@@ -329,25 +329,25 @@ void Foam::mpm::pointContact::setNormals()
     Pstream::listCombineGather(steepest, maxEqOp<scalar>());
     Pstream::listCombineScatter(steepest);
     kept = 0;
-    forAll(meetings_, i)
+    forAll(contactNodes_, i)
     {
-        const meeting m = meetings_[i];
+        const contactNode m = contactNodes_[i];
         if
         (
             (m.bodyA < 0 && m.bodyB < 0)
          || steep[i] > 0.25*steepest[m.pair]
         )
         {
-            meetings_[kept++] = m;
+            contactNodes_[kept++] = m;
         }
     }
-    meetings_.resize(kept);
+    contactNodes_.resize(kept);
 }
 
 
 Foam::scalar Foam::mpm::pointContact::reach
 (
-    const meeting& m,
+    const contactNode& m,
     const scalar* x,
     const scalar* l,
     const scalar sign
@@ -404,16 +404,16 @@ void Foam::mpm::pointContact::forMeetings
 
 void Foam::mpm::pointContact::setGaps()
 {
-    scalarList reachA(bodies_.size() ? meetings_.size() : 0);
+    scalarList reachA(bodies_.size() ? contactNodes_.size() : 0);
     scalarList reachB(reachA.size());
     label first = 0;
     forAll(pairs_, pairi)
     {
-        const pairOf& pair = pairs_[pairi];
+        const contactPair& pair = pairs_[pairi];
         label last = first;
-        for (; last < meetings_.size() && meetings_[last].pair == pairi; ++last)
+        for (; last < contactNodes_.size() && contactNodes_[last].pair == pairi; ++last)
         {
-            placeOf_[meetings_[last].node] = last;
+            placeOf_[contactNodes_[last].node] = last;
         }
         for (int side = 0; side < 2; ++side)
         {
@@ -433,7 +433,7 @@ void Foam::mpm::pointContact::setGaps()
                     const scalar
                 )
                 {
-                    const meeting& m = meetings_[place];
+                    const contactNode& m = contactNodes_[place];
                     scalar& e = reach_[2*m.node + side];
                     e = max(e, reach(m, x, l, side == 0 ? 1 : -1));
                 }
@@ -443,7 +443,7 @@ void Foam::mpm::pointContact::setGaps()
 
         for (label i = first; i < last; ++i)
         {
-            meeting& m = meetings_[i];
+            contactNode& m = contactNodes_[i];
             placeOf_[m.node] = -1;
             scalar* e = reach_.data() + 2*m.node;
             m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
@@ -471,13 +471,13 @@ void Foam::mpm::pointContact::setPlaces
     label first = 0;
     forAll(pairs_, pairi)
     {
-        const pairOf& pair = pairs_[pairi];
+        const contactPair& pair = pairs_[pairi];
         label last = first;
-        for (; last < meetings_.size() && meetings_[last].pair == pairi; ++last)
+        for (; last < contactNodes_.size() && contactNodes_[last].pair == pairi; ++last)
         {
-            if (hard(meetings_[last]))
+            if (hard(contactNodes_[last]))
             {
-                placeOf_[meetings_[last].node] = last;
+                placeOf_[contactNodes_[last].node] = last;
             }
         }
         for (const label fieldi : {pair.a, pair.b})
@@ -486,7 +486,7 @@ void Foam::mpm::pointContact::setPlaces
             {
                 continue;
             }
-            gridState& field = fields_[fieldi];
+            velocityField& field = fields_[fieldi];
             const bool isA = fieldi == pair.a;
             const int stride = field.stride();
 
@@ -514,7 +514,7 @@ void Foam::mpm::pointContact::setPlaces
                     const scalar S
                 )
                 {
-                    const meeting& m = meetings_[place];
+                    const contactNode& m = contactNodes_[place];
                     const scalar behind =
                         (isA ? reachA : reachB)[place]
                       - reach(m, x, l, isA ? 1 : -1);
@@ -537,7 +537,7 @@ void Foam::mpm::pointContact::setPlaces
             field.sumWithMass(sums.data());
             for (label i = first; i < last; ++i)
             {
-                meeting& m = meetings_[i];
+                contactNode& m = contactNodes_[i];
                 const label body = isA ? m.bodyA : m.bodyB;
                 const scalar* sum = sums.cdata() + stride*m.node;
                 if (!hard(m) || body < 0 || !(sum[nDim_] > 0))
@@ -563,7 +563,7 @@ void Foam::mpm::pointContact::setPlaces
         }
         for (label i = first; i < last; ++i)
         {
-            placeOf_[meetings_[i].node] = -1;
+            placeOf_[contactNodes_[i].node] = -1;
         }
         first = last;
     }
@@ -573,12 +573,12 @@ void Foam::mpm::pointContact::setPlaces
 
 void Foam::mpm::pointContact::update()
 {
-    meetings_.clear();
+    contactNodes_.clear();
     forAll(pairs_, pairi)
     {
         meet(pairi);
     }
-    any_ = returnReduce(!meetings_.empty(), orOp<bool>());
+    any_ = returnReduce(!contactNodes_.empty(), orOp<bool>());
     if (any_)
     {
         sumGradients();

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointContact.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "polyMesh.H"
 #include "emptyPolyPatch.H"
 #include "SubField.H"
@@ -84,7 +84,7 @@ Foam::scalarList Foam::mpm::pointContact::wallNormals
 ) const
 {
     const polyPatch& pp = grid_.mesh().boundaryMesh()[patchi];
-    const gridState& field = fields_[fieldi];
+    const velocityField& field = fields_[fieldi];
     const int stride = field.stride();
     scalarList sum(stride*grid_.nNodes(), scalar(0));
     forAll(pp.meshPoints(), i)
@@ -126,7 +126,7 @@ void Foam::mpm::pointContact::addPair
     const label patchi
 )
 {
-    pairOf pair;
+    contactPair pair;
     pair.how = how;
     pair.a = a;
     pair.b = b;

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "energyBudget.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointPhase.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "phaseNames.H"
 #include "noTraps.H"
 #include "OSspecific.H"

@@ -8,7 +8,7 @@ License
 
 #include "materialPointPhase.H"
 #include "outflowPatches.H"
-#include "pointPasses.H"
+#include "pointGridTransfer.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -78,7 +78,7 @@ Foam::label Foam::mpm::materialPointPhase::fastestPoint()
     const label last = min
     (
         cloud_.size(),
-        fastestBlock_ + label(pointPasses::largestBlock)
+        fastestBlock_ + label(pointGridTransfer::largestBlock)
     );
     label fastest = -1;
     scalar most = 0;
@@ -163,12 +163,12 @@ void Foam::mpm::materialPointPhase::findSpeeds
 
 Foam::mpm::erodedPoints Foam::mpm::materialPointPhase::leave
 (
-    const UList<materialPointCloud::mover>& movers
+    const UList<materialPointCloud::cellChange>& cellChanges
 )
 {
     erodedPoints sums;
     label p = cloud_.size();
-    for (const materialPointCloud::mover& mv : movers)
+    for (const materialPointCloud::cellChange& mv : cellChanges)
     {
         if (mv.cell == outflowPatches::gone)
         {

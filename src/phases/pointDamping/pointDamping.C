@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointDamping.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "freeBody.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "transform.H"
 #include "addToRunTimeSelectionTable.H"
 

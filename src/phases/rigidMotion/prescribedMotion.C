@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "prescribedMotion.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "ListOps.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -10,7 +10,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "prescribedMotion.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "TableBase.H"
 #include "addToRunTimeSelectionTable.H"
 

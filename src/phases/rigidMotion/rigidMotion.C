@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rigidMotion.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -91,15 +91,15 @@ void Foam::mpm::rigidMotion::setVelocity(materialPointCloud& cloud) const
 }
 
 
-Foam::mpm::pointPasses::moveResult Foam::mpm::rigidMotion::move
+Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
 (
     materialPointCloud& cloud,
-    DynamicList<materialPointCloud::mover>& movers
+    DynamicList<materialPointCloud::cellChange>& cellChanges
 ) const
 {
     const int D = grid_.nDim();
-    pointPasses::moveResult result{0, 0, -1, false, 0, Zero, 0};
-    movers.clear();
+    pointGridTransfer::moveResult result{0, 0, -1, false, 0, Zero, 0};
+    cellChanges.clear();
 
     forAll(cloud.cells(), k)
     {
@@ -143,13 +143,13 @@ Foam::mpm::pointPasses::moveResult Foam::mpm::rigidMotion::move
                 {
                     result.travel = max(result.travel, way/h);
                 }
-                if (cloud.way())
+                if (cloud.displacement())
                 {
                     // Of the step, not across a cyclic side
                     const scalar L = grid_.period(d);
                     scalar w = at[d] - cloud.x()[d][p];
                     w -= L > 0 ? L*std::round(w/L) : 0;
-                    (*cloud.way())[d][p] = w;
+                    (*cloud.displacement())[d][p] = w;
                 }
                 cloud.xNew()[d][p] = at[d];
                 cloud.UNew()[d][p] = u;
@@ -161,7 +161,7 @@ Foam::mpm::pointPasses::moveResult Foam::mpm::rigidMotion::move
             }
             else if (to != celli)
             {
-                movers.append(materialPointCloud::mover{p, to});
+                cellChanges.append(materialPointCloud::cellChange{p, to});
             }
         }
     }

@@ -12,7 +12,7 @@ License
 
 void Foam::mpm::rigidNodes::startShares
 (
-    const pointPasses& passes,
+    const pointGridTransfer& passes,
     const materialPointCloud& cloud,
     const scalarList& volume,
     const labelList& active,
@@ -89,7 +89,7 @@ Foam::scalar* Foam::mpm::rigidNodes::clearSums(const labelList& active)
 
 void Foam::mpm::rigidNodes::addSums
 (
-    const pointPasses& passes,
+    const pointGridTransfer& passes,
     const materialPointCloud& cloud,
     const bool rigid
 )

@@ -7,8 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "stressUpdate.H"
-#include "phaseSystem.H"
-#include "selector.H"
+#include "materialPointSystem.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -26,7 +26,7 @@ struct MUSL
 
     bool early() const override { return false; }
 
-    void end(pointPhaseSystem& points, const scalar dt) const override
+    void end(materialPointSystem& points, const scalar dt) const override
     {
         points.strainVelocity();
         points.correctStress(dt, true, dt);
@@ -42,13 +42,13 @@ struct USL
 
     scalar square() const override { return -0.5; }
 
-    void moved(pointPhaseSystem& points, const scalar dt) const override
+    void moved(materialPointSystem& points, const scalar dt) const override
     {
         points.strainVelocityL();
         points.correctStress(dt, false);
     }
 
-    void end(pointPhaseSystem& points, const scalar dt) const override
+    void end(materialPointSystem& points, const scalar dt) const override
     {
         points.force(dt);
     }
@@ -61,7 +61,7 @@ struct USF
 {
     const char* name() const override { return "USF"; }
 
-    void start(pointPhaseSystem& points, const scalar dt) const override
+    void start(materialPointSystem& points, const scalar dt) const override
     {
         points.strainVelocity();
         points.correctStress(dt, true);
@@ -77,13 +77,13 @@ struct USAVG
 
     scalar square() const override { return 0; }
 
-    void start(pointPhaseSystem& points, const scalar dt) const override
+    void start(materialPointSystem& points, const scalar dt) const override
     {
         points.strainVelocity();
         points.correctStress(0.5*dt, true);
     }
 
-    void moved(pointPhaseSystem& points, const scalar dt) const override
+    void moved(materialPointSystem& points, const scalar dt) const override
     {
         points.strainVelocityAnew();
         points.correctStress(0.5*dt, false);

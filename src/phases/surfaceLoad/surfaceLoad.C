@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceLoad.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -88,7 +88,7 @@ Foam::mpm::surfaceLoad::surfaceLoad
 
 void Foam::mpm::surfaceLoad::addForce
 (
-    const pointPasses& passes,
+    const pointGridTransfer& passes,
     const materialPointCloud& cloud,
     const scalar time,
     scalar* f,

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "transfer.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -44,7 +44,7 @@ Foam::mpm::transfer::transfer(const dictionary& dict)
         order = boundedLabelOrDefault(dict, "order", 2, 1, 100);
 
         // Points without an extent take the whole filter: see
-        // pointPhaseSystem
+        // materialPointSystem
         const word shape(dict.getOrDefault<word>("shapeFunction", ""));
         const bool spline =
             shape == "quadraticBSpline" || shape == "cubicBSpline";

@@ -10,7 +10,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "erosionCriterion.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "PtrList.H"
 #include "point.H"
 #include "addToRunTimeSelectionTable.H"

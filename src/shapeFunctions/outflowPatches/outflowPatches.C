@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "outflowPatches.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "ListOps.H"
 #include "HashSet.H"
 #include "syncTools.H"

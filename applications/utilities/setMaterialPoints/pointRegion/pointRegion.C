@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointRegion.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

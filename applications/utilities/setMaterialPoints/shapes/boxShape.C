@@ -6,7 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "shapeFormula.H"
 #include "boxShape.H"
 #include "addToRunTimeSelectionTable.H"

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellShapes.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "shapeFormula.H"
 #include "addToRunTimeSelectionTable.H"
 

@@ -6,7 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "compositeShapes.H"
 #include "shapeFormula.H"
 #include "addToRunTimeSelectionTable.H"

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointRegionShape.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "shapeFormula.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"

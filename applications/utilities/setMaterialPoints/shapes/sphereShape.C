@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "sphereShape.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "shapeFormula.H"
 #include "addToRunTimeSelectionTable.H"
 

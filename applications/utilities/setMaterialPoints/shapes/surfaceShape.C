@@ -6,7 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "surfaceShape.H"
 #include "triSurfaceMesh.H"
 #include "volumeType.H"

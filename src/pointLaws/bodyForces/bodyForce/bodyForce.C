@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "bodyForce.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

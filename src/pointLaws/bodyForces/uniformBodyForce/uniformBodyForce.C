@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "uniformBodyForce.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 #include <algorithm>
 

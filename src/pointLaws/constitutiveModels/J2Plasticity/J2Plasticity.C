@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "J2Plasticity.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -51,7 +51,7 @@ wordList hardeningKeywords(const dictionary& dict)
 
 Foam::mpm::J2Plasticity::J2Plasticity(const dictionary& dict)
 :
-    splitLaw<J2Plasticity>(dict, hardeningKeywords(dict)),
+    deviatoricPlasticity<J2Plasticity>(dict, hardeningKeywords(dict)),
     yield_(positive(dict, "yield")),
     B_(0),
     n_(0)

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "JohnsonCook.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -25,7 +25,7 @@ namespace mpm
 
 Foam::mpm::JohnsonCook::JohnsonCook(const dictionary& dict)
 :
-    splitLaw<JohnsonCook>
+    deviatoricPlasticity<JohnsonCook>
     (
         dict,
         wordList

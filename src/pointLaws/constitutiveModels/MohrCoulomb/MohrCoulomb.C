@@ -11,7 +11,7 @@ License
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
 #include "MohrCoulomb.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 #include <Eigen/Eigenvalues>
 

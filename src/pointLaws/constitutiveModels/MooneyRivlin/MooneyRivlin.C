@@ -9,7 +9,7 @@ License
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
 #include "MooneyRivlin.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "laneMath.H"
 #include "addToRunTimeSelectionTable.H"
 #include <Eigen/Dense>

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "NewtonianFluid.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "elasticStrain.H"
 #include "laneMath.H"
 #include "addToRunTimeSelectionTable.H"

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "constitutiveModel.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

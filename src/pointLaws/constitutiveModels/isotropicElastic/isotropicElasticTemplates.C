@@ -9,7 +9,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "selector.H"
+#include "dictionaryTools.H"
 
 namespace Foam
 {

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "linearElastic.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "logHalf.H"
 #include "addToRunTimeSelectionTable.H"
 

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "neoHookean.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "spectral.H"
 #include "addToRunTimeSelectionTable.H"
 

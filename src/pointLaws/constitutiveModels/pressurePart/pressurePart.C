@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pressurePart.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "JWLEquation.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "equationOfState.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "perfectGasEquation.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

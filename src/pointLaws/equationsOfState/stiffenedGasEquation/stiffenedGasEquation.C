@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "stiffenedGasEquation.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "erosionCriterion.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "GradyKipp.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 

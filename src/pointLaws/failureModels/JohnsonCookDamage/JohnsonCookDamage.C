@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "JohnsonCookDamage.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "failureModel.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "spectral.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "maxPrincipalStrain.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "spectral.H"
 #include "leftStretch.H"
 #include "addToRunTimeSelectionTable.H"

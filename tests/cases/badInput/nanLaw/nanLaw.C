@@ -2,7 +2,7 @@
 // small strains, until it returns a stress that is not a number.
 
 #include "pointwise.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam

@@ -19,7 +19,7 @@ Description
 
 #include "fvCFD.H"
 #include "eulerianGas.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include <random>
 
 using namespace Foam;
@@ -137,7 +137,7 @@ int main(int argc, char *argv[])
         uS(n, 0), K(n, args.opt<scalar>("drag", 0)), limit(n, 0), rhoS(n, 2700),
         inertia(n, GREAT),
         dilation(mesh.nCells(), 0);
-    mpm::porosity pores;
+    mpm::solidOnFaces pores;
     pores.thetaS0 = thetaS0.cdata();
     pores.thetaS = thetaS.cdata();
     pores.phiS = phiS.cdata();

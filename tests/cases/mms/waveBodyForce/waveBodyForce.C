@@ -9,7 +9,7 @@
 //     b_i = pi^2 u_i/rho ((lambda (1 - ln J) + mu)/F_i^2 + mu - E)
 
 #include "bodyForce.H"
-#include "selector.H"
+#include "dictionaryTools.H"
 #include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 

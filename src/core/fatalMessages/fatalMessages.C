@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fatalMessages.H"
+#include "dictionaryTools.H"
+#include "IFstream.H"
+#include "Pstream.H"
+#include "token.H"
+#include <cstdlib>
+#include <exception>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+template<class Error>
+[[noreturn]] void end(const Error& e)
+{
+    Perr<< nl << e << nl << "\nFOAM exiting\n" << endl;
+    if (Pstream::parRun())
+    {
+        Pstream::exit(1);
+    }
+    std::exit(1);
+}
+
+
+//- Called in place of unwinding: the end of argList would exit with status 0
+[[noreturn]] void endOnError()
+{
+    if (const std::exception_ptr thrown = std::current_exception())
+    {
+        try
+        {
+            std::rethrow_exception(thrown);
+        }
+        catch (const IOerror& e)
+        {
+            end(e);
+        }
+        catch (const error& e)
+        {
+            end(e);
+        }
+        catch (...)
+        {}
+    }
+    std::abort();
+}
+
+}
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::exitOnFatal()
+{
+    std::set_terminate(endOnError);
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+}
+
+
+void Foam::mpm::requireClosed(const fileName& file)
+{
+    IFstream is(file);
+    if (!is.good())
+    {
+        return;
+    }
+
+    label nOpen = 0;
+    token t;
+    while (is.read(t).good() && t.good())
+    {
+        nOpen += t == token::BEGIN_BLOCK ? 1 : 0;
+        nOpen -= t == token::END_BLOCK ? 1 : 0;
+        if (nOpen < 0)
+        {
+            break;
+        }
+    }
+    if (nOpen)
+    {
+        FatalIOErrorInFunction(is)
+            << "File " << file << (nOpen > 0 ? " ends inside a dictionary: "
+            : " has more closing braces than opening ones: ")
+            << (nOpen > 0 ? "a closing brace is missing, or the file was cut"
+                " off." : "an opening brace is missing.")
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::mpm::checkControlDict(const fileName& file)
+{
+    requireClosed(file);
+
+    IFstream is(file);
+    if (!is.good())
+    {
+        return;
+    }
+    const dictionary control(is);
+    if (control.found("writeInterval") && control.found("endTime"))
+    {
+        const scalar interval = positive(control, "writeInterval");
+        const scalar end = mag(control.get<scalar>("endTime"));
+        if (end/labelMax >= interval)
+        {
+            FatalIOErrorInFunction(control)
+                << "Entry writeInterval is " << interval << ": too small for a"
+                << " run to endTime " << end << "." << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::mpm::checkGravity
+(
+    const fileName& file,
+    const vector& g,
+    const Vector<label>& computed
+)
+{
+    for (int d = 0; d < 3; ++d)
+    {
+        if (computed[d] < 0 && g[d] != 0)
+        {
+            FatalErrorInFunction
+                << "Gravity in " << file << " is " << g << ": it acts along "
+                << "xyz"[d] << ", which the mesh does not compute (patches of"
+                << " type empty or wedge)." << nl
+                << "The computed directions are:"
+                << (computed[0] > 0 ? " x" : "")
+                << (computed[1] > 0 ? " y" : "")
+                << (computed[2] > 0 ? " z" : "")
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::mpm::cannotRead(const fileName& file, const string& problem)
+{
+    FatalErrorInFunction
+        << "File " << file << " cannot be read: " << problem.c_str()
+        << exit(FatalError);
+}
+
+// ************************************************************************* //

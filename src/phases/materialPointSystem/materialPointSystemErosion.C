@@ -1,0 +1,338 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointSystem.H"
+#include "noTraps.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::materialPointSystem::erode(const scalar dt)
+{
+    if (!erodes_)
+    {
+        return;
+    }
+    const noTraps guard;
+
+    // Phases that give points to others come last: what they give has had
+    // its step
+    labelList order;
+    for (const bool gives : {false, true})
+    {
+        forAll(phases_, phasei)
+        {
+            if (phases_[phasei].erosion() && (debris_[phasei] >= 0) == gives)
+            {
+                order.append(phasei);
+            }
+        }
+    }
+
+    List<erodedPoints> step(phases_.size());
+    label n = 0;
+    for (const label phasei : order)
+    {
+        const label to = debris_[phasei];
+        step[phasei] = phases_[phasei].erode
+        (
+            dt,
+            to < 0 ? nullptr : &phases_[to].cloud()
+        );
+        n += step[phasei].n;
+    }
+    if (!returnReduce(n, sumOp<label>()))
+    {
+        return;
+    }
+
+    label nLeft = 0;
+    forAll(phases_, phasei)
+    {
+        if (phases_[phasei].erosion())
+        {
+            step[phasei].reduceAll();
+            eroded_[phasei] += step[phasei];
+            if (debris_[phasei] < 0)
+            {
+                bookLoss(step[phasei]);
+            }
+        }
+        if (!phases_[phasei].motion())
+        {
+            nLeft += phases_[phasei].cloud().size();
+        }
+    }
+    if (!returnReduce(nLeft, sumOp<label>()))
+    {
+        FatalErrorInFunction
+            << "All points have eroded in the step of " << dt
+            << " s after time " << mesh_.time().timeName()
+            << ": nothing is left to compute." << nl
+            << "Look at the limits of erosion in constant/phaseProperties."
+            << exit(FatalError);
+    }
+
+    // The nodes know only those that are left
+    projectAnew(dt);
+}
+
+
+void Foam::mpm::materialPointSystem::bookLoss(const erodedPoints& loss)
+{
+    if (budget_.active)
+    {
+        budget_.erodedKinetic += loss.kinetic;
+        budget_.erodedStored += loss.stored;
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::bookOutflow()
+{
+    if (!outflow_)
+    {
+        return;
+    }
+    const noTraps guard;
+    List<erodedPoints> step(phases_.size());
+    label n = 0;
+    forAll(phases_, phasei)
+    {
+        if (!phases_[phasei].motion())
+        {
+            step[phasei] = phases_[phasei].leave(cellChanges_[phasei]);
+            n += step[phasei].n;
+        }
+    }
+    if (!returnReduce(n, sumOp<label>()))
+    {
+        return;
+    }
+
+    label nLeft = 0;
+    forAll(phases_, phasei)
+    {
+        step[phasei].reduceAll();
+        left_[phasei] += step[phasei];
+        bookLoss(step[phasei]);
+        nLeft += phases_[phasei].motion() ? 0 : phases_[phasei].cloud().size();
+    }
+    empty_ = !returnReduce(nLeft, sumOp<label>());
+}
+
+
+Foam::mpm::erodedPoints
+Foam::mpm::materialPointSystem::eroded(const label phasei) const
+{
+    erodedPoints sums(left_[phasei]);
+    if (debris_[phasei] < 0)
+    {
+        sums += eroded_[phasei];
+    }
+    return sums;
+}
+
+
+void Foam::mpm::materialPointSystem::connectDebris()
+{
+    wordList names(phases_.size());
+    forAll(phases_, phasei)
+    {
+        names[phasei] = phases_[phasei].name();
+    }
+    forAll(phases_, phasei)
+    {
+        const word& debris = phases_[phasei].debris();
+        if (debris.empty())
+        {
+            continue;
+        }
+        const dictionary& dict =
+            properties_.subDict(names[phasei]).subDict("erosion");
+        const label to = names.find(debris);
+        if (to < 0 || to == phasei || phases_[to].motion())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The eroded points of " << names[phasei] << " go to "
+                << debris << ", which is no other phase of material points."
+                << nl << "The phases are: " << names << exit(FatalIOError);
+        }
+        if (!phases_[to].debris().empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The eroded points of " << names[phasei] << " go to "
+                << debris << ", whose own go to " << phases_[to].debris()
+                << "." << nl << "Points may go over once: " << debris
+                << " may have erosion without to." << exit(FatalIOError);
+        }
+        if (debris_.found(to))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The eroded points of " << names[phasei] << " and of "
+                << names[debris_.find(to)] << " both go to " << debris
+                << ": their ids would be the same." << nl
+                << "Give each a phase of its own; they may share a"
+                << " velocityField." << exit(FatalIOError);
+        }
+        for (const word key : {"constitutiveModel", "failureModel"})
+        {
+            const dictionary& from = properties_.subDict(names[phasei]);
+            const dictionary& into = properties_.subDict(debris);
+            if
+            (
+                from.found(key) != into.found(key)
+             || (from.found(key) && from.subDict(key) != into.subDict(key))
+            )
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The eroded points of " << names[phasei] << " go to "
+                    << debris << ", whose " << key << " is another: their"
+                    << " columns and their energy would not go along." << nl
+                    << "Give " << debris << " the " << key << " of "
+                    << names[phasei] << ", entry by entry."
+                    << exit(FatalIOError);
+            }
+        }
+        debris_[phasei] = to;
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::checkDebris() const
+{
+    forAll(debris_, phasei)
+    {
+        const label to = debris_[phasei];
+        if (to < 0)
+        {
+            continue;
+        }
+        const label there =
+            returnReduce(phases_[to].cloud().size(), sumOp<label>())
+          + nGone(to);
+        if (there != eroded_[phasei].n)
+        {
+            FatalErrorInFunction
+                << "Phase " << phases_[to].name() << " has " << there
+                << " material points, but " << eroded_[phasei].n
+                << " have come from " << phases_[phasei].name() << "." << nl
+                << "It takes in those points only, whose ids stay: no region"
+                << " of setMaterialPointsDict may fill it, and a restart needs"
+                << " its folder." << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::countStarted()
+{
+    started_ = nPoints() + nEroded();
+}
+
+
+Foam::label Foam::mpm::materialPointSystem::nEroded() const
+{
+    label n = 0;
+    forAll(eroded_, phasei)
+    {
+        n += eroded(phasei).n;
+    }
+    return n;
+}
+
+
+void Foam::mpm::materialPointSystem::reportErosion(const label nPresent) const
+{
+    if (nPresent + nEroded() != started_)
+    {
+        FatalErrorInFunction
+            << "There are " << nPresent << " material points and " << nEroded()
+            << " have eroded or left, but " << started_ << " were there at the start."
+            << exit(FatalError);
+    }
+    checkDebris();
+    const auto line = [](const char* what, const word& name, const erodedPoints& e)
+    {
+        Info<< what << ' ' << name << ": " << e.n << " points, mass " << e.mass
+            << ", momentum " << e.momentum << ", energy: kinetic " << e.kinetic
+            << ", stored " << e.stored;
+    };
+    forAll(phases_, phasei)
+    {
+        const materialPointPhase& phase = phases_[phasei];
+        if (left_[phasei].n)
+        {
+            line("Outflow", phase.name(), left_[phasei]);
+            Info<< endl;
+        }
+        if (phase.erosion() || eroded_[phasei].n)
+        {
+            line("Eroded", phase.name(), eroded_[phasei]);
+            if (debris_[phasei] >= 0)
+            {
+                Info<< ", to " << phases_[debris_[phasei]].name();
+            }
+            Info<< endl;
+        }
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::addErosionState(dictionary& state) const
+{
+    dictionary eroded, left;
+    forAll(phases_, phasei)
+    {
+        if (phases_[phasei].erosion() || eroded_[phasei].n)
+        {
+            eroded.add(phases_[phasei].name(), eroded_[phasei].state());
+        }
+        if (left_[phasei].n)
+        {
+            left.add(phases_[phasei].name(), left_[phasei].state());
+        }
+    }
+    if (eroded.size())
+    {
+        state.add("eroded", eroded);
+    }
+    if (left.size())
+    {
+        state.add("outflow", left);
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::setErosionState(const dictionary& state)
+{
+    const auto read = [&](const word& key, List<erodedPoints>& sums)
+    {
+        if (!state.found(key))
+        {
+            return;
+        }
+        const dictionary& dict = requiredDict(state, key);
+        DynamicList<word> names;
+        forAll(phases_, phasei)
+        {
+            names.append(phases_[phasei].name());
+            if (dict.found(names.last()))
+            {
+                sums[phasei].setState(requiredDict(dict, names.last()));
+            }
+        }
+        checkKeywords(dict, wordList(names));
+    };
+    read("eroded", eroded_);
+    read("outflow", left_);
+    countStarted();
+    checkDebris();
+}
+
+// ************************************************************************* //

@@ -1,0 +1,85 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseNames.H"
+#include "dictionaryTools.H"
+#include "ListOps.H"
+#include "DynamicList.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::mpm::phaseNames
+(
+    const dictionary& dict,
+    const wordList& types
+)
+{
+    requireKeyword(dict, "phases");
+    const wordList names(dict.get<wordList>("phases"));
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are no phases; list at least one in phases (...);"
+            << exit(FatalIOError);
+    }
+    constexpr label most = 1000;
+    if (names.size() > most)
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are " << names.size() << " phases; at most " << most
+            << " are possible." << exit(FatalIOError);
+    }
+    forAll(names, i)
+    {
+        if (names.find(names[i]) != i)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Phase " << names[i] << " is listed twice."
+                << exit(FatalIOError);
+        }
+    }
+    wordList valid(names);
+    valid.append("phases");
+    valid.append("contact");
+    valid.append("outflow");
+    valid.append("FoamFile");
+    for (const entry& e : dict)
+    {
+        if (e.isDict() && !valid.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Dictionary " << e.keyword() << " is no phase: it is not in"
+                << " the list phases " << flatOutput(names) << "." << nl
+                << "Add it there, or remove the dictionary; others that may"
+                << " be there are contact and outflow." << exit(FatalIOError);
+        }
+    }
+    checkKeywords(dict, valid);
+
+    DynamicList<word> found;
+    for (const word& name : names)
+    {
+        const word kind
+        (
+            oneOfOrDefault
+            (
+                requiredDict(dict, name),
+                "type",
+                "materialPoints",
+                {"materialPoints", "rigid", "gas"}
+            )
+        );
+        if (types.found(kind))
+        {
+            found.append(name);
+        }
+    }
+    return wordList(std::move(found));
+}
+
+// ************************************************************************* //

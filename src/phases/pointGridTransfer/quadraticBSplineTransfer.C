@@ -1,0 +1,27 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "shapeTransfer.H"
+#include "bSplineShape.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam::mpm;
+
+const addShapeTransfer addQuadraticBSplinePasses
+(
+    "quadraticBSpline",
+    newShapePasses<quadraticBSplineShape>
+);
+
+}
+
+// ************************************************************************* //

@@ -1,0 +1,561 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+Description
+    Included by shapeTransfer.H.
+
+\*---------------------------------------------------------------------------*/
+
+namespace Foam
+{
+namespace mpm
+{
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::weights
+(
+    const label celli,
+    const scalar* x,
+    const scalar* halfSize,
+    DynamicList<label>& nodes,
+    DynamicList<scalar>& S,
+    DynamicList<scalar>& gradS
+) const
+{
+    stencil s;
+    shape_.prepare(celli, s);
+    T X[DIM], L[DIM];
+    for (int d = 0; d < DIM; ++d)
+    {
+        X[d] = broadcast<W>(x[d]);
+        L[d] = broadcast<W>(halfSize ? halfSize[d] : 0);
+    }
+    gradientsType g;
+    shape_.evaluate(s, X, L, g);
+
+    nodes.clear();
+    S.clear();
+    gradS.clear();
+
+    // Through the same sums as the passes: unit values at one point
+    accumulator value;
+    T one[1] = {broadcast<W>(1)};
+    shapeType::template scatter<1>(g, one, 1, value);
+    accumulator grad[DIM];
+    for (int d = 0; d < DIM; ++d)
+    {
+        T F[DIM*DIM];
+        for (int i = 0; i < DIM*DIM; ++i)
+        {
+            F[i] = broadcast<W>(i == d ? 1 : 0);
+        }
+        shape_.toLocal(g, F);
+        shapeType::scatterGradient(g, F, 1, grad[d]);
+    }
+    for (int n = 0; n < shapeType::nNodes; ++n)
+    {
+        const int r = n/(2*shapeType::NP), i = n % (2*shapeType::NP);
+        nodes.append(s.nodes[n]);
+        S.append(value.a[r][i/2][P*(i % 2)]);
+        for (int d = 0; d < DIM; ++d)
+        {
+            gradS.append(grad[d].a[r][i/2][P*(i % 2)]);
+        }
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::project
+(
+    materialPointCloud& cloud,
+    const states state,
+    scalar* mU
+) const
+{
+    if (cloud.affine())
+    {
+        projectAffine(cloud, state, mU);
+        return;
+    }
+
+    const geometry geo(cloud, state == tentative);
+    const scalar* mass = cloud.mass()[0];
+    const scalar* U[DIM];
+    for (int d = 0; d < DIM; ++d)
+    {
+        U[d] = state == current ? cloud.U()[d] : cloud.UNew()[d];
+    }
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, label, const label p, const int n)
+        {
+            T X[DIM], L[DIM], q[DIM + 1];
+            geo.load(p, X, L);
+            weightsType S;
+            shape_.evaluate(s, X, L, S);
+            q[DIM] = load<W>(mass + p);
+            for (int d = 0; d < DIM; ++d)
+            {
+                q[d] = q[DIM]*load<W>(U[d] + p);
+            }
+            shapeType::template scatter<DIM + 1>(S, q, n, acc);
+        },
+        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); }
+    );
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::projectAffine
+(
+    materialPointCloud& cloud,
+    const states state,
+    scalar* mU
+) const
+{
+    const geometry geo(cloud, state == tentative);
+    const scalar* mass = cloud.mass()[0];
+    const column& C = state == current ? *cloud.affine() : *cloud.affineNew();
+    const scalar* U[DIM];
+    for (int d = 0; d < DIM; ++d)
+    {
+        U[d] = state == current ? cloud.U()[d] : cloud.UNew()[d];
+    }
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, const label celli, const label p, const int n)
+        {
+            T X[DIM], L[DIM], q[DIM + 1], A[DIM*DIM];
+            geo.load(p, X, L);
+            q[DIM] = load<W>(mass + p);
+            for (int d = 0; d < DIM; ++d)
+            {
+                q[d] = q[DIM]*load<W>(U[d] + p);
+            }
+            for (int i = 0; i < DIM*DIM; ++i)
+            {
+                A[i] = q[DIM]*load<W>(C[i] + p);
+            }
+            shape_.scatterAffine(celli, s, X, L, q, A, n, acc);
+        },
+        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); }
+    );
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+template<int STRIDE>
+void shapeTransfer<Shape, DIM, HOOP>::affineFrom
+(
+    materialPointCloud& cloud,
+    const bool moment,
+    const scalar* u,
+    const scalar dt
+) const
+{
+    const geometry geo(cloud, false);
+    column& C = *cloud.affineNew();
+
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) {},
+        [&](const stencil& s, const label celli, const label p, const int)
+        {
+            T X[DIM], L[DIM], G[DIM*DIM], D[DIM];
+            geo.load(p, X, L);
+            gradientsType S;
+            if (moment && shapeType::hasMoments)
+            {
+                shape_.moments(celli, s, X, L, S, D);
+                shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
+                for (int i = 0; i < DIM*DIM; ++i)
+                {
+                    G[i] /= D[i % DIM];
+                }
+            }
+            else
+            {
+                shape_.evaluate(s, X, L, S);
+                shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
+                shape_.toPhysical(S, G);
+            }
+            for (int i = 0; i < DIM; ++i)
+            {
+                for (int j = 0; j < DIM; ++j)
+                {
+                    // - dt (C C + (C C)^T)/2
+                    T symm = {};
+                    for (int k = 0; moment && k < DIM; ++k)
+                    {
+                        symm += G[i*DIM + k]*G[k*DIM + j];
+                        symm += G[j*DIM + k]*G[k*DIM + i];
+                    }
+                    store<W>
+                    (
+                        C[i*DIM + j] + p,
+                        G[i*DIM + j] - 0.5*dt*symm
+                    );
+                }
+            }
+        },
+        [&](const stencil&) {}
+    );
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::affine
+(
+    materialPointCloud& cloud,
+    const bool moment,
+    const scalar* u,
+    const label stride,
+    const scalar dt
+) const
+{
+    if (stride == P)
+    {
+        affineFrom<P>(cloud, moment, u, dt);
+    }
+    else
+    {
+        affineFrom<2*P>(cloud, moment, u, dt);
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::forStencils
+(
+    const materialPointCloud& cloud,
+    const std::function<void(const label, const label*)>& f
+) const
+{
+    forAll(cloud.cells(), k)
+    {
+        stencil s;
+        shape_.prepare(cloud.cells()[k], s);
+        f(k, s.nodes);
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::massShares
+(
+    materialPointCloud& cloud,
+    scalar* share
+) const
+{
+    const geometry geo(cloud, false);
+    const scalar* mass = cloud.mass()[0];
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, label, const label p, const int n)
+        {
+            T X[DIM], L[DIM];
+            geo.load(p, X, L);
+            weightsType S;
+            shape_.evaluate(s, X, L, S);
+            const T q[1] = {load<W>(mass + p)};
+            shapeType::template scatter<1>(S, q, n, acc);
+        },
+        [&](const stencil&)
+        {
+            for (int i = 0; i < shapeType::nNodes; ++i)
+            {
+                const int r = i/(2*shapeType::NP), j = i % (2*shapeType::NP);
+                *share++ = acc.a[r][j/2][P*(j % 2)];
+            }
+        }
+    );
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::addBodyForce
+(
+    materialPointCloud& cloud,
+    const column& b,
+    scalar* f
+) const
+{
+    const geometry geo(cloud, false);
+    const scalar* mass = cloud.mass()[0];
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, label, const label p, const int n)
+        {
+            T X[DIM], L[DIM], q[DIM];
+            geo.load(p, X, L);
+            weightsType S;
+            shape_.evaluate(s, X, L, S);
+            const T m = load<W>(mass + p);
+            for (int d = 0; d < DIM; ++d)
+            {
+                q[d] = m*load<W>(b[d] + p);
+            }
+            shapeType::template scatter<DIM>(S, q, n, acc);
+        },
+        [&](const stencil& s) { shapeType::flush(acc, s.nodes, f); }
+    );
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
+(
+    materialPointCloud& cloud,
+    const moveRule& rule,
+    const scalar* u,
+    DynamicList<materialPointCloud::cellChange>& cellChanges
+) const
+{
+    const geometry geo(cloud, false);
+    const hexGrid& grid = cloud.grid();
+    const scalar* U[DIM];
+    scalar* xNew[DIM];
+    scalar* UNew[DIM];
+    for (int d = 0; d < DIM; ++d)
+    {
+        U[d] = cloud.U()[d];
+        xNew[d] = cloud.xNew()[d];
+        UNew[d] = cloud.UNew()[d];
+    }
+    scalar* ways[DIM] = {};
+    for (int d = 0; cloud.displacement() && d < DIM; ++d)
+    {
+        ways[d] = (*cloud.displacement())[d];
+    }
+    const double dt = rule.dt, a = rule.PICfraction;
+    const double late = rule.mean ? 0.5 : 0;
+
+    moveResult result{0, 0, -1, false, 0, Zero, 0};
+    T travel = {}, rate = {}, work = {}, momentum[DIM] = {}, body = {};
+    const scalar* mass = cloud.mass()[0];
+    const scalar lane[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    cellChanges.clear();
+
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) {},
+        [&](const stencil& s, const label celli, const label p, const int n)
+        {
+            T X[DIM], L[DIM], V[DIM];
+            geo.load(p, X, L);
+            weightsType S;
+            shape_.evaluate(s, X, L, S);
+
+            T dX[DIM], du[DIM];
+            if (rule.kind == transfer::FLIP)
+            {
+                T uL[DIM];
+                shapeType::template gather<DIM, 2*P>(S, s.nodes, u, uL);
+                shapeType::template gather<DIM, 2*P>(S, s.nodes, u + P, du);
+                for (int d = 0; d < DIM; ++d)
+                {
+                    // (7) and (8)
+                    V[d] = (1 - a)*(load<W>(U[d] + p) + du[d]) + a*uL[d];
+                    dX[d] = dt*(uL[d] - late*du[d]);
+                }
+            }
+            else
+            {
+                shapeType::template gather<DIM, 2*P>(S, s.nodes, u, V);
+                for (int d = 0; d < DIM; ++d)
+                {
+                    const T v = load<W>(U[d] + p);
+                    dX[d] = dt*(rule.mean ? 0.5*(v + V[d]) : V[d]);
+                }
+            }
+
+            if (rule.energy)
+            {
+                if (rule.kind != transfer::FLIP)
+                {
+                    shapeType::template gather<DIM, 2*P>
+                    (
+                        S, s.nodes, u + P, du
+                    );
+                }
+                // Lanes beyond n may hold anything
+                const auto own = load<W>(lane) < broadcast<W>(n);
+                const T none = {};
+                const T m = select(own, load<W>(mass + p), none);
+                for (int d = 0; d < DIM; ++d)
+                {
+                    const T w =
+                        m*select(own, load<W>(U[d] + p) + 0.5*du[d], none);
+                    work += w*select(own, du[d], none);
+                    momentum[d] += w;
+                    if (rule.bodyForce)
+                    {
+                        const T b = load<W>((*rule.bodyForce)[d] + p);
+                        body += w*select(own, b, none);
+                    }
+                }
+            }
+
+            // Lanes beyond n belong to another cell: they do not count
+            T way = {}, fast = {};
+            for (int d = 0; d < DIM; ++d)
+            {
+                X[d] += dX[d];
+                if (ways[d])
+                {
+                    storePart<W>(ways[d] + p, dX[d], n);
+                }
+                const double ih = shape_.inverseWidth(s, d);
+                way = laneMax(way, laneAbs(dX[d])*ih);
+                fast = laneMax(fast, laneAbs(V[d])*ih);
+                store<W>(xNew[d] + p, X[d]);
+                store<W>(UNew[d] + p, V[d]);
+            }
+            if (n < W)
+            {
+                for (int l = n; l < W; ++l)
+                {
+                    way[l] = 0;
+                    fast[l] = 0;
+                }
+            }
+            travel = laneMax(travel, way);
+            rate = laneMax(rate, fast);
+
+            const auto out = shape_.left(s, X);
+            if (anyOf<W>(out))
+            {
+                for (int l = 0; l < n; ++l)
+                {
+                    if (!out[l])
+                    {
+                        continue;
+                    }
+                    scalar x[3] = {0, 0, 0};
+                    bool finite = true;
+                    for (int d = 0; d < DIM; ++d)
+                    {
+                        x[d] = X[d][l];
+                        finite = finite && std::isfinite(x[d]);
+                    }
+                    if (HOOP && x[radial_] < 0)
+                    {
+                        x[radial_] = -x[radial_];
+                        UNew[radial_][p + l] = -UNew[radial_][p + l];
+                        if (ways[radial_])
+                        {
+                            ways[radial_][p + l] += 2*x[radial_];
+                        }
+                    }
+                    // A point that goes too far is not followed: the step
+                    // will be redone
+                    const scalar beyond[3] = {x[0], x[1], x[2]};
+                    label to =
+                        finite && way[l] <= 2 ? grid.locate(celli, x)
+                      : finite ? celli : -1;
+                    if
+                    (
+                        to < 0 && finite && rule.outflow
+                     && rule.outflow->through(celli, beyond)
+                    )
+                    {
+                        to = outflowPatches::gone;
+                    }
+                    if (to < 0)
+                    {
+                        result.badPoint = p + l;
+                        result.left = finite;
+                        continue;
+                    }
+                    for (int d = 0; d < DIM; ++d)
+                    {
+                        xNew[d][p + l] = x[d];
+                    }
+                    if (to != celli)
+                    {
+                        cellChanges.append(materialPointCloud::cellChange{p + l, to});
+                    }
+                }
+            }
+        },
+        [&](const stencil&) {}
+    );
+
+    result.travel = horizontalMax(travel);
+    result.rate = horizontalMax(rate);
+    for (int l = 0; l < W; ++l)
+    {
+        result.work += work[l];
+        result.bodyWork += body[l];
+        for (int d = 0; d < DIM; ++d)
+        {
+            result.momentum[grid.direction(d)] += momentum[d][l];
+        }
+    }
+    return result;
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::massTimes
+(
+    materialPointCloud& cloud,
+    const bool tentative,
+    const scalar* u,
+    scalar* mU
+) const
+{
+    const geometry geo(cloud, tentative);
+    const scalar* mass = cloud.mass()[0];
+
+    accumulator acc;
+    forGroups
+    (
+        cloud,
+        [&](const stencil&) { acc.clear(); },
+        [&](const stencil& s, label, const label p, const int n)
+        {
+            T X[DIM], L[DIM], q[DIM];
+            geo.load(p, X, L);
+            weightsType S;
+            shape_.evaluate(s, X, L, S);
+            shapeType::template gather<DIM, 2*P>(S, s.nodes, u, q);
+            const T m = load<W>(mass + p);
+            for (int d = 0; d < DIM; ++d)
+            {
+                q[d] *= m;
+            }
+            shapeType::template scatter<DIM>(S, q, n, acc);
+        },
+        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); }
+    );
+}
+
+} // End namespace mpm
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,563 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "velocityField.H"
+#include "pointMesh.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::velocityField::velocityField
+(
+    const hexGrid& grid,
+    const word& name,
+    const label reach
+)
+:
+    grid_(grid),
+    name_(name),
+    nDim_(grid.nDim()),
+    stride_(grid.nDim() == 1 ? 2 : 4),
+    Ufield_
+    (
+        IOobject
+        (
+            IOobject::groupName("U", name),
+            grid.mesh().time().timeName(),
+            grid.mesh(),
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        ),
+        pointMesh::New(grid.mesh())
+    ),
+    mU_(stride_*grid.nNodes()),
+    mUNew_(stride_*grid.nNodes()),
+    f_(stride_*grid.nNodes()),
+    U_(stride_*grid.nNodes()),
+    UL_(2*stride_*grid.nNodes()),
+    strainIsU_(true),
+    stamp_(grid.nNodes(), label(-1)),
+    stampNow_(0),
+    shared_(grid.shared(reach)),
+    fixedElsewhere_(false),
+    rigid_(grid),
+    UNew_(stride_*grid.nNodes())
+{
+    if (Ufield_.dimensions() != dimVelocity)
+    {
+        FatalErrorInFunction
+            << "Field " << Ufield_.objectPath() << " has the dimensions "
+            << Ufield_.dimensions() << "; they must be " << dimVelocity
+            << " (m/s)." << exit(FatalError);
+    }
+    readBoundary();
+    updateFixed(0);
+
+    if (Pstream::parRun())
+    {
+        share_.setSize(grid.nNodes(), 1);
+        shared_.sum(share_.begin(), 1, 1);
+        for (scalar& part : share_)
+        {
+            part = 1/part;
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::velocityField::activate
+(
+    const UList<const labelList*>& cells,
+    const int reach
+)
+{
+    ++stampNow_;
+    DynamicList<label> nodes(active_.size() + active_.size()/8 + 16);
+
+    // Always: other processors send their sums
+    for (const label n : shared_.nodes())
+    {
+        stamp_[n] = stampNow_;
+        nodes.append(n);
+    }
+
+    const label nc = label(1) << nDim_;
+    const auto take = [&](const label celli)
+    {
+        const label* c = grid_.corners(celli);
+        for (label n = 0; n < nc; ++n)
+        {
+            if (stamp_[c[n]] != stampNow_)
+            {
+                stamp_[c[n]] = stampNow_;
+                nodes.append(c[n]);
+            }
+        }
+    };
+
+    for (const labelList* list : cells)
+    {
+        for (const label celli : *list)
+        {
+            if (!reach)
+            {
+                take(celli);
+                continue;
+            }
+            // All nodes of the wider stencil
+            label ijk[3] = {0, 0, 0}, at[3] = {0, 0, 0};
+            for (int d = 0; d < nDim_; ++d)
+            {
+                ijk[d] = grid_.ijk(celli, d) - 1;
+            }
+            for (label k = 0; k < (nDim_ > 2 ? 4 : 1); ++k)
+            {
+                at[2] = ijk[2] + k;
+                for (label j = 0; j < (nDim_ > 1 ? 4 : 1); ++j)
+                {
+                    at[1] = ijk[1] + j;
+                    for (label i = 0; i < 4; ++i)
+                    {
+                        at[0] = ijk[0] + i;
+                        const label n = grid_.nodeAt(at);
+                        if (n >= 0 && stamp_[n] != stampNow_)
+                        {
+                            stamp_[n] = stampNow_;
+                            nodes.append(n);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    activeNew_.transfer(nodes);
+}
+
+
+void Foam::mpm::velocityField::keepActive()
+{
+    activeNew_ = active_;
+}
+
+
+void Foam::mpm::velocityField::clearMomentum()
+{
+    for (const label n : activeNew_)
+    {
+        for (int c = 0; c < stride_; ++c)
+        {
+            mUNew_.data()[stride_*n + c] = 0;
+        }
+    }
+}
+
+
+void Foam::mpm::velocityField::clearForce()
+{
+    for (const label n : active_)
+    {
+        for (int c = 0; c < stride_; ++c)
+        {
+            f_.data()[stride_*n + c] = 0;
+        }
+    }
+    if (load_.data())
+    {
+        for (const label n : active_)
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                load_.data()[stride_*n + d] = 0;
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::velocityField::constrain
+(
+    scalar* u,
+    const int stride,
+    const bool homogeneous,
+    const bool tentative
+) const
+{
+    forAll(fixedNode_, i)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            u[stride*fixedNode_[i] + d] =
+                homogeneous ? 0 : fixedValue_[nDim_*i + d];
+        }
+    }
+    forAll(slipNode_, i)
+    {
+        scalar* un = u + stride*slipNode_[i];
+        const scalar* R = slipProjection_.cdata() + nDim_*nDim_*i;
+        scalar v[3];
+        for (int a = 0; a < nDim_; ++a)
+        {
+            v[a] = 0;
+            for (int b = 0; b < nDim_; ++b)
+            {
+                v[a] += R[nDim_*a + b]*un[b];
+            }
+        }
+        for (int a = 0; a < nDim_; ++a)
+        {
+            un[a] = v[a];
+        }
+    }
+    rigid_.impose(u, stride, homogeneous, tentative);
+}
+
+
+void Foam::mpm::velocityField::velocity()
+{
+    const scalar* __restrict__ mU = mUNew_.data();
+    scalar* __restrict__ U = UNew_.data();
+
+    for (const label n : activeNew_)
+    {
+        const scalar m = mU[stride_*n + nDim_];
+        const scalar rm = m > 0 ? 1/m : 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            U[stride_*n + d] = rm*mU[stride_*n + d];
+        }
+    }
+    rigid_.fill(mU, stride_);
+    rigid_.combine(U, mU, stride_);
+    constrain(U, stride_, false, true);
+}
+
+
+void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
+{
+    const scalar* __restrict__ mU = mU_.data();
+    const scalar* __restrict__ U = U_.data();
+    const scalar* __restrict__ f = f_.data();
+    scalar* __restrict__ UL = UL_.data();
+
+    scalar gd[3] = {0, 0, 0};
+    for (int d = 0; d < nDim_; ++d)
+    {
+        gd[d] = g[grid_.direction(d)];
+    }
+
+    for (const label n : active_)
+    {
+        const scalar m = mU[stride_*n + nDim_];
+        const scalar dtm = m > 0 ? dt/m : 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            UL[2*stride_*n + d] =
+                m > 0 ? U[stride_*n + d] + dtm*f[stride_*n + d] + dt*gd[d] : 0;
+        }
+    }
+    if (reactions_)
+    {
+        reactions_->start(dt, active_, shared_);
+        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+    }
+    rigid_.begin(dt, g);
+    rigid_.take(UL, 2*stride_, mU, stride_);
+    rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
+    rigid_.addTractionImpulse(dt);
+    constrain(UL, 2*stride_, false, false);
+    if (reactions_)
+    {
+        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
+    }
+
+    for (const label n : active_)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            UL[2*stride_*n + stride_ + d] =
+                UL[2*stride_*n + d] - U[stride_*n + d];
+        }
+    }
+}
+
+
+Foam::labelList Foam::mpm::velocityField::constrained() const
+{
+    labelHashSet nodes(fixedNode_);
+    nodes.insert(slipNode_);
+    forAll(rigid_.nodes(), i)
+    {
+        // What a free body takes it has
+        if (!rigid_.isFree(rigid_.nodePhases()[i]))
+        {
+            nodes.insert(rigid_.nodes()[i]);
+        }
+        else
+        {
+            nodes.erase(rigid_.nodes()[i]);
+        }
+    }
+    // Columns of other nodes are of a step long ago
+    nodes &= labelHashSet(active_);
+    return nodes.sortedToc();
+}
+
+
+Foam::scalar Foam::mpm::velocityField::boundaryWork
+(
+    const scalar dt,
+    const vector& g
+) const
+{
+    scalar w = 0;
+    const auto add = [&](const label n)
+    {
+        const scalar m = mU_.data()[stride_*n + nDim_];
+        const scalar part = share_.size() ? share_[n] : 1;
+        for (int d = 0; m > 0 && d < nDim_; ++d)
+        {
+            const scalar du = UL_.data()[2*stride_*n + stride_ + d];
+            const scalar J =
+                m*(du - dt*g[grid_.direction(d)])
+              - dt*f_.data()[stride_*n + d];
+            w += part*J*(U_.data()[stride_*n + d] + 0.5*du);
+        }
+    };
+    for (const label n : constrained())
+    {
+        add(n);
+    }
+
+    return w + rigid_.tractionWork(dt, U_.data(), UL_.data(), stride_);
+}
+
+
+Foam::scalar Foam::mpm::velocityField::addImpulse
+(
+    const scalar* impulse,
+    const bool withWork,
+    const bool bodiesKnow
+)
+{
+    const scalar* mU = mU_.data();
+    scalar* UL = UL_.data();
+    for (const label n : active_)
+    {
+        const scalar m = mU[stride_*n + nDim_];
+        const scalar rm = m > 0 ? 1/m : 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            // The increment takes what is left after boundary conditions
+            UL[2*stride_*n + stride_ + d] -= UL[2*stride_*n + d];
+            UL[2*stride_*n + d] += rm*impulse[stride_*n + d];
+        }
+    }
+
+    // Impulse J = m (u* - u) of the conditions, at the mean velocity
+    const labelList nodes(withWork ? constrained() : labelList());
+    scalar work = 0;
+    scalarList free(nDim_*nodes.size());
+    forAll(nodes, i)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            free[nDim_*i + d] = UL[2*stride_*nodes[i] + d];
+        }
+    }
+    if (reactions_)
+    {
+        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+    }
+    if (!bodiesKnow)
+    {
+        rigid_.take(UL, 2*stride_, mU, stride_);
+    }
+    rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
+    constrain(UL, 2*stride_, false, false);
+    if (reactions_)
+    {
+        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
+    }
+    forAll(nodes, i)
+    {
+        const label n = nodes[i];
+        const scalar m =
+            (share_.size() ? share_[n] : 1)*mU[stride_*n + nDim_];
+        for (int d = 0; m > 0 && d < nDim_; ++d)
+        {
+            const scalar u = UL[2*stride_*n + d];
+            work +=
+                m*(u - free[nDim_*i + d])*0.5*(U_.data()[stride_*n + d] + u);
+        }
+    }
+    for (const label n : active_)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            UL[2*stride_*n + stride_ + d] += UL[2*stride_*n + d];
+        }
+    }
+    return work;
+}
+
+
+void Foam::mpm::velocityField::accept()
+{
+    active_.transfer(activeNew_);
+    rigid_.accept();
+    mU_.swap(mUNew_);
+    U_.swap(UNew_);
+}
+
+
+void Foam::mpm::velocityField::replace()
+{
+    active_.transfer(activeNew_);
+    rigid_.takeNew();
+    mU_.swap(mUNew_);
+    U_.swap(UNew_);
+}
+
+
+void Foam::mpm::velocityField::reject()
+{
+    activeNew_.clear();
+}
+
+
+Foam::scalar Foam::mpm::velocityField::maxStrain
+(
+    const labelList& cells,
+    const scalar dt
+) const
+{
+    const scalar* mU = mUNew_.data();
+    const scalar* U = UNew_.data();
+    const label nc = label(1) << nDim_;
+    scalar largest = 0;
+
+    for (const label celli : cells)
+    {
+        const label* c = grid_.corners(celli);
+        for (int d = 0; d < nDim_; ++d)
+        {
+            scalar du = 0;
+            for (label n = 0; n < nc; ++n)
+            {
+                if ((n >> d) & 1)
+                {
+                    continue;
+                }
+                const scalar* lo = U + stride_*c[n];
+                const scalar* hi = U + stride_*c[n | (1 << d)];
+                if
+                (
+                    mU[stride_*c[n] + nDim_] > 0
+                 && mU[stride_*c[n | (1 << d)] + nDim_] > 0
+                )
+                {
+                    for (int e = 0; e < nDim_; ++e)
+                    {
+                        du = max(du, mag(hi[e] - lo[e]));
+                    }
+                }
+            }
+            largest = max
+            (
+                largest,
+                grid_.hasLattice()
+              ? du*grid_.invWidth(d)[grid_.ijk(celli, d)]
+              : du/grid_.width(celli, d)
+            );
+        }
+    }
+    return dt*largest;
+}
+
+
+void Foam::mpm::velocityField::needReactions()
+{
+    if (!reactions_)
+    {
+        reactions_.reset(new nodeReactions(grid_, parts_, shared_));
+    }
+}
+
+
+void Foam::mpm::velocityField::addProjected(const scalar share)
+{
+    if (reactions_ && share > 0)
+    {
+        reactions_->addProjected
+        (
+            active_,
+            share,
+            U_.data(),
+            mU_.data(),
+            stride_
+        );
+    }
+}
+
+
+void Foam::mpm::velocityField::turnToSide(const label pointi, vector& u) const
+{
+    const int r = grid_.direction(grid_.radial());
+    const int across = 3 - r - grid_.direction(1 - grid_.radial());
+    const point& x = grid_.mesh().points()[pointi];
+    const scalar radius = std::hypot(x[r], x[across]);
+    if (radius > 0)
+    {
+        const scalar ur = u[r];
+        u[r] = ur*x[r]/radius;
+        u[across] = ur*x[across]/radius;
+    }
+}
+
+
+void Foam::mpm::velocityField::writeField()
+{
+    vectorField& U = Ufield_.primitiveFieldRef();
+    U = Zero;
+    labelList isActive(grid_.nNodes(), label(0));
+    for (const label n : active_)
+    {
+        isActive[n] = 1;
+    }
+    forAll(U, pointi)
+    {
+        const label n = grid_.pointToNode()[pointi];
+        if (isActive[n])
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                U[pointi][grid_.direction(d)] = U_.data()[stride_*n + d];
+            }
+            if (grid_.radial() >= 0)
+            {
+                turnToSide(pointi, U[pointi]);
+            }
+        }
+    }
+}
+
+
+Foam::scalar Foam::mpm::velocityField::bytes() const
+{
+    return
+        scalar(grid_.nNodes())
+       *(
+            sizeof(scalar)*stride_
+           *(7 + (work_.data() ? 3 : 0) + (Ustrain_.data() ? 1 : 0))
+          + sizeof(label)
+        )
+      + sizeof(label)*scalar(active_.size() + activeNew_.size());
+}
+
+// ************************************************************************* //
