@@ -18,13 +18,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "materialPointSystem.H"
-#include "eulerianGas.H"
-#include "gasCoupling.H"
-#include "phaseNames.H"
-#include "dictionaryTools.H"
-#include "uniformDimensionedFields.H"
-#include "timer.H"
+#include "simulation.H"
 #include "timeStepControl.H"
 #include "fatalMessages.H"
 
@@ -66,8 +60,12 @@ int main(int argc, char *argv[])
 
 
     #include "createFields.H"
-    mpm::timeStepControl control(runTime, points.get(), gas.get());
-
+    mpm::timeStepControl control
+    (
+        runTime,
+        simulation.points(),
+        simulation.gas()
+    );
     if (control.dryRun(args))
     {
         return 0;
@@ -76,75 +74,31 @@ int main(int argc, char *argv[])
     Info<< "\nStarting time loop\n" << endl;
 
     control.setDeltaT();
-
     while (runTime.run())
     {
-        if (points)
-        {
-            points->readModified();
-        }
+        simulation.readModified();
 
         // Equations (5) to (9) of the paper, then stress (section 3.1)
         scalar factor = 1;
-        while (points && !points->advance(runTime.deltaTValue(), factor))
+        control.announce();
+        while (!simulation.advancePoints(runTime.deltaTValue(), factor))
         {
             control.redo(factor);
+            control.announce();
         }
-        if (coupling)
-        {
-            const mpm::timer t(points->clock().gas);
-            coupling->advanceGas(runTime.deltaTValue());
-        }
-        else if (gas)
-        {
-            gas->faceFlux(runTime.deltaTValue());
-            gas->advance(runTime.deltaTValue());
-        }
-
+        simulation.advanceGas(runTime.deltaTValue());
         control.endStep();
+
         ++runTime;
+        simulation.correct();
         if (control.reports())
         {
-            Info<< "Time = " << runTime.timeName() << nl << endl;
+            control.printTime();
+            simulation.report();
         }
-
-        if (gas)
-        {
-            scalar gasAlone = 0;
-            const mpm::timer t(points ? points->clock().gas : gasAlone);
-            gas->correct();
-        }
-
-        if (control.reports())
-        {
-            if (points)
-            {
-                points->report();
-            }
-            if (gas)
-            {
-                gas->report();
-            }
-            if (coupling)
-            {
-                coupling->report();
-            }
-        }
-
         if (runTime.writeTime())
         {
-            if (points)
-            {
-                points->writePoints();
-            }
-            if (gas)
-            {
-                gas->writeFields();
-            }
-            if (coupling)
-            {
-                coupling->writeFields();
-            }
+            simulation.write();
         }
         runTime.write();
         if (runTime.writeTime())
@@ -154,11 +108,7 @@ int main(int argc, char *argv[])
         control.report();
         control.setDeltaT();
     }
-
-    if (points)
-    {
-        points->reportClock();
-    }
+    simulation.reportClock();
     control.end();
 
     return 0;

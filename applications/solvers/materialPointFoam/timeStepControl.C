@@ -437,22 +437,53 @@ void Foam::mpm::timeStepControl::checkAdvances() const
 }
 
 
-bool Foam::mpm::timeStepControl::reports() const
+Foam::label Foam::mpm::timeStepControl::reportInterval(const label step) const
 {
-    const label interval = boundedLabelOrDefault
+    return boundedLabelOrDefault
     (
         time_.controlDict(),
         "reportInterval",
-        time_.timeIndex() < 5000 ? 10 : 100,
+        step < 5000 ? 10 : 100,
         1,
         labelMax
     );
+}
+
+
+bool Foam::mpm::timeStepControl::reports() const
+{
     return
-        time_.timeIndex() % interval == 0
+        time_.timeIndex() % reportInterval(time_.timeIndex()) == 0
      || time_.writeTime()
      || last_
      || time_.value()
       > time_.endTime().value() - 0.5*time_.deltaTValue();
+}
+
+
+void Foam::mpm::timeStepControl::announce()
+{
+    const label step = time_.timeIndex() + 1;
+    const scalar next = time_.value() + time_.deltaTValue();
+    if
+    (
+        step % reportInterval(step) == 0
+     || next > time_.endTime().value() - 0.5*time_.deltaTValue()
+    )
+    {
+        announced_ = Time::timeName(next);
+        Info<< "Time = " << announced_ << nl << endl;
+    }
+}
+
+
+void Foam::mpm::timeStepControl::printTime()
+{
+    if (announced_ != time_.timeName())
+    {
+        Info<< "Time = " << time_.timeName() << nl << endl;
+    }
+    announced_.clear();
 }
 
 

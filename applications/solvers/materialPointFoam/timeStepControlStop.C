@@ -7,6 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "timeStepControl.H"
+#include "pointEnergy.H"
+#include "pointErosion.H"
 #include "dictionaryTools.H"
 #include <cstring>
 
@@ -104,7 +106,7 @@ void Foam::mpm::timeStepControl::watchEnergy()
     {
         return;
     }
-    const scalar growth = points_->energyGrowth();
+    const scalar growth = points_->energy().growth();
     const dictionary& dict = time_.controlDict();
     const scalar most =
         boundedOrDefault(dict, "maxEnergyGrowth", GREAT, 0, GREAT);
@@ -139,7 +141,7 @@ void Foam::mpm::timeStepControl::endStep()
           + ") was received."
         );
     }
-    if (points_ && points_->empty() && !gas_)
+    if (points_ && points_->erosion().empty() && !gas_)
     {
         stop("All material points have left through the patches of outflow.");
     }

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasCoupling.H"
+#include "pointEnergy.H"
 #include "dictionaryTools.H"
 #include "noTraps.H"
 #include "emptyPolyPatch.H"
@@ -248,6 +249,7 @@ Foam::mpm::gasCoupling::gasCoupling
     const dictionary& properties
 )
 :
+    pointCoupling("coupling"),
     mesh_(refCast<const fvMesh>(points.grid().mesh())),
     points_(points),
     gas_(gas),
@@ -369,7 +371,7 @@ Foam::mpm::gasCoupling::gasCoupling
     }
     gas_.setTheta(theta);
     measureEnergy();
-    if (points_.booksEnergy())
+    if (points_.energy().active())
     {
         // The points began before the gas was there
         needEnergy();
@@ -379,7 +381,7 @@ Foam::mpm::gasCoupling::gasCoupling
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::gasCoupling::force()
+void Foam::mpm::gasCoupling::start(const scalar)
 {
     const noTraps guard;
     const int D = sums_.grid().nDim();
@@ -486,7 +488,7 @@ void Foam::mpm::gasCoupling::force()
 }
 
 
-void Foam::mpm::gasCoupling::depart()
+void Foam::mpm::gasCoupling::moved(const scalar)
 {
     const noTraps guard;
     faceNew_ = 0;
@@ -501,7 +503,7 @@ void Foam::mpm::gasCoupling::depart()
 }
 
 
-void Foam::mpm::gasCoupling::accepted()
+void Foam::mpm::gasCoupling::accepted(const scalar)
 {
     forAll(points_.phases(), phasei)
     {
@@ -513,7 +515,7 @@ void Foam::mpm::gasCoupling::accepted()
 }
 
 
-void Foam::mpm::gasCoupling::arrive(const scalar dt)
+void Foam::mpm::gasCoupling::end(const scalar dt)
 {
     const noTraps guard;
     sumPoints(true);
@@ -554,7 +556,7 @@ void Foam::mpm::gasCoupling::report() const
 }
 
 
-void Foam::mpm::gasCoupling::writeFields() const
+void Foam::mpm::gasCoupling::write()
 {
     volScalarField Theta
     (

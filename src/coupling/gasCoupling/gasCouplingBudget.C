@@ -83,7 +83,7 @@ void Foam::mpm::gasCoupling::bookDry()
             continue;
         }
 
-        // The pressure where the points are now; force() sets it anew
+        // The pressure where the points are now; start() sets it anew
         kernels_->gather(cloud, P_.cdata(), G_.cdata());
         const scalar* damage = (*cloud.damage())[0];
         const scalar* P = (*cloud.gasPressure())[0];

@@ -11,7 +11,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vector Foam::mpm::gasCoupling::exchange
+Foam::vector Foam::mpm::gasCoupling::dragImpulse
 (
     const label phasei,
     const label celli,
@@ -116,7 +116,7 @@ void Foam::mpm::gasCoupling::dragPhase(const label phasei, const scalar dt)
             const scalar V = mesh_.V()[celli];
             const vector J
             (
-                exchange
+                dragImpulse
                 (
                     phasei,
                     celli,
@@ -161,7 +161,7 @@ void Foam::mpm::gasCoupling::dragRigid(const label phasei, const scalar dt)
         const vector J
         (
             mesh_.V()[celli]
-           *exchange
+           *dragImpulse
             (
                 phasei,
                 celli,
@@ -185,7 +185,7 @@ void Foam::mpm::gasCoupling::dragRigid(const label phasei, const scalar dt)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::gasCoupling::drag(const scalar dt)
+void Foam::mpm::gasCoupling::exchange(const scalar dt)
 {
     const noTraps guard;
 

@@ -7,6 +7,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointBalance.H"
+#include "pointEnergy.H"
+#include "pointErosion.H"
+#include "rigidBodies.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -159,7 +162,7 @@ void Foam::functionObjects::materialPointBalance::prepare
             << "\tLx[kg.m2/s]\tLy[kg.m2/s]\tLz[kg.m2/s]"
             << "\tkinetic[J]\tstrain[J]\ttotal[J]\tnFailed"
             << (
-                   points.erodes()
+                   points.erosion().erodes()
                  ? "\tnEroded\terodedMass[kg]\terodedPx[kg.m/s]"
                    "\terodedPy[kg.m/s]\terodedPz[kg.m/s]"
                    "\terodedKinetic[J]\terodedStrain[J]"
@@ -185,7 +188,7 @@ void Foam::functionObjects::materialPointBalance::prepare
         {
             field.needReactions();
         }
-        if (!points.booksEnergy())
+        if (!points.energy().active())
         {
             points.coupling()->startBudget();
         }
@@ -253,7 +256,7 @@ void Foam::functionObjects::materialPointBalance::sampleGas
         const mpm::materialPointPhase& phase = points.phases()[phasei];
         if (phase.prescribed())
         {
-            J -= points.rigidImpulse(phasei);
+            J -= points.rigid().impulse(phasei);
         }
         else
         {
@@ -304,16 +307,16 @@ void Foam::functionObjects::materialPointBalance::sample
     forAll(phases_, phasei)
     {
         sums s(sumsOf(phase(points, phases_[phasei]), origin_));
-        s.eroded = points.eroded(points.indexOf(phases_[phasei]));
+        s.eroded = points.erosion().eroded(points.indexOf(phases_[phasei]));
         total.add(s);
         if (Pstream::master())
         {
-            s.write(row(phasei), points.erodes());
+            s.write(row(phasei), points.erosion().erodes());
         }
     }
     if (Pstream::master())
     {
-        total.write(row(phases_.size()), points.erodes());
+        total.write(row(phases_.size()), points.erosion().erodes());
     }
     if (points.coupling())
     {

@@ -7,6 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointEnergy.H"
+#include "pointEnergy.H"
+#include "pointErosion.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -40,7 +42,7 @@ void Foam::functionObjects::materialPointEnergy::prepare
 {
     if (!functionObject::postProcess)
     {
-        points.bookEnergy();
+        points.energy().startBudget();
     }
     string header
     (
@@ -54,7 +56,7 @@ void Foam::functionObjects::materialPointEnergy::prepare
             "\tgas[J]\tgasGained[J]\tgasBoundary[J]\tgasExternal[J]"
             "\tgasRigid[J]\tgasDry[J]\tgasFixups[J]";
     }
-    if (points.erodes())
+    if (points.erosion().erodes())
     {
         header += "\terosion[J]";
     }
@@ -72,7 +74,7 @@ void Foam::functionObjects::materialPointEnergy::sample
     const mpm::materialPointSystem& points
 )
 {
-    if (const mpm::energyBudget* b = points.budget())
+    if (const mpm::energyBudget* b = points.energy().budget())
     {
         Ostream& os = row(0);
         os  << tab << b->kinetic << tab << b->strain
@@ -94,7 +96,7 @@ void Foam::functionObjects::materialPointEnergy::sample
                 os  << tab << e;
             }
         }
-        if (points.erodes())
+        if (points.erosion().erodes())
         {
             os  << tab << b->erosion();
         }

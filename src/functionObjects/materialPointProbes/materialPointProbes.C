@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointProbes.H"
+#include "pointErosion.H"
 #include "FlatOutput.H"
 #include "addToRunTimeSelectionTable.H"
 #include "pointQuantity.H"
@@ -78,7 +79,7 @@ void Foam::functionObjects::materialPointProbes::prepare
     {
         start_.reset(new mpm::startState(dict_, material));
     }
-    select(material, pointsDict, points.nGone(points.indexOf(phase_)));
+    select(material, pointsDict, points.erosion().nGone(points.indexOf(phase_)));
     if (start_)
     {
         shareStart();
@@ -226,7 +227,7 @@ void Foam::functionObjects::materialPointProbes::sample
     }
     Pstream::listCombineGather(found, maxEqOp<label>());
     Pstream::listCombineScatter(found);
-    if (found.found(0) && !points.nGone(points.indexOf(phase_)))
+    if (found.found(0) && !points.erosion().nGone(points.indexOf(phase_)))
     {
         FatalErrorInFunction
             << type() << ' ' << name() << ": point " << id_[found.find(0)]

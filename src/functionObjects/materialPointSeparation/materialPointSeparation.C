@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointSeparation.H"
+#include "pointErosion.H"
 #include "addToRunTimeSelectionTable.H"
 #include <cstdint>
 #include <unordered_map>
@@ -160,7 +161,7 @@ void Foam::functionObjects::materialPointSeparation::prepare
                 phases_,
                 [&](const word& name)
                 {
-                    return !points.isDebris(points.indexOf(name));
+                    return !points.erosion().isDebris(points.indexOf(name));
                 }
             )
         );

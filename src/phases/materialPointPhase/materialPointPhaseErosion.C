@@ -112,6 +112,16 @@ Foam::scalar Foam::mpm::materialPointPhase::shortestSide() const
 }
 
 
+Foam::scalar Foam::mpm::materialPointPhase::waveRate(const vector& g) const
+{
+    if (!motion_)
+    {
+        return waveSpeed_/shortestSide();
+    }
+    return motion()->free() ? std::sqrt(mag(g)/shortestSide()) : 0;
+}
+
+
 Foam::scalar Foam::mpm::materialPointPhase::largestSpeed
 (
     const label p

@@ -7,6 +7,13 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointSystem.H"
+#include "pointEnergy.H"
+#include "pointErosion.H"
+#include "pointLoads.H"
+#include "phaseDamping.H"
+#include "rigidBodies.H"
+#include "contactPart.H"
+#include "phaseWatches.H"
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
 #include "largestOfAll.H"
@@ -17,38 +24,251 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::materialPointSystem::readNumerics()
+void Foam::mpm::materialPointSystem::readGravity()
 {
-    const dictionary& dict =
-        requiredDict(mesh_.solutionDict(), "materialPoints");
-
-    checkNumerics(dict);
-    numerics_ = dict;
-    transfer_ = transfer(dict);
-    stressUpdate_ = stressUpdate::New(dict);
-    readLimits(dict);
-}
-
-
-void Foam::mpm::materialPointSystem::readLimits(const dictionary& dict)
-{
-    maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
-    maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
-}
-
-
-void Foam::mpm::materialPointSystem::checkNumerics(const dictionary& dict)
-{
-    wordList valid(transfer::keywords());
-    valid.append
+    IOobject gHeader
     (
-        wordList
-        ({
-            "shapeFunction", "dilatation", "stressUpdate", "energyBudget",
-            "maxTravel", "maxStrain"
-        })
+        "g",
+        mesh_.time().constant(),
+        mesh_,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
     );
-    checkKeywords(dict, valid);
+    if
+    (
+        gHeader.typeHeaderOk<uniformDimensionedVectorField>(true)
+     || exists(mesh_.time().globalPath()/mesh_.time().constant()/"g")
+    )
+    {
+        const auto g = readNamed
+        (
+            gHeader.objectPath(),
+            [&]
+            {
+                const uniformDimensionedVectorField field(gHeader);
+                return dimensionedVector(field.name(), field.dimensions(),
+                    field.value());
+            }
+        );
+        const noTraps guard;
+        if (g.dimensions() != dimAcceleration || !std::isfinite(mag(g.value())))
+        {
+            FatalErrorInFunction
+                << "Gravity in " << gHeader.objectPath() << " is " << g.value()
+                << ' ' << g.dimensions() << "; it must be finite and in "
+                << dimAcceleration << " (m/s2)." << exit(FatalError);
+        }
+        g_ = g.value();
+        checkGravity(gHeader.objectPath(), g_, mesh_.geometricD());
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::readPhases()
+{
+    const wordList names(materialPointPhase::names(properties_));
+    phases_.setSize(names.size());
+    fieldOf_.setSize(names.size());
+    cellChanges_.setSize(names.size());
+    if (properties_.found("outflow"))
+    {
+        outflow_.reset
+        (
+            new outflowPatches(requiredDict(properties_, "outflow"), grid_)
+        );
+    }
+    forAll(names, phasei)
+    {
+        phases_.set
+        (
+            phasei,
+            new materialPointPhase
+            (
+                grid_,
+                names[phasei],
+                requiredDict(properties_, names[phasei]),
+                // Contact sees the points' boxes with every shape function
+                gridTransfer_->hasExtent() || properties_.found("contact"),
+                transfer_.kind == transfer::APIC
+            )
+        );
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::readFields()
+{
+    wordList fieldNames;
+    forAll(phases_, phasei)
+    {
+        const word& field = phases_[phasei].velocityField();
+        fieldOf_[phasei] = fieldNames.find(field);
+        if (fieldOf_[phasei] < 0)
+        {
+            fieldOf_[phasei] = fieldNames.size();
+            fieldNames.append(field);
+        }
+    }
+    fields_.setSize(fieldNames.size());
+    projectedShare_.setSize(fieldNames.size(), scalar(1));
+    forAll(fieldNames, fieldi)
+    {
+        const fileName file
+        (
+            mesh_.time().timePath()
+           /IOobject::groupName("U", fieldNames[fieldi])
+        );
+        fields_.set
+        (
+            fieldi,
+            readNamed
+            (
+                file,
+                [&]
+                {
+                    return new mpm::velocityField
+                    (
+                        grid_,
+                        fieldNames[fieldi],
+                        gridTransfer_->reach()
+                    );
+                }
+            )
+        );
+        fields_[fieldi].rigid().setPhases(phases_.size());
+        forAll(phases_, phasei)
+        {
+            rigidMotion* motion = phases_[phasei].motion();
+            if (motion && motion->free() && fieldOf_[phasei] == fieldi)
+            {
+                fields_[fieldi].rigid().addBody(phasei, *motion->free());
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::readPoints
+(
+    materialPointPhase& phase,
+    const bool isDebris
+)
+{
+    phase.read(isDebris, phase.erosion() || (outflow_ && !phase.motion()));
+    Info<< "Phase " << phase.name() << ": "
+        << returnReduce(phase.cloud().size(), sumOp<label>()) << " points of ";
+    if (phase.motion())
+    {
+        Info<< "a rigid body, motion " << phase.motion()->type();
+        phase.motion()->start(mesh_.time().value(), phase.cloud());
+        phase.motion()->setVelocity(phase.cloud());
+    }
+    else
+    {
+        Info<< phase.law().type() << ", wave speed "
+            << phase.law().waveSpeed() << " m/s";
+    }
+    if (const freeBody* b = phase.motion() ? phase.motion()->free() : nullptr)
+    {
+        Info<< ", mass " << b->mass() << " kg";
+    }
+    Info<< ", velocity field " << phase.velocityField() << nl;
+    checkHalfSizes(phase);
+    rate_ = max(rate_, speedRate(phase));
+}
+
+
+void Foam::mpm::materialPointSystem::checkHalfSizes
+(
+    const materialPointPhase& phase
+) const
+{
+    if (!gridTransfer_->hasExtent())
+    {
+        return;
+    }
+    const materialPointCloud& cloud = phase.cloud();
+    forAll(cloud.cells(), k)
+    {
+        for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+        {
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                const scalar l = (*cloud.halfSize())[d][p];
+                if (l > 1.0001*grid_.width(cloud.cells()[k], d))
+                {
+                    FatalErrorInFunction
+                        << "Material point " << cloud.id()[0][p]
+                        << " of " << phase.name() << " at "
+                        << cloud.position(p, cloud.cells()[k])
+                        << ", time " << mesh_.time().timeName()
+                        << ", has half-size " << l
+                        << ", larger than its cell." << nl
+                        << "Use more points per cell in"
+                        << " setMaterialPointsDict or the shape"
+                        << " function linear." << exit(FatalError);
+                }
+            }
+        }
+    }
+}
+
+
+Foam::scalar Foam::mpm::materialPointSystem::speedRate
+(
+    const materialPointPhase& phase
+) const
+{
+    scalar rate = 0;
+    const materialPointCloud& cloud = phase.cloud();
+    forAll(cloud.cells(), k)
+    {
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            const scalar ih = 1/grid_.width(cloud.cells()[k], d);
+            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+            {
+                rate = max(rate, mag(cloud.U()[d][p])*ih);
+            }
+        }
+    }
+    return rate;
+}
+
+
+void Foam::mpm::materialPointSystem::makeParts()
+{
+    parts_.own(new pointLoads(*this));
+    parts_.own(new phaseDamping(*this));
+    if (properties_.found("contact"))
+    {
+        parts_.own(new contactPart(*this));
+    }
+    parts_.select
+    (
+        properties_.found("stepParts")
+      ? &requiredDict(properties_, "stepParts")
+      : nullptr,
+        *this
+    );
+}
+
+
+void Foam::mpm::materialPointSystem::startNodes()
+{
+    for (materialPointPhase& phase : phases_)
+    {
+        if (phase.motion())
+        {
+            phase.motion()->setVelocity(phase.cloud());
+        }
+    }
+    for (velocityField& field : fields_)
+    {
+        field.rigid().newTime();
+    }
+    projectAnew(0);
 }
 
 
@@ -99,6 +319,64 @@ void Foam::mpm::materialPointSystem::startAffine()
     }
 }
 
+
+void Foam::mpm::materialPointSystem::reportBalance() const
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    label n = 0;
+    for (const materialPointPhase& phase : phases_)
+    {
+        n += phase.cloud().size();
+    }
+    labelList points(Pstream::nProcs());
+    points[Pstream::myProcNo()] = n;
+    Pstream::gatherList(points);
+    if (!Pstream::master())
+    {
+        return;
+    }
+    label least = 0, most = 0;
+    scalar sum = 0;
+    forAll(points, proci)
+    {
+        least = points[proci] < points[least] ? proci : least;
+        most = points[proci] > points[most] ? proci : most;
+        sum += points[proci];
+    }
+    const scalar mean = sum/points.size();
+    Info<< "    points per processor: mean " << mean << ", least "
+        << points[least] << " (" << least << "), most " << points[most]
+        << " (" << most << "), imbalance "
+        << 100*(points[most]/mean - 1) << " %" << nl;
+    if (points[most] > 1.3*mean)
+    {
+        Info<< "    the fullest processor sets the pace: cellWeights of"
+            << " setMaterialPoints -cellWeights, named weightField in"
+            << " system/decomposeParDict, share the points evenly" << nl;
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::reportStart() const
+{
+    Info<< "Material points: " << nPoints() << " in "
+        << phases_.size() << " phases, "
+        << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, "
+        << grid_.nNodes() << " nodes, "
+        << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
+        << "    shape function " << numerics_.get<word>("shapeFunction")
+        << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "")
+        << ", stress update " << stressUpdate_->name() << nl << "    ";
+    transfer_.write(Info);
+    reportBalance();
+    Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
+        << " buffers, " << gridBytes()/max(nPoints(), label(1))
+        << " on the nodes" << nl << endl;
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
@@ -128,247 +406,40 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
         )
     ),
     g_(Zero),
-    erodes_(false),
-    started_(0),
-    empty_(false),
+    coupling_(nullptr),
     rate_(0),
     waveRate_(0),
     nRedone_(0),
     dt_(0),
-    tentative_(false),
-    damped_(false),
-    warned_(false),
-    coupling_(nullptr),
-    startEnergy_(0),
-    largestEnergy_(0),
-    energyGrowth_(0),
-    sourceless_(false)
+    tentative_(false)
 {
-    IOobject gHeader
-    (
-        "g",
-        mesh.time().constant(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
-    if
-    (
-        gHeader.typeHeaderOk<uniformDimensionedVectorField>(true)
-     || exists(mesh.time().globalPath()/mesh.time().constant()/"g")
-    )
-    {
-        const auto g = readNamed
-        (
-            gHeader.objectPath(),
-            [&]
-            {
-                const uniformDimensionedVectorField field(gHeader);
-                return dimensionedVector(field.name(), field.dimensions(),
-                    field.value());
-            }
-        );
-        const noTraps guard;
-        if (g.dimensions() != dimAcceleration || !std::isfinite(mag(g.value())))
-        {
-            FatalErrorInFunction
-                << "Gravity in " << gHeader.objectPath() << " is " << g.value()
-                << ' ' << g.dimensions() << "; it must be finite and in "
-                << dimAcceleration << " (m/s2)." << exit(FatalError);
-        }
-        g_ = g.value();
-        checkGravity(gHeader.objectPath(), g_, mesh.geometricD());
-    }
-
+    readGravity();
     requireClosed(properties_.objectPath());
     requireClosed(mesh.solutionDict().name());
     readNumerics();
-    gridTransfer_ = pointGridTransfer::New
-    (
-        mesh.solutionDict().subDict("materialPoints"),
-        grid_
-    );
+    gridTransfer_ = pointGridTransfer::New(numerics_, grid_);
+    readPhases();
+    readFields();
 
-    const wordList names(materialPointPhase::names(properties_));
-    phases_.setSize(names.size());
-    fieldOf_.setSize(names.size());
-    cellChanges_.setSize(names.size());
-    eroded_.setSize(names.size());
-    left_.setSize(names.size());
-    if (properties_.found("outflow"))
-    {
-        outflow_.reset
-        (
-            new outflowPatches(requiredDict(properties_, "outflow"), grid_)
-        );
-    }
-    debris_.setSize(names.size(), -1);
-
-    wordList fieldNames;
-    forAll(names, phasei)
-    {
-        phases_.set
-        (
-            phasei,
-            new materialPointPhase
-            (
-                grid_,
-                names[phasei],
-                requiredDict(properties_, names[phasei]),
-                // Contact sees the points' boxes with every shape function
-                gridTransfer_->hasExtent() || properties_.found("contact"),
-                transfer_.kind == transfer::APIC
-            )
-        );
-        erodes_ = erodes_ || phases_[phasei].erosion();
-        const word& field = phases_[phasei].velocityField();
-        fieldOf_[phasei] = fieldNames.find(field);
-        if (fieldOf_[phasei] < 0)
-        {
-            fieldOf_[phasei] = fieldNames.size();
-            fieldNames.append(field);
-        }
-    }
-
-    fields_.setSize(fieldNames.size());
-    forAll(fieldNames, fieldi)
-    {
-        const fileName file
-        (
-            mesh.time().timePath()
-           /IOobject::groupName("U", fieldNames[fieldi])
-        );
-        fields_.set
-        (
-            fieldi,
-            readNamed
-            (
-                file,
-                [&]
-                {
-                    return new velocityField
-                    (
-                        grid_,
-                        fieldNames[fieldi],
-                        gridTransfer_->reach()
-                    );
-                }
-            )
-        );
-        fields_[fieldi].rigid().setPhases(phases_.size());
-        forAll(phases_, phasei)
-        {
-            rigidMotion* motion = phases_[phasei].motion();
-            if (motion && motion->free() && fieldOf_[phasei] == fieldi)
-            {
-                fields_[fieldi].rigid().addBody(phasei, *motion->free());
-            }
-        }
-    }
-
-    connectDebris();
+    energy_ = &parts_.own(new pointEnergy(*this));
+    erosion_ = &parts_.own(new pointErosion(*this));
+    rigid_ = &parts_.own(new rigidBodies(*this));
     forAll(phases_, phasei)
     {
-        materialPointPhase& phase = phases_[phasei];
-        phase.read
-        (
-            debris_.found(phasei),
-            phase.erosion() || (outflow_ && !phase.motion())
-        );
-        Info<< "Phase " << phase.name() << ": "
-            << returnReduce(phase.cloud().size(), sumOp<label>())
-            << " points of ";
-        if (phase.motion())
-        {
-            Info<< "a rigid body, motion " << phase.motion()->type();
-            phase.motion()->start(mesh_.time().value(), phase.cloud());
-            phase.motion()->setVelocity(phase.cloud());
-        }
-        else
-        {
-            Info<< phase.law().type() << ", wave speed "
-                << phase.law().waveSpeed() << " m/s";
-        }
-        if (const freeBody* b = phase.motion() ? phase.motion()->free() : nullptr)
-        {
-            Info<< ", mass " << b->mass() << " kg";
-        }
-        Info<< ", velocity field " << phase.velocityField() << nl;
-
-        // The domain of a point must not reach past the next cell
-        if (gridTransfer_->hasExtent())
-        {
-            materialPointCloud& cloud = phase.cloud();
-            forAll(cloud.cells(), k)
-            {
-                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
-                {
-                    for (int d = 0; d < grid_.nDim(); ++d)
-                    {
-                        const scalar l = (*cloud.halfSize())[d][p];
-                        if (l > 1.0001*grid_.width(cloud.cells()[k], d))
-                        {
-                            FatalErrorInFunction
-                                << "Material point " << cloud.id()[0][p]
-                                << " of " << phase.name() << " at "
-                                << cloud.position(p, cloud.cells()[k])
-                                << ", time " << mesh_.time().timeName()
-                                << ", has half-size " << l
-                                << ", larger than its cell." << nl
-                                << "Use more points per cell in"
-                                << " setMaterialPointsDict or the shape"
-                                << " function linear." << exit(FatalError);
-                        }
-                    }
-                }
-            }
-        }
-        const materialPointCloud& cloud = phase.cloud();
-        forAll(cloud.cells(), k)
-        {
-            for (int d = 0; d < grid_.nDim(); ++d)
-            {
-                const scalar ih = 1/grid_.width(cloud.cells()[k], d);
-                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
-                {
-                    rate_ = max(rate_, mag(cloud.U()[d][p])*ih);
-                }
-            }
-        }
+        readPoints(phases_[phasei], erosion_->isDebris(phasei));
     }
     rate_ = largestOfAll(rate_);
     updateWaveRate();
-    countStarted();
+    erosion_->countStarted();
+    makeParts();
 
-    contact_ = pointContact::New
-    (
-        properties_,
-        grid_,
-        phases_,
-        fields_,
-        fieldOf_,
-        *gridTransfer_
-    );
     startNodes();
-    if (contact_)
-    {
-        contact_->update();
-
-        // Nothing to warn of
-        warned_ = true;
-        for (label a = 0; a < fields_.size(); ++a)
-        {
-            for (label b = a + 1; b < fields_.size(); ++b)
-            {
-                warned_ = warned_ && contact_->between(a, b);
-            }
-        }
-    }
+    parts_.within(&stepPart::started);
     bool haveAffine = true;
     for (const materialPointPhase& phase : phases_)
     {
-        haveAffine = haveAffine && (phase.motion() || phase.cloud().affineRead());
+        haveAffine =
+            haveAffine && (phase.motion() || phase.cloud().affineRead());
     }
     if
     (
@@ -378,45 +449,16 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
     {
         startAffine();
     }
-    for (velocityField& field : fields_)
+    for (mpm::velocityField& field : fields_)
     {
         field.writeField();
     }
-    if
-    (
-        mesh.solutionDict().subDict("materialPoints")
-       .getOrDefault<bool>("energyBudget", false)
-    )
+    if (numerics_.getOrDefault<bool>("energyBudget", false))
     {
-        bookEnergy();
+        energy_->startBudget();
     }
-    checkOverlap();
-
-    readWeights();
-    watches_.setSize(phases_.size());
-    forAll(phases_, phasei)
-    {
-        const materialPointPhase& phase = phases_[phasei];
-        if (!phase.motion() && phase.law().holdsTogether())
-        {
-            watches_.set(phasei, new separationWatch(phase));
-        }
-    }
-
-    Info<< "Material points: " << nPoints() << " in "
-        << phases_.size() << " phases, "
-        << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, "
-        << grid_.nNodes() << " nodes, "
-        << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
-        << "    shape function "
-        << mesh.solutionDict().subDict("materialPoints").get<word>("shapeFunction")
-        << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "")
-        << ", stress update " << stressUpdate_->name() << nl << "    ";
-    transfer_.write(Info);
-    reportBalance();
-    Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
-        << " buffers, " << gridBytes()/max(nPoints(), label(1))
-        << " on the nodes" << nl << endl;
+    parts_.own(new phaseWatches(*this));
+    reportStart();
 }
 
 // ************************************************************************* //

@@ -7,9 +7,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointSystem.H"
+#include "pointEnergy.H"
 #include "bookedLosses.H"
 #include "noTraps.H"
-#include "timer.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -51,10 +51,7 @@ void Foam::mpm::materialPointSystem::filter
             field.sumColumn(Mv);
             field.nextIncrement(s);
         }
-        if (contact_)
-        {
-            contact_->filter(s != velocityField::strain);
-        }
+        parts_.within(&stepPart::filtered, s != velocityField::strain);
         for (velocityField& field : fields_)
         {
             field.addIncrement(s, weight);
@@ -65,13 +62,14 @@ void Foam::mpm::materialPointSystem::filter
 
 void Foam::mpm::materialPointSystem::finishForce(const scalar dt)
 {
-    addBodyForces(mesh_.time().value() + dt);
+    const scalar time = mesh_.time().value() + dt;
+    parts_.within(&stepPart::force, time);
     for (velocityField& field : fields_)
     {
         field.sumForce();
+        field.addLoad();
     }
-    addSurfaceLoads(mesh_.time().value() + dt);
-    addRigidTraction();
+    parts_.within(&stepPart::summedForce, time);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -82,12 +80,9 @@ void Foam::mpm::materialPointSystem::strainVelocity()
     const bool filtered = transfer_.order > 1 && transfer_.strainFilter > 0;
     for (velocityField& field : fields_)
     {
-        field.strainFromU(filtered || contact_);
+        field.strainFromU(filtered || parts_.changesStrain());
     }
-    if (contact_)
-    {
-        contact_->applyStrainImpulses(dt_);
-    }
+    parts_.within(&stepPart::strainVelocity, dt_);
     filter(velocityField::strain, transfer_.strainFilter);
 }
 
@@ -127,10 +122,7 @@ void Foam::mpm::materialPointSystem::strainVelocityAnew()
         {
             field.strainFromMomentum();
         }
-        if (contact_)
-        {
-            contact_->applyStrainImpulses(dt_);
-        }
+        parts_.within(&stepPart::strainVelocity, dt_);
     }
     filter(velocityField::strain, transfer_.strainFilter);
 }
@@ -167,6 +159,8 @@ void Foam::mpm::materialPointSystem::correctStress
     const scalar dtForce
 )
 {
+    // A part that changes the force makes it anew at the start of the step
+    const bool makesForce = withForce && !parts_.changesForce();
     const noTraps guard;
     const timer t(clock_.stress);
 
@@ -185,7 +179,7 @@ void Foam::mpm::materialPointSystem::correctStress
             continue;
         }
         autoPtr<bookedLosses> booked;
-        if (budget_.active)
+        if (energy_->active())
         {
             booked.reset
             (
@@ -202,40 +196,26 @@ void Foam::mpm::materialPointSystem::correctStress
                 dt,
                 meanMove() ? 0 : stressUpdate_->square(),
                 fields_[fieldOf_[phasei]].Ustrain(),
-                withForce && !coupling_
+                makesForce
               ? fields_[fieldOf_[phasei]].force()
               : nullptr
             )
         );
         if (result.badPoint >= 0)
         {
-            const materialPointCloud& cloud = phase.cloud();
-            const label p = result.badPoint;
-            const point x(cloud.position(p, cloud.cellOf(p)));
-            FatalErrorInFunction
-                << "Material point " << label(cloud.id()[0][p]) << " of "
-                << phase.name() << " at " << x << ", step of " << dt
-                << " s after time " << mesh_.time().timeName()
-                << ": sigma (stress) from the law " << phase.law().type()
-                << " is no finite number; velocity " << cloud.velocity(p)
-                << ", volume " << cloud.volume()[0][p] << "." << nl
-                << "Nothing is written: the last written time is the last"
-                << " good state." << nl
-                << "A smaller maxCo in system/controlDict or maxStrain in"
-                << " fvSolution.materialPoints makes the step smaller."
-                << exit(FatalError);
+            stopForStress(phase, result.badPoint, dt);
         }
         phase.nFailed() += result.nFailed;
         if (booked)
         {
-            losses_ += booked->sums();
+            energy_->losses() += booked->sums();
         }
         if (phase.law().waveSpeedVaries())
         {
             phase.setWaveSpeed(result.waveSpeed, result.fastest);
         }
     }
-    if (withForce && !coupling_)
+    if (makesForce)
     {
         finishForce(dtForce);
     }

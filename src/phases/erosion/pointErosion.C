@@ -6,13 +6,43 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "pointErosion.H"
 #include "materialPointSystem.H"
+#include "pointEnergy.H"
+#include "dictionaryTools.H"
 #include "noTraps.H"
 #include "Time.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-void Foam::mpm::materialPointSystem::erode(const scalar dt)
+Foam::mpm::pointErosion::pointErosion(materialPointSystem& points)
+:
+    stepPart("erosion"),
+    points_(points),
+    phases_(points.phases()),
+    erodes_(false),
+    eroded_(phases_.size()),
+    left_(phases_.size()),
+    empty_(false),
+    started_(0),
+    debris_(phases_.size(), -1)
+{
+    for (const materialPointPhase& phase : phases_)
+    {
+        erodes_ = erodes_ || phase.erosion();
+    }
+    connectDebris();
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::pointErosion::erodes() const
+{
+    return erodes_ || points_.outflow();
+}
+
+
+void Foam::mpm::pointErosion::end(const scalar dt)
 {
     if (!erodes_)
     {
@@ -72,30 +102,30 @@ void Foam::mpm::materialPointSystem::erode(const scalar dt)
     {
         FatalErrorInFunction
             << "All points have eroded in the step of " << dt
-            << " s after time " << mesh_.time().timeName()
+            << " s after time " << points_.time().timeName()
             << ": nothing is left to compute." << nl
             << "Look at the limits of erosion in constant/phaseProperties."
             << exit(FatalError);
     }
 
     // The nodes know only those that are left
-    projectAnew(dt);
+    points_.projectAnew(dt);
 }
 
 
-void Foam::mpm::materialPointSystem::bookLoss(const erodedPoints& loss)
+void Foam::mpm::pointErosion::bookLoss(const erodedPoints& loss)
 {
-    if (budget_.active)
+    if (points_.energy().active())
     {
-        budget_.erodedKinetic += loss.kinetic;
-        budget_.erodedStored += loss.stored;
+        points_.energy().sums().erodedKinetic += loss.kinetic;
+        points_.energy().sums().erodedStored += loss.stored;
     }
 }
 
 
-void Foam::mpm::materialPointSystem::bookOutflow()
+void Foam::mpm::pointErosion::accepted(const scalar)
 {
-    if (!outflow_)
+    if (!points_.outflow())
     {
         return;
     }
@@ -106,7 +136,7 @@ void Foam::mpm::materialPointSystem::bookOutflow()
     {
         if (!phases_[phasei].motion())
         {
-            step[phasei] = phases_[phasei].leave(cellChanges_[phasei]);
+            step[phasei] = phases_[phasei].leave(points_.cellChanges(phasei));
             n += step[phasei].n;
         }
     }
@@ -128,7 +158,7 @@ void Foam::mpm::materialPointSystem::bookOutflow()
 
 
 Foam::mpm::erodedPoints
-Foam::mpm::materialPointSystem::eroded(const label phasei) const
+Foam::mpm::pointErosion::eroded(const label phasei) const
 {
     erodedPoints sums(left_[phasei]);
     if (debris_[phasei] < 0)
@@ -139,7 +169,7 @@ Foam::mpm::materialPointSystem::eroded(const label phasei) const
 }
 
 
-void Foam::mpm::materialPointSystem::connectDebris()
+void Foam::mpm::pointErosion::connectDebris()
 {
     wordList names(phases_.size());
     forAll(phases_, phasei)
@@ -154,7 +184,7 @@ void Foam::mpm::materialPointSystem::connectDebris()
             continue;
         }
         const dictionary& dict =
-            properties_.subDict(names[phasei]).subDict("erosion");
+            points_.properties().subDict(names[phasei]).subDict("erosion");
         const label to = names.find(debris);
         if (to < 0 || to == phasei || phases_[to].motion())
         {
@@ -182,8 +212,8 @@ void Foam::mpm::materialPointSystem::connectDebris()
         }
         for (const word key : {"constitutiveModel", "failureModel"})
         {
-            const dictionary& from = properties_.subDict(names[phasei]);
-            const dictionary& into = properties_.subDict(debris);
+            const dictionary& from = points_.properties().subDict(names[phasei]);
+            const dictionary& into = points_.properties().subDict(debris);
             if
             (
                 from.found(key) != into.found(key)
@@ -204,7 +234,7 @@ void Foam::mpm::materialPointSystem::connectDebris()
 }
 
 
-void Foam::mpm::materialPointSystem::checkDebris() const
+void Foam::mpm::pointErosion::checkDebris() const
 {
     forAll(debris_, phasei)
     {
@@ -230,13 +260,13 @@ void Foam::mpm::materialPointSystem::checkDebris() const
 }
 
 
-void Foam::mpm::materialPointSystem::countStarted()
+void Foam::mpm::pointErosion::countStarted()
 {
-    started_ = nPoints() + nEroded();
+    started_ = points_.nPoints() + nEroded();
 }
 
 
-Foam::label Foam::mpm::materialPointSystem::nEroded() const
+Foam::label Foam::mpm::pointErosion::nEroded() const
 {
     label n = 0;
     forAll(eroded_, phasei)
@@ -247,8 +277,9 @@ Foam::label Foam::mpm::materialPointSystem::nEroded() const
 }
 
 
-void Foam::mpm::materialPointSystem::reportErosion(const label nPresent) const
+void Foam::mpm::pointErosion::report() const
 {
+    const label nPresent = points_.nPoints();
     if (nPresent + nEroded() != started_)
     {
         FatalErrorInFunction
@@ -284,7 +315,7 @@ void Foam::mpm::materialPointSystem::reportErosion(const label nPresent) const
 }
 
 
-void Foam::mpm::materialPointSystem::addErosionState(dictionary& state) const
+void Foam::mpm::pointErosion::addState(dictionary& state) const
 {
     dictionary eroded, left;
     forAll(phases_, phasei)
@@ -309,7 +340,7 @@ void Foam::mpm::materialPointSystem::addErosionState(dictionary& state) const
 }
 
 
-void Foam::mpm::materialPointSystem::setErosionState(const dictionary& state)
+void Foam::mpm::pointErosion::setState(const dictionary& state)
 {
     const auto read = [&](const word& key, List<erodedPoints>& sums)
     {

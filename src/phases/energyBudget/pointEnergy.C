@@ -1,0 +1,344 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointEnergy.H"
+#include "materialPointSystem.H"
+#include "phaseDamping.H"
+#include "pointErosion.H"
+#include "contactPart.H"
+#include "dictionaryTools.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::pointEnergy::pointEnergy(materialPointSystem& points)
+:
+    stepPart("energy"),
+    points_(points),
+    stored_(0),
+    stepped_(false),
+    startEnergy_(0),
+    largestEnergy_(0),
+    energyGrowth_(0),
+    sourceless_(false)
+{}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::mpm::pointEnergy::hasSources() const
+{
+    bool sources = mag(points_.g()) > 0 || points_.parts().drives();
+    for (const velocityField& field : points_.fields())
+    {
+        sources = sources || field.drives();
+    }
+    return returnReduce(sources, orOp<bool>());
+}
+
+
+void Foam::mpm::pointEnergy::noteEnergy
+(
+    const scalar energy,
+    const energyBudget* b
+) const
+{
+    if (!(largestEnergy_ > 0))
+    {
+        // Less than this is rounding
+        scalar least = 0;
+        for (const materialPointPhase& phase : points_.phases())
+        {
+            if (!phase.motion())
+            {
+                least += 1e-12*phase.mass()*sqr(phase.law().waveSpeed());
+            }
+        }
+        largestEnergy_ = max(least, energy);
+        startEnergy_ = energy;
+        sourceless_ = !hasSources();
+    }
+    if (b)
+    {
+        largestEnergy_ = max
+        (
+            largestEnergy_,
+            max(energy, mag(b->hasGas ? b->gas.energy - b->gas.energy0 : 0))
+        );
+        // remap too: what forces and stresses do not agree on can grow
+        energyGrowth_ =
+            (b->residual() + b->remap())/max(largestEnergy_, VSMALL);
+    }
+    else if (sourceless_)
+    {
+        energyGrowth_ = (energy - startEnergy_)/max(largestEnergy_, VSMALL);
+    }
+}
+
+
+Foam::scalar Foam::mpm::pointEnergy::storedEnergy() const
+{
+    scalar stored = -returnReduce
+    (
+        losses_.failure + losses_.dissipation,
+        sumOp<scalar>()
+    );
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        stored += phase.motion() ? 0 : phase.strainEnergy();
+    }
+    return stored;
+}
+
+
+void Foam::mpm::pointEnergy::update() const
+{
+    const pointCoupling* gas = points_.coupling();
+    sums_.kinetic = sums_.strain = 0;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        // What moves as prescribed does work on the others: boundary
+        if (!phase.prescribed())
+        {
+            sums_.kinetic += phase.kineticEnergy();
+            sums_.strain += phase.strainEnergy();
+        }
+    }
+    sums_.losses = losses_;
+    sums_.losses.reduceAll();
+    sums_.hasGas = gas;
+    if (gas)
+    {
+        sums_.gas = gas->balance();
+        sums_.strainStep = stepped_ ? storedEnergy() - stored_ : 0;
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::pointEnergy::startBudget() const
+{
+    if (sums_.active)
+    {
+        return;
+    }
+    sums_.active = true;
+    if (pointCoupling* gas = points_.coupling())
+    {
+        gas->needEnergy();
+        gas->startBudget();
+    }
+    update();
+    sums_.kinetic0 = sums_.kinetic;
+    sums_.strain0 = sums_.strain;
+}
+
+
+const Foam::mpm::energyBudget* Foam::mpm::pointEnergy::budget() const
+{
+    if (!sums_.active)
+    {
+        return nullptr;
+    }
+    update();
+    return &sums_;
+}
+
+
+void Foam::mpm::pointEnergy::begin(const scalar)
+{
+    lossesBefore_ = losses_;
+    sums_.all = 0;
+    sums_.step = forceWork();
+    if (sums_.active && points_.coupling())
+    {
+        stored_ = storedEnergy();
+        stepped_ = true;
+    }
+}
+
+
+void Foam::mpm::pointEnergy::impulse(const scalar dt)
+{
+    if (!sums_.active)
+    {
+        return;
+    }
+    scalar boundary = 0;
+    for (const velocityField& field : points_.fields())
+    {
+        boundary += field.boundaryWork(dt, points_.g());
+    }
+    sums_.step.boundary += returnReduce(boundary, sumOp<scalar>());
+}
+
+
+void Foam::mpm::pointEnergy::addMove
+(
+    const scalar dt,
+    const scalar work,
+    const vector& momentum,
+    const scalar bodyWork
+)
+{
+    if (!sums_.active)
+    {
+        return;
+    }
+    scalar load = 0;
+    for (const velocityField& field : points_.fields())
+    {
+        load += field.loadWork(dt);
+    }
+    sums_.all += returnReduce(work, sumOp<scalar>());
+    sums_.step.external +=
+        dt
+       *(
+            (points_.g() & returnReduce(momentum, sumOp<vector>()))
+          + returnReduce(bodyWork, sumOp<scalar>())
+        )
+      + returnReduce(load, sumOp<scalar>());
+}
+
+
+void Foam::mpm::pointEnergy::accepted(const scalar)
+{
+    forceWork& step = sums_.step;
+    step.internal = sums_.all - step.external - step.boundary - step.contact;
+    sums_.work += step;
+}
+
+
+void Foam::mpm::pointEnergy::rejected()
+{
+    losses_ = lossesBefore_;
+}
+
+
+void Foam::mpm::pointEnergy::addState(dictionary& state) const
+{
+    if (!sums_.active)
+    {
+        return;
+    }
+    dictionary energy;
+    energy.add("kinetic0", sums_.kinetic0);
+    energy.add("strain0", sums_.strain0);
+    energy.add("internal", sums_.work.internal);
+    energy.add("external", sums_.work.external);
+    energy.add("boundary", sums_.work.boundary);
+    pointLosses losses(losses_);
+    losses.reduceAll();
+    energy.add("failure", losses.failure);
+    energy.add("dissipation", losses.dissipation);
+    energy.add("stressWork", losses.work);
+    energy.add("erodedKinetic", sums_.erodedKinetic);
+    energy.add("erodedStored", sums_.erodedStored);
+    if (const pointCoupling* gas = points_.coupling())
+    {
+        energy.add("gas", gas->balance().state());
+    }
+    energy.add("contact", sums_.work.contact);
+    energy.add("damping", sums_.damping);
+    state.add("energy", energy);
+}
+
+
+void Foam::mpm::pointEnergy::setState(const dictionary& state)
+{
+    if (!state.found("energy"))
+    {
+        return;
+    }
+    sums_.active = true;
+    const dictionary& energy = requiredDict(state, "energy");
+    sums_.kinetic0 = required<scalar>(energy, "kinetic0");
+    sums_.strain0 = required<scalar>(energy, "strain0");
+    sums_.work.internal = required<scalar>(energy, "internal");
+    sums_.work.external = required<scalar>(energy, "external");
+    sums_.work.boundary = required<scalar>(energy, "boundary");
+    sums_.erodedKinetic = energy.getOrDefault<scalar>("erodedKinetic", 0);
+    sums_.erodedStored = energy.getOrDefault<scalar>("erodedStored", 0);
+    losses_ = pointLosses();
+    if (Pstream::master())
+    {
+        losses_.failure = energy.getOrDefault<scalar>("failure", 0);
+        losses_.dissipation = energy.getOrDefault<scalar>("dissipation", 0);
+        losses_.work = energy.getOrDefault<scalar>
+        (
+            "stressWork",
+            -sums_.work.internal
+        );
+    }
+    if (pointCoupling* gas = points_.coupling())
+    {
+        gas->startBudget();
+        if (energy.found("gas"))
+        {
+            gasBudget sums;
+            sums.setState(requiredDict(energy, "gas"));
+            gas->setBalance(sums);
+        }
+    }
+    sums_.work.contact = energy.getOrDefault<scalar>("contact", 0);
+    sums_.damping = energy.getOrDefault<scalar>("damping", 0);
+}
+
+
+void Foam::mpm::pointEnergy::report() const
+{
+    scalar mass = 0, kinetic = 0, strain = 0;
+    vector momentum(Zero);
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        mass += phase.mass();
+        momentum += phase.momentum();
+        kinetic += phase.kineticEnergy();
+        strain += phase.strainEnergy();
+    }
+    Info<< "Material points: " << points_.nPoints() << ", mass " << mass
+        << ", momentum " << momentum << nl
+        << "Energy: kinetic " << kinetic << ", strain " << strain
+        << ", total " << kinetic + strain << nl;
+    const energyBudget* b = budget();
+    noteEnergy(kinetic + strain, b);
+    if (b)
+    {
+        Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
+            << b->work.boundary << ", external " << b->work.external
+            << ", failure " << b->losses.failure << ", dissipation "
+            << b->losses.dissipation;
+        if (points_.parts().find<contactPart>())
+        {
+            Info<< ", contact " << b->work.contact;
+        }
+        if (points_.erosion().erodes())
+        {
+            Info<< ", erosion " << b->erosion();
+        }
+        if (points_.damps())
+        {
+            Info<< ", damping " << b->damping;
+        }
+        if (b->hasGas)
+        {
+            const gasBudget& g = b->gas;
+            Info<< nl << "    gas " << g.energy << ", gained "
+                << g.energy - g.energy0 << ", boundary " << g.boundary
+                << ", external " << g.external << ", rigid " << g.rigid
+                << ", dry " << g.dry << ", fix-ups " << g.fixups << nl
+                << "    all";
+        }
+        else
+        {
+            Info<< ", remap " << b->remap() << ',';
+        }
+        Info<< " residual " << b->residual() << nl;
+    }
+    points_.reportSteps();
+}
+
+// ************************************************************************* //

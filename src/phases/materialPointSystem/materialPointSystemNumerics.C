@@ -1,0 +1,120 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointSystem.H"
+#include "pointEnergy.H"
+#include "dictionaryTools.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::materialPointSystem::readNumerics()
+{
+    const dictionary& dict =
+        requiredDict(mesh_.solutionDict(), "materialPoints");
+
+    checkNumerics(dict);
+    numerics_ = dict;
+    transfer_ = transfer(dict);
+    stressUpdate_ = stressUpdate::New(dict);
+    readLimits(dict);
+}
+
+
+void Foam::mpm::materialPointSystem::readLimits(const dictionary& dict)
+{
+    maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
+    maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
+}
+
+
+void Foam::mpm::materialPointSystem::checkNumerics(const dictionary& dict)
+{
+    wordList valid(transfer::keywords());
+    valid.append
+    (
+        wordList
+        ({
+            "shapeFunction", "dilatation", "stressUpdate", "energyBudget",
+            "maxTravel", "maxStrain"
+        })
+    );
+    checkKeywords(dict, valid);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::materialPointSystem::readModified()
+{
+    if (!mesh_.time().runTimeModifiable())
+    {
+        return;
+    }
+    const dictionary& dict =
+        requiredDict(mesh_.solutionDict(), "materialPoints");
+    if (numerics_ == dict)
+    {
+        return;
+    }
+
+    // What the run is built on stays
+    const wordList fixed
+    ({
+        "shapeFunction", "dilatation", "transfer", "stressUpdate"
+    });
+    wordList keys(dict.toc());
+    for (const word& key : numerics_.toc())
+    {
+        if (!keys.found(key))
+        {
+            keys.append(key);
+        }
+    }
+    dictionary now(dict);
+    wordList acts, later;
+    for (const word& key : keys)
+    {
+        const entry* a = numerics_.findEntry(key);
+        const entry* b = dict.findEntry(key);
+        if (a && b && *a == *b)
+        {
+            continue;
+        }
+        (fixed.found(key) ? later : acts).append(key);
+        if (fixed.found(key) && a)
+        {
+            now.set(a->clone(now).ptr());
+        }
+        else if (fixed.found(key))
+        {
+            now.remove(key);
+        }
+    }
+    checkNumerics(dict);
+    transfer_ = transfer(now);
+    readLimits(now);
+    if (now.getOrDefault<bool>("energyBudget", false))
+    {
+        energy_->startBudget();
+    }
+    if (acts.size())
+    {
+        Info<< "fvSolution.materialPoints has changed: " << flatOutput(acts)
+            << " act from time " << mesh_.time().timeName() << " on" << nl
+            << endl;
+    }
+    if (later.size())
+    {
+        WarningInFunction
+            << "fvSolution.materialPoints has changed: " << flatOutput(later)
+            << " act only in a new run; this one keeps the old ones." << endl;
+    }
+    numerics_ = dict;
+}
+
+// ************************************************************************* //

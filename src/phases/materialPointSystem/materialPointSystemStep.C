@@ -1,0 +1,405 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointSystem.H"
+#include "pointEnergy.H"
+#include "largestOfAll.H"
+#include "noTraps.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::materialPointSystem::keepStress()
+{
+    if (stressUpdate_->early())
+    {
+        for (materialPointPhase& phase : phases_)
+        {
+            phase.keepStress();
+        }
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::updateWaveRate()
+{
+    scalar rate = 0;
+    for (const materialPointPhase& phase : phases_)
+    {
+        rate = max(rate, phase.waveRate(g_));
+    }
+    waveRate_ = largestOfAll(rate);
+}
+
+
+Foam::scalar Foam::mpm::materialPointSystem::PICfraction
+(
+    const label fieldi,
+    const scalar dt
+) const
+{
+    // Grains without a law's stress have no waves until they are packed. With
+    // the rate of the packed ones the fraction would be a viscosity that holds
+    // loose grains. One fraction for a field keeps its momentum
+    bool loose = false, waves = false;
+    forAll(phases_, phasei)
+    {
+        const materialPointPhase& phase = phases_[phasei];
+        if (fieldOf_[phasei] == fieldi && !phase.motion())
+        {
+            const bool grains = phase.grains() && !phase.law().hasStress();
+            (grains ? loose : waves) = true;
+        }
+    }
+    return transfer_.fraction
+    (
+        dt*(rate_ + (loose && !waves ? 0 : waveRate_)),
+        loose && !waves
+    );
+}
+
+
+void Foam::mpm::materialPointSystem::activate(const bool changed)
+{
+    forAll(fields_, fieldi)
+    {
+        if (!changed)
+        {
+            fields_[fieldi].keepActive();
+            continue;
+        }
+        DynamicList<const labelList*> cells;
+        forAll(phases_, phasei)
+        {
+            if (fieldOf_[phasei] == fieldi)
+            {
+                cells.append(&phases_[phasei].cloud().cells());
+            }
+        }
+        fields_[fieldi].activate(cells, gridTransfer_->reach());
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::projectAll
+(
+    const pointGridTransfer::states state
+)
+{
+    const noTraps guard;
+
+    for (velocityField& field : fields_)
+    {
+        field.clearMomentum();
+    }
+    forAll(phases_, phasei)
+    {
+        // Nodes of rigid phases have a velocity without their mass
+        if (!phases_[phasei].motion())
+        {
+            gridTransfer_->project
+            (
+                phases_[phasei].cloud(),
+                state,
+                fields_[fieldOf_[phasei]].momentumNew()
+            );
+        }
+    }
+    parts_.within(&stepPart::projected, state);
+    for (velocityField& field : fields_)
+    {
+        field.sumMomentum();
+        field.velocity();
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::momentum(const scalar dt)
+{
+    const noTraps guard;
+    const timer t(clock_.nodes);
+
+    dt_ = dt;
+    for (velocityField& field : fields_)
+    {
+        field.newTime(dt);
+    }
+    parts_.within(&stepPart::constrain, dt);
+    for (velocityField& field : fields_)
+    {
+        field.momentumStep(dt, g_);
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::filterVelocity()
+{
+    const noTraps guard;
+    if (transfer_.kind == transfer::FMPM)
+    {
+        filter(velocityField::FMPM, 1);
+    }
+    else if (transfer_.kind == transfer::XPIC)
+    {
+        filter(velocityField::XPIC, 1);
+    }
+}
+
+
+Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
+{
+    const noTraps guard;
+    const timer t(clock_.move);
+
+    pointGridTransfer::moveRule rule;
+    rule.dt = dt;
+    rule.kind = transfer_.kind;
+    rule.mean = meanMove();
+    rule.energy = energy_->active();
+    rule.outflow = outflow_.get();
+
+    // Share of their velocity that points take from the nodes
+    projectedShare_ = 1;
+    forAll(fields_, fieldi)
+    {
+        if (transfer_.kind == transfer::FLIP)
+        {
+            projectedShare_[fieldi] = PICfraction(fieldi, dt);
+        }
+        fields_[fieldi].addProjected(projectedShare_[fieldi]);
+    }
+    parts_.within(&stepPart::moving, dt);
+
+    scalar travel = 0, rate = 0, work = 0, body = 0;
+    vector momentum(Zero);
+    badPoint bad{-1, -1, false};
+    forAll(phases_, phasei)
+    {
+        materialPointPhase& phase = phases_[phasei];
+        const velocityField& field = fields_[fieldOf_[phasei]];
+        rule.PICfraction = projectedShare_[fieldOf_[phasei]];
+        rule.bodyForce = phase.bodyAcceleration();
+        if (transfer_.kind == transfer::APIC && !phase.motion())
+        {
+            const bool moment = transfer_.moment;
+            gridTransfer_->affine
+            (
+                phase.cloud(),
+                moment,
+                moment ? field.UL() : field.U(),
+                moment ? 2*field.stride() : field.stride(),
+                dt
+            );
+        }
+        const pointGridTransfer::moveResult result
+        (
+            phase.motion()
+          ? phase.motion()->move(phase.cloud(), cellChanges_[phasei])
+          : gridTransfer_->move
+            (
+                phase.cloud(),
+                rule,
+                field.UL(),
+                cellChanges_[phasei]
+            )
+        );
+
+        travel = max(travel, result.travel);
+        rate = max(rate, result.rate);
+        work += result.work;
+        momentum += result.momentum;
+        body += result.bodyWork;
+
+        // Too far is no reason to stop yet: a smaller step may end inside
+        if
+        (
+            bad.phase < 0
+         && result.badPoint >= 0
+         && (!result.left || result.travel <= maxTravel_)
+        )
+        {
+            bad = badPoint{phasei, result.badPoint, result.left};
+        }
+    }
+    travel = largestOfAll(travel);
+    rate_ = largestOfAll(bad.phase < 0 ? rate : VGREAT);
+    if (rate_ >= VGREAT)
+    {
+        stop(bad);
+    }
+    energy_->addMove(dt, work, momentum, body);
+
+    forAll(fields_, fieldi)
+    {
+        fields_[fieldi].addProjectionImpulse(projectedShare_[fieldi]);
+    }
+
+    return travel <= maxTravel_ ? 1 : max(0.8*maxTravel_/travel, scalar(0.1));
+}
+
+
+Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
+{
+    bool changed = false;
+    {
+        const timer t(clock_.sort);
+        forAll(phases_, phasei)
+        {
+            phases_[phasei].cloud().exchange(cellChanges_[phasei]);
+            checkExtent(phases_[phasei], cellChanges_[phasei]);
+            if (phases_[phasei].cloud().sort(cellChanges_[phasei]))
+            {
+                changed = true;
+            }
+        }
+        activate(changed);
+        tentative_ = true;
+    }
+
+    scalar strain = 0;
+    {
+        const timer t(clock_.project);
+        projectAll(pointGridTransfer::tentative);
+    }
+    {
+        const timer t(clock_.nodes);
+        forAll(phases_, phasei)
+        {
+            strain = max
+            (
+                strain,
+                fields_[fieldOf_[phasei]].maxStrain
+                (
+                    phases_[phasei].cloud().cells(),
+                    dt
+                )
+            );
+        }
+    }
+    strain = largestOfAll(strain);
+
+    // Cells of different sizes
+    if (grid_.sameWidth() <= 0)
+    {
+        updateWaveRate();
+    }
+
+    return strain <= maxStrain_ ? 1 : max(0.8*maxStrain_/strain, scalar(0.1));
+}
+
+
+void Foam::mpm::materialPointSystem::accept(const scalar dt)
+{
+    for (materialPointPhase& phase : phases_)
+    {
+        phase.cloud().accept();
+    }
+    for (velocityField& field : fields_)
+    {
+        field.accept();
+    }
+    tentative_ = false;
+    parts_.act(&stepPart::accepted, dt);
+}
+
+
+void Foam::mpm::materialPointSystem::reject()
+{
+    ++nRedone_;
+    if (tentative_)
+    {
+        for (materialPointPhase& phase : phases_)
+        {
+            phase.cloud().reject();
+        }
+        for (velocityField& field : fields_)
+        {
+            field.reject();
+        }
+        updateWaveRate();
+    }
+    if (stressUpdate_->early())
+    {
+        for (materialPointPhase& phase : phases_)
+        {
+            phase.restoreStress();
+        }
+    }
+    tentative_ = false;
+    parts_.act(&stepPart::rejected);
+}
+
+
+void Foam::mpm::materialPointSystem::updateVaryingWaves()
+{
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (!phase.motion() && phase.law().waveSpeedVaries())
+        {
+            updateWaveRate();
+            return;
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::materialPointSystem::advance(const scalar dt, scalar& factor)
+{
+    keepStress();
+    parts_.act(&stepPart::begin, dt);
+    stressUpdate_->start(*this, dt);
+    parts_.act(&stepPart::start, dt);
+
+    // The right-hand side of (5) is that of the stress of the end of the last
+    // step (correctStress), unless a part changes it
+    if (parts_.changesForce())
+    {
+        force(0);
+    }
+    momentum(dt);                                       // (5)
+    parts_.act(&stepPart::impulse, dt);
+    filterVelocity();
+    parts_.act(&stepPart::exchange, dt);
+
+    factor = move(dt);                                  // (7), (8)
+    if (factor >= 1)
+    {
+        parts_.act(&stepPart::moved, dt);
+        stressUpdate_->moved(*this, dt);
+        factor = project(dt);                           // (6), (9)
+    }
+    if (factor < 1)
+    {
+        reject();
+        return false;
+    }
+    accept(dt);
+
+    stressUpdate_->end(*this, dt);                      // section 3.1
+    parts_.act(&stepPart::end, dt);
+    updateVaryingWaves();
+
+    return true;
+}
+
+
+void Foam::mpm::materialPointSystem::projectAnew(const scalar dt)
+{
+    const noTraps guard;
+
+    activate(true);
+    projectAll(pointGridTransfer::current);
+    for (velocityField& field : fields_)
+    {
+        field.replace();
+    }
+    force(dt);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,157 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointSystem.H"
+#include "noTraps.H"
+#include "OSspecific.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::string Foam::mpm::materialPointSystem::writeBeforeStop()
+{
+    // The state before the step is untouched: it is what gets written, but
+    // never over a state that is on disk already
+    Time& time = const_cast<Time&>(mesh_.time());
+    if (returnReduce(isDir(time.path()/time.timeName()), orOp<bool>()))
+    {
+        return
+            "The state before the step is that of time " + time.timeName()
+          + " on disk.";
+    }
+    writePoints();
+    time.writeNow();
+    return
+        "The state before the step is written to " + time.timeName() + ".";
+}
+
+
+void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
+{
+    const noTraps guard;
+    const string written(writeBeforeStop());
+
+    // One processor tells; it ends the others, which wait
+    const label teller = returnReduce
+    (
+        bad.phase < 0 ? labelMax : Pstream::myProcNo(),
+        minOp<label>()
+    );
+    if (teller != Pstream::myProcNo())
+    {
+        returnReduce(label(0), sumOp<label>());
+        return;
+    }
+
+    const Time& time = mesh_.time();
+    const scalar dt = time.deltaTValue();
+    const label pointi = bad.point;
+    materialPointPhase& phase = phases_[bad.phase];
+    materialPointCloud& cloud = phase.cloud();
+    const point x(cloud.position(pointi, cloud.cellOf(pointi)));
+
+    const bool badStress =
+        !std::isfinite(magSqr(cloud.sigma(pointi)))
+     || !std::isfinite(cloud.volume()[0][pointi]);
+
+    if (bad.left)
+    {
+        vector xNew(Zero);
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            xNew[grid_.direction(d)] = cloud.xNew()[d][pointi];
+        }
+        FatalErrorInFunction
+            << "Material point " << label(cloud.id()[0][pointi]) << " of "
+            << phase.name() << " leaves the mesh " << mesh_.bounds()
+            << ": from " << x << " with velocity " << cloud.velocity(pointi)
+            << " to " << xNew << " in the step of " << dt << " s after time "
+            << time.timeName() << "." << nl
+            << written.c_str() << nl
+            << "Make the mesh larger, keep points inside by the boundary"
+            << " conditions of U." << phase.velocityField()
+            << " (fixedValue or slip), or let them go:"
+            << "  outflow { patches (...); }  in constant/phaseProperties."
+            << exit(FatalError);
+    }
+    FatalErrorInFunction
+        << "Material point " << label(cloud.id()[0][pointi]) << " of "
+        << phase.name() << " at " << x << ", time " << time.timeName()
+        << ": " << (badStress ? "sigma (stress)" : "U (velocity)")
+        << " is not finite in the step of " << dt << " s." << nl
+        << written.c_str() << nl
+        << "A smaller maxCo in system/controlDict or maxStrain in"
+        << " fvSolution.materialPoints makes the step smaller."
+        << exit(FatalError);
+}
+
+
+void Foam::mpm::materialPointSystem::checkExtent
+(
+    materialPointPhase& phase,
+    const UList<materialPointCloud::cellChange>& cellChanges
+)
+{
+    // GIMP's stencil reaches one cell beyond: from two cell widths on weights
+    // would become negative
+    if (!gridTransfer_->hasExtent() || grid_.sameWidth() > 0)
+    {
+        return;
+    }
+    materialPointCloud& cloud = phase.cloud();
+    for (const materialPointCloud::cellChange& mv : cellChanges)
+    {
+        if (mv.cell >= grid_.nCells())
+        {
+            continue;
+        }
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            const scalar l = (*cloud.halfSize())[d][mv.point];
+            const scalar h = grid_.width(mv.cell, d);
+            if (l > 2*h)
+            {
+                FatalErrorInFunction
+                    << "Material point " << label(cloud.id()[0][mv.point])
+                    << " of " << phase.name() << " at "
+                    << mesh_.cellCentres()[mv.cell]
+                    << ", time " << mesh_.time().timeName()
+                    << ", has half-size " << l << " and moves into a cell"
+                    << " only " << h << " wide." << nl
+                    << "Use more points per cell in setMaterialPointsDict, or"
+                    << " a mesh that is graded less." << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::materialPointSystem::stopForStress
+(
+    const materialPointPhase& phase,
+    const label p,
+    const scalar dt
+) const
+{
+    const materialPointCloud& cloud = phase.cloud();
+    const point x(cloud.position(p, cloud.cellOf(p)));
+    FatalErrorInFunction
+        << "Material point " << label(cloud.id()[0][p]) << " of "
+        << phase.name() << " at " << x << ", step of " << dt
+        << " s after time " << mesh_.time().timeName()
+        << ": sigma (stress) from the law " << phase.law().type()
+        << " is not finite; velocity " << cloud.velocity(p)
+        << ", volume " << cloud.volume()[0][p] << "." << nl
+        << "Nothing is written: the last written time is the last"
+        << " good state." << nl
+        << "A smaller maxCo in system/controlDict or maxStrain in"
+        << " fvSolution.materialPoints makes the step smaller."
+        << exit(FatalError);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,165 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "phaseWatches.H"
+#include "materialPointSystem.H"
+#include "contactPart.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::phaseWatches::phaseWatches(materialPointSystem& points)
+:
+    stepPart("watches"),
+    points_(points),
+    warned_(points.fields().size() < 2),
+    watches_(points.phases().size())
+{
+    if (const contactPart* contact = points.parts().find<contactPart>())
+    {
+        warned_ = true;
+        for (label a = 0; a < points.fields().size(); ++a)
+        {
+            for (label b = a + 1; b < points.fields().size(); ++b)
+            {
+                warned_ = warned_ && contact->contact().between(a, b);
+            }
+        }
+    }
+    checkOverlap();
+    readWeights();
+    forAll(points.phases(), phasei)
+    {
+        const materialPointPhase& phase = points.phases()[phasei];
+        if (!phase.motion() && phase.law().holdsTogether())
+        {
+            watches_.set(phasei, new separationWatch(phase));
+        }
+    }
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::phaseWatches::readWeights()
+{
+    IOobject header
+    (
+        "cellWeights",
+        points_.mesh().time().timeName(),
+        points_.mesh(),
+        IOobject::MUST_READ,
+        IOobject::AUTO_WRITE
+    );
+    const bool found = header.typeHeaderOk<volScalarField>(true);
+    if (returnReduce(found, andOp<bool>()))
+    {
+        weights_.reset(new volScalarField(header, points_.mesh()));
+    }
+}
+
+
+void Foam::mpm::phaseWatches::updateWeights()
+{
+    if (!weights_)
+    {
+        return;
+    }
+
+    // As setMaterialPoints -cellWeights
+    weights_->primitiveFieldRef() = 0.02;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        const materialPointCloud& cloud = phase.cloud();
+        forAll(cloud.cells(), k)
+        {
+            (*weights_)[cloud.cells()[k]] +=
+                cloud.start()[k + 1] - cloud.start()[k];
+        }
+    }
+}
+
+
+void Foam::mpm::phaseWatches::checkOverlap()
+{
+    if (warned_)
+    {
+        return;
+    }
+    const contactPart* contact = points_.parts().find<contactPart>();
+    const hexGrid& grid = points_.grid();
+    labelList owner(grid.nNodes(), label(-1));
+    labelList rigidOf(grid.nNodes(), label(-1));
+    forAll(points_.fields(), fieldi)
+    {
+        const velocityField& field = points_.fields()[fieldi];
+        for (const label n : field.rigid().nodes())
+        {
+            rigidOf[n] = fieldi;
+        }
+        for (const label n : field.active())
+        {
+            if
+            (
+                grid.nodePoint()[n] < 0
+             || (
+                    rigidOf[n] != fieldi
+                 && !(field.momentum()[field.stride()*n + grid.nDim()] > 0)
+                )
+            )
+            {
+                continue;
+            }
+            if
+            (
+                owner[n] >= 0
+             && !warned_
+             && !(contact && contact->contact().between(owner[n], fieldi))
+            )
+            {
+                warned_ = true;
+                warnOfOverlap(owner[n], fieldi, n);
+            }
+            owner[n] = fieldi;
+        }
+    }
+}
+
+
+void Foam::mpm::phaseWatches::warnOfOverlap
+(
+    const label a,
+    const label b,
+    const label node
+)
+{
+    WarningInFunction
+        << "The velocity fields " << points_.fields()[a].name() << " and "
+        << points_.fields()[b].name() << " meet at "
+        << points_.mesh().points()[points_.grid().nodePoint()[node]]
+        << ", time " << points_.time().timeName()
+        << ". Nothing acts between them: phases with own velocity fields pass"
+        << " through each other. Give them the same velocityField in"
+        << " constant/phaseProperties to let them stick and push, or add"
+        << " contact { ... }; there." << endl;
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::phaseWatches::write()
+{
+    forAll(watches_, phasei)
+    {
+        if (watches_.set(phasei))
+        {
+            watches_[phasei].look(points_.phases()[phasei]);
+        }
+    }
+    updateWeights();
+}
+
+// ************************************************************************* //
