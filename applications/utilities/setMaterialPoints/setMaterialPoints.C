@@ -182,6 +182,11 @@ void readRegions
         return phases[names.find(r.phase())];
     };
 
+    const auto sameField = [&](const pointRegion& a, const pointRegion& b)
+    {
+        return phaseOf(a).velocityField() == phaseOf(b).velocityField();
+    };
+
     const dictionary& regionsDict = requiredDict(dict, "regions");
     const wordList keys(regionsDict.toc());
     if (keys.empty())
@@ -226,13 +231,23 @@ void readRegions
             }
         }
         region.checkTemperature(phase.cloud().temperature());
-        region.create(phase.rho());
-
         for (label j = 0; j < i; ++j)
         {
-            if (phaseOf(regions[j]).velocityField() == phase.velocityField())
+            if (sameField(regions[j], region))
             {
-                region.checkOverlap(regions[j]);
+                region.join(regions[j]);
+            }
+        }
+    }
+
+    forAll(regions, i)
+    {
+        regions[i].create(phaseOf(regions[i]).rho());
+        for (label j = 0; j < i; ++j)
+        {
+            if (sameField(regions[j], regions[i]))
+            {
+                regions[i].checkOverlap(regions[j]);
             }
         }
     }

@@ -60,8 +60,8 @@ def crackBar(name, h, pointsPerCell=2, angle=0.0, fly=0.0, entries=None):
             x*along + y*across for x, y in ((x0, -WIDTH/2), (x1, -WIDTH/2),
                                             (x1, WIDTH/2), (x0, WIDTH/2))]])
         moves = {} if phase == region else {"velocity": (*drift, 0)}
-        regions[region] = surfaceRegion(region + ".stl", phase=phase, parts="sampled", samples=4,
-                                        pointsPerCell=pointsPerCell, **moves)
+        regions[region] = surfaceRegion(region + ".stl", phase=phase, pointsPerCell=pointsPerCell,
+                                        **moves)
     case.write("system/setMaterialPointsDict", {"regions": regions})
     case.write("system/fvSolution", {"materialPoints": {
         "shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.005,

@@ -23,6 +23,9 @@ constexpr Foam::scalar tolerance = 1e-10;
 //  their size, which then is small, others are drawn in
 constexpr Foam::scalar smallBox = 0.1, smallPart = 1e-3;
 
+//- As far beyond a surface another region may begin, in half-sizes
+constexpr Foam::scalar beyond = 1e-3;
+
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -210,8 +213,8 @@ bool Foam::mpm::pointRegion::isBox(const label celli, const cutPoint& c) const
     return
         (!formula_ && !cutter_)
      || (
-            fit(celli, c, c.mean, l, way) == 1
-         && fit(celli, c, c.mean, (1 + 1e-6)*l, way) < 1
+            fit(celli, c, c.mean, l, false, way) == 1
+         && fit(celli, c, c.mean, (1 + 1e-6)*l, false, way) < 1
         );
 }
 
@@ -341,12 +344,26 @@ void Foam::mpm::pointRegion::joinSmallParts()
 }
 
 
+bool Foam::mpm::pointRegion::goesOn(const label celli, const point& x) const
+{
+    for (const pointRegionShape* shape : joined_)
+    {
+        if (shape->contains(celli, x))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 Foam::scalar Foam::mpm::pointRegion::fit
 (
     const label celli,
     const cutPoint& c,
     const point& x,
     const vector& l,
+    const bool inBody,
     vector& way
 ) const
 {
@@ -360,7 +377,11 @@ Foam::scalar Foam::mpm::pointRegion::fit
     const auto touch = [&](const scalar distance, const vector& n)
     {
         const scalar R = mag(cmptMultiply(l, n));
-        if (distance < factor*R)
+        if
+        (
+            distance < factor*R
+         && !(inBody && goesOn(celli, x + (distance + beyond*least)*n))
+        )
         {
             factor = distance/R;
             way = (distance - R)*n;
@@ -461,12 +482,24 @@ void Foam::mpm::pointRegion::placeCutPoints()
             continue;
         }
 
-        // A full box is drawn in, surface by surface
+        // Where another region goes on its points have the rest of the box
         vector way;
+        if
+        (
+            joined_.size()
+         && fit(cells_[k], c, p.x, p.halfSize, false, way) < 1
+         && fit(cells_[k], c, p.x, p.halfSize, true, way) == 1
+        )
+        {
+            p.halfSize = l;
+            continue;
+        }
+
+        // A full box is drawn in, surface by surface
         bool fits = false;
         for (label i = 0; i < nTries && !fits; ++i)
         {
-            fits = fit(cells_[k], c, p.x, p.halfSize, way) == 1;
+            fits = fit(cells_[k], c, p.x, p.halfSize, true, way) == 1;
             p.x += fits ? vector(Zero) : way;
         }
         scalar x[3];
@@ -483,7 +516,7 @@ void Foam::mpm::pointRegion::placeCutPoints()
         {
             // Too thin for it, or the mesh ends here
             p.x = c.mean;
-            p.halfSize = max(fit(cells_[k], c, p.x, l, way), least)*l;
+            p.halfSize = max(fit(cells_[k], c, p.x, l, true, way), least)*l;
         }
     }
     cut_.clearStorage();
