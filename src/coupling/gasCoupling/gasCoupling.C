@@ -367,7 +367,7 @@ Foam::mpm::gasCoupling::gasCoupling
     scalarField theta(mesh_.nCells());
     forAll(theta, c)
     {
-        theta[c] = max(1 - solidFraction(c), eps_);
+        theta[c] = max(1 - solidFraction(c), 1 - most_);
     }
     gas_.setTheta(theta);
     measureEnergy();

@@ -8,6 +8,7 @@ License
 
 #include "pointRegion.H"
 #include "dictionaryTools.H"
+#include "boxShape.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -158,13 +159,20 @@ Foam::mpm::pointRegion::pointRegion
     name_(dict.dictName()),
     phase_(oneOf(dict, "phase", phases)),
     shape_(pointRegionShape::New(grid, dict)),
+    rows_
+    (
+        inGas
+     && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
+     && grid.hasLattice()
+     && isA<boxShape>(*shape_)
+    ),
     inGas_
     (
         inGas
      || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"})
      == "sampled"
     ),
-    m_(boundedLabelOrDefault(dict, "samples", inGas_ ? 1 : 4, 1, 8)),
+    m_(boundedLabelOrDefault(dict, "samples", inGas_ && !rows_ ? 1 : 4, 1, 8)),
     volumeFraction_
     (
         boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)
@@ -240,9 +248,16 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     const scalar density =
         dict_.found("density") ? positive(dict_, "density") : rho;
 
-    for (label celli = 0; celli < grid_.nCells(); ++celli)
+    if (rows_)
     {
-        fill(celli, density);
+        fillRows(density);
+    }
+    else
+    {
+        for (label celli = 0; celli < grid_.nCells(); ++celli)
+        {
+            fill(celli, density);
+        }
     }
     if (!inGas_)
     {

@@ -23,13 +23,17 @@ bool Foam::mpm::pointRegion::overlaps
     const label celli = cells_[k];
     const hexMap map(grid_, celli);
 
-    for (label p = start_[k]; p < start_[k + 1]; ++p)
+    // Rows of a box fill what lies in it
+    const label n = rows_ ? nSub_ : start_[k + 1] - start_[k];
+    for (label j = 0; j < n; ++j)
     {
+        const label sub = rows_ ? j : sub_[start_[k] + j];
+
         // Positions away from the shapes' sides, which they may share
         for (label sample = 0; sample < nSamples_; ++sample)
         {
             scalar xi[3];
-            local(sub_[p], sample, xi);
+            local(sub, sample, xi);
 
             // Has the other region a point here?
             label otherSub = 0, stride = 1;
@@ -41,7 +45,8 @@ bool Foam::mpm::pointRegion::overlaps
             }
             if
             (
-                !std::binary_search
+                !other.rows_
+             && !std::binary_search
                 (
                     other.sub_.begin() + other.start_[otherK],
                     other.sub_.begin() + other.start_[otherK + 1],
