@@ -3,7 +3,8 @@
 
 Translation: points and gas move together with 100 m/s through cyclic sides; the
 pressure must stay uniform whatever the points do (dP/P 1e-12 in 1D, 1e-10 in 2D
-and 3D) and the fractions must add up to 1 (1e-3). Rest against walls: velocities
+and 3D) and the fractions must add up to 1 (1e-3). Boxes begin and end where the user
+put them, anyhow on the cells (1e-10 cells), with fractions that add up to 1. Rest against walls: velocities
 1e-11 m/s, dP/P 1e-13. A shock hits a moving block in a periodic box: momentum of
 gas and points 1e-12 of the block's and of the impulse, mass of the gas 1e-12,
 residual of the energy at most 1 % of what is exchanged and falling with the time
@@ -63,6 +64,7 @@ MOVING = {
     "1D, 4 points": (1, 60, box((20.3, 0, 0), (40.3, 1, 1)), (100, 0, 0), 50, 4, {}),
     "1D, no drag": (1, 60, box((20.3, 0, 0), (40.3, 1, 1)), (100, 0, 0), 50, 4,
                     {"drag": NONE}),
+    "1D, 7.78 cells": (1, 60, box((20.37, 0, 0), (28.15, 1, 1)), (100, 0, 0), 50, 2, {}),
     "1D, porous 0.6": (1, 60, {**box((20.3, 0, 0), (40.3, 1, 1)), "volumeFraction": 0.6},
                        (100, 0, 0), 50, 4, {}),
     "2D, block": (2, 30, box((5.2, 7.2, -1), (20.3, 20.3, 2)), (80, 60, 0), 20, 2, {}),
@@ -96,6 +98,33 @@ def moving(table, label):
     table.row(f"translation {label}: max |Theta - 1|", 0, np.max(abs(f["Theta"] - 1)), 1e-3,
               "atMost")
     table.row(f"translation {label}: fix-ups", 0, np.sum(f["fixups"][-1]), 0, "atMost")
+
+
+# Dimension, cells, low and high corner [cells], points per cell
+STARTING = (
+    (1, 60, (20.37, 0, 0), (40.37, 1, 1), 2),
+    (1, 60, (20.37, 0, 0), (28.15, 1, 1), 2),
+    (1, 60, (20.37, 0, 0), (24.15, 1, 1), 4),
+    (2, 30, (5.37, 7.13, -1), (20.15, 13.79, 2), 2),
+    (3, 12, (3.37, 2.13, 4.79), (8.37, 7.23, 9.29), 2))
+
+
+def starting(table):
+    """Boxes at any place, at rest."""
+    for i, (nDim, n, low, high, points) in enumerate(STARTING):
+        case = blockInGas("gasCoupling", f"start-{i}", nDim, n, box(low, high),
+                          steps=1, pointsPerCell=points, reports=1)
+        p = case.points("0", "block")
+        x, l = p["x"][:, :nDim]/H, p["halfSize"][:, :nDim]/H
+        label = f"box of {points} points per cell from {low[:nDim]} to {high[:nDim]} h"
+        table.row(f"{label}: where its points begin and end [cells]", 0, max(
+            np.abs((x - l).min(0) - low[:nDim]).max(),
+            np.abs((x + l).max(0) - high[:nDim]).max()), 1e-10)
+        volume = np.prod(np.subtract(high, low)[:nDim])*H**3
+        table.row(f"{label}: mass over the exact", 1, p["m"].sum()/(2700*volume), 1e-10)
+        case.run("materialPointFoam")
+        table.row(f"{label}: max |Theta - 1|", 0, np.abs(
+            volField(case, case.times()[-1], "Theta") - 1).max(), 1e-12)
 
 
 def resting(table, label, nDim, n, region, steps):
@@ -293,6 +322,7 @@ def thinImpact(table, solid, p, T):
 def main():
     table = Report("gasCoupling")
     parts = [(lambda label=label: moving(table, label)) for label in MOVING]
+    parts += [lambda: starting(table)]
     parts += [lambda: resting(table, "1D", 1, 60, box((20.3, 0, 0), (40.3, 1, 1)),
                               100000 if VERIFY else 10000),
               lambda: resting(table, "2D-wall", 2, 20, box((0, 0, -1), (10, 10.3, 2)),

@@ -6,6 +6,7 @@ volumes    table of setMaterialPoints and every cut sub-cell against closed form
            sphere, hollow sphere, tubes, composite shapes, surfaces, wedge; mass, centre
            and moment of inertia
 places     plates at any place begin and end there; a gap of 0.37 cells
+joined     regions of one body: centre of mass and moments as if it were one
 start      velocity with omega and functions of place: momentum, angular momentum
 messages   what the start table says, and what is refused
 ellipses   no ellipse of half-sizes, which contact sees, sticks out of a disc or sphere
@@ -300,6 +301,30 @@ def places(table):
         table.row(f"plates, {D}D: volume / exact - 1", 0, volume, 1e-10)
 
 
+def joined(table):
+    """A core in a box of the same velocity field: points at their common face keep the
+    moments, as if the body were one."""
+    h, R = 0.01, 0.0313
+    low, high = np.array((-0.0537, -0.0481, -0.0463)), np.array((0.0491, 0.0527, 0.0439))
+    centre = (0.0013, 0.0027, -0.0011)
+    ball = {"type": "sphere", "centre": centre, "radius": R}
+    for D in (2, 3):
+        box = {"type": "box", "min": low, "max": high}
+        case = build(f"joined-{D}D", (-0.06, -0.06, -0.06)[:D], h, (12,)*D, {
+            "core": ball, "shell": {"type": "difference", "shapes": {"a": box, "b": ball}}},
+            phases={n: soft(velocityField="body") for n in ("core", "shell")})
+        p = [case.points("0", n) for n in ("core", "shell")]
+        m, x, l = (np.concatenate([q[name] for q in p]) for name in ("m", "x", "halfSize"))
+        side, middle = (high - low)[:D], 0.5*(low + high)[:D]
+        M = RHO*np.prod(side)*(h if D == 2 else 1)
+        x, l = x[:, :D], l[:, :D]
+        table.row(f"core in a box, {D}D: mass", M, m.sum(), 1e-10, "relative")
+        table.row(f"core in a box, {D}D: centre of mass [cells]", 0,
+                  np.abs(m @ (x - middle)).max()/M/h, 1e-8)
+        table.row(f"core in a box, {D}D: second moments", 0, np.abs(
+            m @ ((x - middle)**2 + l**2/3)/(M*side**2/12) - 1).max(), 1e-8)
+
+
 def soft(**more):
     return {"constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": 1e6, "nu": 0.3},
             **more}
@@ -529,8 +554,8 @@ def sphere(table):
 
 
 def main():
-    return runParts("shapes", volumes, places, start, ellipses, messages, roll, slope,
-                    sphere)
+    return runParts("shapes", volumes, places, joined, start, ellipses, messages, roll,
+                    slope, sphere)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,6 @@ License
 
 #include "pointRegion.H"
 #include "dictionaryTools.H"
-#include "boxShape.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -163,8 +162,7 @@ Foam::mpm::pointRegion::pointRegion
     (
         inGas
      && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
-     && grid.hasLattice()
-     && isA<boxShape>(*shape_)
+     && standsInRows(grid, *shape_)
     ),
     inGas_
     (

@@ -482,12 +482,11 @@ void Foam::mpm::pointRegion::placeCutPoints()
             continue;
         }
 
-        // Where another region goes on its points have the rest of the box
+        // The box need not be full where another region goes on
         vector way;
         if
         (
             joined_.size()
-         && fit(cells_[k], c, p.x, p.halfSize, false, way) < 1
          && fit(cells_[k], c, p.x, p.halfSize, true, way) == 1
         )
         {

@@ -7,11 +7,29 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointRegion.H"
+#include "boxShape.H"
 
 #include <algorithm>
 #include <numeric>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::mpm::pointRegion::standsInRows
+(
+    const hexGrid& grid,
+    const pointRegionShape& shape
+)
+{
+    if (!grid.hasLattice() || !isA<boxShape>(shape))
+    {
+        return false;
+    }
+    const int r = grid.radial();
+    return
+        r < 0
+     || shape.bounds().min()[grid.direction(r)] >= grid.planes(r)[2];
+}
+
 
 void Foam::mpm::pointRegion::row
 (
