@@ -17,7 +17,7 @@ print(f"first damage by {time:.3f} s: {n} points about ({place[0]:+.4f} {place[1
       f"load {np.interp(time, t, force):.1f} N/m")
 print(f"    they reach {spread:.3f} m from the centre, where the exact tension is "
       f"{100*least:.1f} % of the centre's")
-print(f"peak load {force[i]:.1f} N/m at {t[i]:.4f} s (upper platen {top.max():.1f}, lower "
+print(f"peak load {force[i]:.1f} N/m at {t[i]:.4f} s (upper jaw {top.max():.1f}, lower "
       f"{bottom.max():.1f}), exact {EXACT:.1f}: {100*(force[i]/EXACT - 1):+.2f} %")
 print(f"kinetic over stored energy at first damage: "
       f"{100*np.interp(time, t, kinetic/strain):.2f} %")
@@ -25,8 +25,8 @@ print(f"residual of the energy budget: {100*residual[i]/strain[i]:+.2f} % of the
       f"at the peak, at most {100*abs(residual).max()/strain.max():.2f} % in all")
 
 figure, ax = plt.subplots(figsize=(7, 4), constrained_layout=True)
-ax.plot(t, top, lw=1, label="upper platen")
-ax.plot(t, bottom, lw=1, label="lower platen")
+ax.plot(t, top, lw=1, label="upper jaw")
+ax.plot(t, bottom, lw=1, label="lower jaw")
 ax.axhline(EXACT, color="k", ls=":", lw=1, label="pi R sigma_t")
 ax.axvline(time, color="0.6", lw=0.8)
 ax.set_xlabel("time [s]")

@@ -25,7 +25,7 @@ def points(case, time, phase, name):
 
 
 def loads(case="."):
-    """Times of the reports, force [N/m] of the upper and on the lower platen: mean since
+    """Times of the reports, force [N/m] of the upper and on the lower jaw: mean since
     the report before; kinetic and stored energy [J/m]; residual and
     remap of the energy [J/m]."""
     with open(os.path.join(case, "log.materialPointFoam")) as f:

@@ -123,8 +123,9 @@ def halfRun(name, changes, table, air=False):
 
 def half(table):
     cells = module("halfCylinder", "variants").cells
+    # 20 cells are too few for the round side: cracks 14 % shorter than with 30 and 40
     found = [halfRun(f"half{n}", cells(n), table)[0]
-             for n in ((20, 40, 80) if VERIFY else (20, 40))]
+             for n in ((30, 40, 80) if VERIFY else (30, 40))]
     for what, last, before in zip(("damaged area", "failed area over the width of the cells",
                                    "energy of the cracks"), found[-1], found[-2]):
         table.row(f"half-cylinder: {what}, last resolution over the one before", 1,
