@@ -73,9 +73,9 @@ Usage
 
     samples only counts where the parts are not known exactly: on meshes without
     a lattice, and for surfaces inside other shapes. There they are those of
-    samples^nDim positions in each sub-cell. In a gas and with parts sampled its
-    default is 1: whole sub-cells whose centres lie in the shape
-    (pointRegion.H).
+    samples^nDim positions in each sub-cell. In a gas (but for boxes, which have
+    equal points from face to face) and with parts sampled its default is 1:
+    whole sub-cells whose centres lie in the shape (pointRegion.H).
 
     Entries of the dictionary velocity, which are added up:
     \verbatim

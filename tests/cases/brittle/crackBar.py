@@ -40,7 +40,8 @@ def crackBar(name, h, pointsPerCell=2, angle=0.0, fly=0.0, entries=None):
         "phases": ["bar", "weak", "ends", "left", "right"], "bar": solid(1),
         "weak": solid(0.9), "ends": solid(1.5),
         "left": grip(-1), "right": grip(1)})
-    # The slice lies anyhow on the cells
+    # The slice lies anyhow on the cells: at 45 degrees the energy is 0.98 to 1.05 at most
+    # places, but 1.3 where the slice's middle lies on the diagonals of cells (shift 0, h/2)
     half, shift = 30e-3, 0.31*h
     n = int(round(2*half/h))
     case.write("system/blockMeshDict", boxMesh(
@@ -60,8 +61,8 @@ def crackBar(name, h, pointsPerCell=2, angle=0.0, fly=0.0, entries=None):
             x*along + y*across for x, y in ((x0, -WIDTH/2), (x1, -WIDTH/2),
                                             (x1, WIDTH/2), (x0, WIDTH/2))]])
         moves = {} if phase == region else {"velocity": (*drift, 0)}
-        regions[region] = surfaceRegion(region + ".stl", phase=phase, pointsPerCell=pointsPerCell,
-                                        **moves)
+        regions[region] = surfaceRegion(
+            region + ".stl", phase=phase, pointsPerCell=pointsPerCell, **moves)
     case.write("system/setMaterialPointsDict", {"regions": regions})
     case.write("system/fvSolution", {"materialPoints": {
         "shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.005,

@@ -2,13 +2,13 @@
 """Material points and a gas in the same cells.
 
 Translation: points and gas move together with 100 m/s through cyclic sides; the
-pressure must stay uniform whatever the points do (dP/P 1e-12 in 1D, 1e-10 in 2D
-and 3D) and the fractions must add up to 1 (1e-3). Boxes begin and end where the user
-put them, anyhow on the cells (1e-10 cells), with fractions that add up to 1. Rest against walls: velocities
-1e-11 m/s, dP/P 1e-13. A shock hits a moving block in a periodic box: momentum of
-gas and points 1e-12 of the block's and of the impulse, mass of the gas 1e-12,
-residual of the energy at most 1 % of what is exchanged and falling with the time
-step. One processor against two and four, restart bit by bit.
+pressure must stay uniform whatever the points do (dP/P 1e-12 in 1D, 1e-10 in 2D and
+3D) and the fractions must add up to 1 (1e-3). Boxes begin and end where the user put
+them, anyhow on the cells (1e-10 cells), with fractions that add up to 1. Rest against
+walls: velocities 1e-11 m/s, dP/P 1e-13. A shock hits a moving block in a periodic
+box: momentum of gas and points 1e-12 of the block's and of the impulse, mass of the
+gas 1e-12, residual of the energy at most 1 % of what is exchanged and falling with
+the time step. One processor against two and four, restart bit by bit.
 
 Light gas: blocks of steel, aluminium and rigid ones in gas of 1, 133 and 1e5 Pa, 300
 and 3000 K (densities of the solid up to 7e9 times that of the gas), 1e4 steps of maxCo

@@ -113,7 +113,9 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
         p.x = p.U = p.halfSize = Zero;
         p.sigma = sigma_;
         p.T = T_;
-        p.volume = volumeFraction_*(radial < 0 ? shape_->section() : grid_.sector());
+        p.volume =
+            volumeFraction_
+           *(radial < 0 ? shape_->section() : grid_.sector());
         scalar x[3] = {0, 0, 0};
         label rest = i;
         for (int d = 0; d < nDim; ++d)
