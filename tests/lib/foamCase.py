@@ -16,6 +16,7 @@ import resource
 import shutil
 import subprocess
 import sys
+import time
 
 import numpy as np
 
@@ -82,15 +83,20 @@ class FoamCase:
         with open(self.file(path), "w") as f:
             f.write(fileHeader(os.path.basename(path), kind) + foamText(entries))
 
-    def change(self, path, pattern, text):
-        """Replace a regular expression, which must be there, in a file."""
+    def change(self, path, pattern, text, age=0):
+        """Replace a regular expression, which must be there, in a file: at once, for runs
+        that read it meanwhile. Seconds of age."""
         with open(self.file(path)) as f:
             old = f.read()
         new, count = re.subn(pattern, text, old, flags=re.M)
         if not count:
             raise RunFailed(f"{pattern} not found in {self.file(path)}")
-        with open(self.file(path), "w") as f:
+        with open(self.file(path) + ".part", "w") as f:
             f.write(new)
+        if age:
+            os.utime(f.name, (time.time() - age,)*2)
+        shutil.copymode(self.file(path), f.name)
+        os.replace(f.name, self.file(path))
 
     def run(self, *command, limit=120, fails=False):
         """Run an application in the case; its output goes to log.<name>.

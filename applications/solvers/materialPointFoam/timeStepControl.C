@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "timeStepControl.H"
+#include "pointErosion.H"
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
 #include "fullPrecision.H"
@@ -50,6 +51,7 @@ Foam::mpm::timeStepControl::timeStepControl
     growFrom_(GREAT),
     fixedDeltaT_(0),
     last_(false),
+    endTime_(GREAT),
     largest_(0),
     fallen_(false),
     grown_(false)
@@ -67,14 +69,17 @@ Foam::mpm::timeStepControl::timeStepControl
         checkKeywords
         (
             state,
-            {"value", "origin", "growFrom", "points", "gas", "complete"}
+            {
+                "value", "origin", "growFrom", "points", "gas", "complete",
+                "newPoints"
+            }
         );
         requireClosed(file);
         if (!state.found("complete"))
         {
             FatalIOErrorInFunction(state)
-                << "File " << file << " was cut off: its last entry, complete,"
-                << " is missing." << nl
+                << "File " << file << " was cut off, or written by an older"
+                << " version: its last entry, complete, is missing." << nl
                 << "Start from an earlier time (remove or rename "
                 << time.timeName() << ")." << exit(FatalIOError);
         }
@@ -86,7 +91,8 @@ Foam::mpm::timeStepControl::timeStepControl
         time.setTime(value, time.timeIndex());
         origin_ = bounded(state, "origin", -GREAT, value);
         growFrom_ = positive(state, "growFrom");
-        if (points)
+        // Not of points that setMaterialPoints has put there since
+        if (points && !state.found("newPoints"))
         {
             points->setState(requiredDict(state, "points"));
         }
@@ -312,6 +318,15 @@ void Foam::mpm::timeStepControl::setDeltaT()
         // Time::run() ends by the time step of the last step
         return;
     }
+    if (points_ && points_->erosion().empty() && !gas_)
+    {
+        // Read like this: the run before has ended with it
+        Info<< "All material points have left through the patches of outflow."
+            << nl << endl;
+        time_.setEndTime(time_.value());
+        last_ = true;
+        return;
+    }
     const dictionary& dict = time_.controlDict();
     const bool adjust = dict.getOrDefault<bool>("adjustTimeStep", false);
 
@@ -516,14 +531,15 @@ void Foam::mpm::timeStepControl::report()
     {
         return;
     }
-    watchEnergy();
+    const scalar end =
+        endTime_ < GREAT ? endTime_ : min(time_.endTime().value(), GREAT);
     const scalar done =
-        (time_.value() - startTime_)
-       /max(min(time_.endTime().value(), GREAT) - startTime_, VSMALL);
+        (time_.value() - startTime_)/max(end - startTime_, VSMALL);
 
     Info<< "Progress: " << 100*min(done, scalar(1)) << " %, step "
         << time_.timeIndex() << ", about " << secondsLeft() << " s left" << nl;
     time_.printExecutionTime(Info);
+    watchEnergy();
 }
 
 

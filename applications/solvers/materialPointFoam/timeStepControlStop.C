@@ -20,6 +20,13 @@ void Foam::mpm::timeStepControl::stop(const string& reason)
     {
         return;
     }
+    const scalar end = time_.endTime().value();
+    if (!openEnd() && time_.value() >= end - 0.5*time_.deltaTValue())
+    {
+        Info<< nl << reason.c_str() << nl << endl;
+        return;
+    }
+    endTime_ = min(end, GREAT);
     Info<< nl << reason.c_str() << nl
         << "The run ends after this step, which is written." << nl << endl;
     time_.stopAt(Time::stopAtControls::saWriteNow);

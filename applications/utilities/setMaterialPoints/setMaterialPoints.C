@@ -31,7 +31,8 @@ Usage
         Only print the table; write nothing
 
       - \par -force
-        Also in a time that a run has written: its points are lost
+        Also in a time that a run has written: its points are lost, and what it
+        has summed up of them
 
     Example of system/setMaterialPointsDict:
     \verbatim
@@ -118,6 +119,9 @@ Usage
 #include "noTraps.H"
 #include "regionTable.H"
 #include "phaseNames.H"
+#include "fullPrecision.H"
+#include "IFstream.H"
+#include "OFstream.H"
 
 using namespace Foam;
 using namespace Foam::mpm;
@@ -330,6 +334,26 @@ void checkTime(const Time& time, const bool force)
 }
 
 
+//- Sums, bodies and budgets that a run has written are those of its points
+void forgetPoints(const Time& time)
+{
+    const fileName file(time.timePath()/"uniform"/"materialPointState");
+    if (!isFile(file))
+    {
+        return;
+    }
+    IFstream is(file);
+    dictionary state(is);
+    state.remove("points");
+    state.set("newPoints", true);
+
+    const fullPrecision allDigits;
+    OFstream os(file);
+    os.precision(17);
+    state.write(os, false);
+}
+
+
 //- Write the points in place of those that were there
 void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
 {
@@ -462,6 +486,7 @@ int main(int argc, char *argv[])
         {
             write(phases[i], regions);
         }
+        forgetPoints(runTime);
         if (withWeights)
         {
             writeCellWeights(refCast<const fvMesh>(mesh), phases);

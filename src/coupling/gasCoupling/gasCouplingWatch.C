@@ -107,6 +107,7 @@ void Foam::mpm::gasCoupling::watch()
     constexpr scalar mostFixed = 0.1;
 
     const noTraps guard;
+    const scalar fixed = returnReduce(gas_.fixed().energy, sumOp<scalar>());
     scalar most = mostGrains;
     for (const materialPointPhase& phase : points_.phases())
     {
@@ -140,7 +141,6 @@ void Foam::mpm::gasCoupling::watch()
         return;
     }
 
-    const scalar fixed = gas_.fixed().energy;
     if (mag(fixed) > mostFixed*energyOfAll_ && gas_.fixedCell() >= 0)
     {
         at = gas_.fixedCell();

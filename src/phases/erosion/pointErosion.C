@@ -364,6 +364,13 @@ void Foam::mpm::pointErosion::setState(const dictionary& state)
     read("outflow", left_);
     countStarted();
     checkDebris();
+
+    label n = 0;
+    for (const materialPointPhase& phase : phases_)
+    {
+        n += phase.motion() ? 0 : phase.cloud().size();
+    }
+    empty_ = points_.outflow() && !returnReduce(n, sumOp<label>());
 }
 
 // ************************************************************************* //

@@ -20,6 +20,7 @@ void Foam::mpm::materialPointSystem::readNumerics()
 
     checkNumerics(dict);
     numerics_ = dict;
+    numericsRead_ = dict;
     transfer_ = transfer(dict);
     stressUpdate_ = stressUpdate::New(dict);
     readLimits(dict);
@@ -57,16 +58,28 @@ void Foam::mpm::materialPointSystem::readModified()
     }
     const dictionary& dict =
         requiredDict(mesh_.solutionDict(), "materialPoints");
-    if (numerics_ == dict)
+    if (numericsRead_ == dict)
     {
         return;
     }
+    numericsRead_ = dict;
 
-    // What the run is built on stays
-    const wordList fixed
-    ({
-        "shapeFunction", "dilatation", "transfer", "stressUpdate"
-    });
+    // What the run is built on stays, and with another transfer what belongs to
+    // it
+    wordList fixed({"shapeFunction", "dilatation", "transfer", "stressUpdate"});
+    if
+    (
+        dict.getOrDefault<word>("transfer", "")
+     != numerics_.getOrDefault<word>("transfer", "")
+    )
+    {
+        fixed = transfer::keywords();
+        fixed.append(wordList({"shapeFunction", "dilatation", "stressUpdate"}));
+    }
+    if (energy_->active())
+    {
+        fixed.append("energyBudget");
+    }
     wordList keys(dict.toc());
     for (const word& key : numerics_.toc())
     {
@@ -114,7 +127,7 @@ void Foam::mpm::materialPointSystem::readModified()
             << "fvSolution.materialPoints has changed: " << flatOutput(later)
             << " act only in a new run; this one keeps the old ones." << endl;
     }
-    numerics_ = dict;
+    numerics_ = now;
 }
 
 // ************************************************************************* //

@@ -214,10 +214,26 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
 
     const fastest& most = sound.rate >= speed.rate ? sound : speed;
     const fastest& other = sound.rate >= speed.rate ? speed : sound;
-    return
-        most.rate > 0 && other.rate > 0.1*most.rate
-      ? string(most.words + "; " + other.words)
-      : most.words;
+    string words
+    (
+        most.rate > 0 ? most.words : string("nothing: no point has a speed")
+    );
+    if (most.rate > 0 && other.rate > 0.1*most.rate)
+    {
+        words += "; " + other.words;
+    }
+    for (const stepPart* part : parts_.all())
+    {
+        if (part->courantRate() > most.rate)
+        {
+            OStringStream os;
+            os.precision(4);
+            os  << part->waves() << " through " << part->courantRate()
+                << " cells a second; then " << words.c_str();
+            words = os.str();
+        }
+    }
+    return words;
 }
 
 

@@ -17,7 +17,7 @@ Foam::mpm::phaseDamping::phaseDamping(materialPointSystem& points)
 :
     stepPart("damping"),
     points_(points),
-    damped_(false)
+    damped_(0)
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -37,28 +37,26 @@ bool Foam::mpm::phaseDamping::damps() const
 
 void Foam::mpm::phaseDamping::start(const scalar dt)
 {
-    if (damped_)
-    {
-        return;
-    }
-    damped_ = true;
+    const scalar more = dt - damped_;
+    const bool again = damped_ > 0;
+    damped_ = dt;
 
-    bool slower = false;
+    bool changed = false;
     for (materialPointPhase& phase : points_.phases())
     {
-        if (phase.damping())
+        if (phase.damping() && !(again && phase.damping()->kinetic()))
         {
             const scalar K = phase.kineticEnergy();
-            const scalar factor = phase.damping()->factor(dt, K);
-            if (factor < 1)
+            const scalar factor = phase.damping()->factor(more, K);
+            if (factor != 1)
             {
                 phase.scaleVelocity(factor);
                 points_.energy().sums().damping -= (1 - sqr(factor))*K;
-                slower = true;
+                changed = true;
             }
         }
     }
-    if (slower)
+    if (changed)
     {
         points_.projectAnew(0);
     }

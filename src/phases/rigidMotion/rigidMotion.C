@@ -116,18 +116,23 @@ Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
             const point x(placement_.position(X));
             const vector U(placement_.velocityAt(x));
 
+            // The place of the motion may be whole periods away
             scalar at[3], old[3] = {0, 0, 0};
+            const bool finite = std::isfinite(magSqr(x));
             for (int d = 0; d < D; ++d)
             {
                 at[d] = x[grid_.direction(d)];
+                const scalar L = grid_.period(d);
+                if (finite && L > 0)
+                {
+                    at[d] -= L*std::round((at[d] - cloud.x()[d][p])/L);
+                }
             }
 
-            // Through cyclic sides as often as it takes, also from the layer
-            // of ghosts behind them
+            // Through cyclic sides as often as it takes
             label to = -1;
-            bool wrapped = std::isfinite(magSqr(x));
-            const bool finite = wrapped;
-            while (wrapped)
+            bool wrapped = finite;
+            while (to < 0 && wrapped)
             {
                 std::copy(at, at + D, old);
                 to = grid_.locate(celli, at);

@@ -525,6 +525,12 @@ def outflow(table):
     table.check("block that flies out: the run ends when nothing is left",
                 s[-1, 1] == 0 and "All material points have left" in case.log()
                 and case.log().rstrip().endswith("End") and float(case.times()[-1]) < 0.01)
+    times = case.times()
+    case.change("system/controlDict", "startFrom.*?;", "startFrom latestTime;")
+    case.run("materialPointFoam")
+    table.check("block that flies out: nothing to go on with from its end", case.times()
+                == times and "All material points have left" in case.log()
+                and case.log().rstrip().endswith("End"), case.times())
 
     for contact in (False, True):
         label = "plate driven out" + (", contact" if contact else "")

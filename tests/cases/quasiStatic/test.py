@@ -14,10 +14,13 @@ axis       thick tube on a wedge, inner pressure (Lame)
 sphere     hollow sphere on a wedge, inner pressure (Lame)
 restart    kinetic damping and a load that grows: bit by bit
 parallel   the same on two processors
+redone     viscous damping where steps are redone
+source     a load is no growth of energy without a source
 bad input  messages
 """
 
 import os
+import re
 import sys
 
 import numpy as np
@@ -251,6 +254,36 @@ def parallel(table):
                                     ("x", "U", "sigma", "V")), 1e-9)
 
 
+def redone(table, rate=0.5, U=5*C, end=1.0):
+    """A block flies freely, viscous damping, steps that are redone: U exp(-rate t)."""
+    case = build("redone", (4*int(U*end/4) + 8, 2),
+                 {"type": "box", "min": (2.5, 0, 0), "max": (4.5, 1, 1),
+                  "velocity": (U, 0, 0)}, {"damping": {"type": "viscous", "rate": rate}},
+                 end, maxCo=0.9)
+    # Steps grow to 0.75 of a cell and are made smaller
+    case.write("system/fvSolution", {"materialPoints": {**FLIP, "maxTravel": 0.5}})
+    case.run("materialPointFoam")
+    n = int(re.findall(r"steps redone: (\d+)", case.log())[-1])
+    u = case.points(case.times()[-1], "body")["U"][:, 0]
+    table.check("viscous damping: steps were redone", n > 10, n)
+    table.row("viscous damping, redone steps: velocity over the exact", 1,
+              u.mean()/(U*np.exp(-rate*end)), 1e-9)
+    e = energyAtEnd(case)
+    table.row("viscous damping, redone steps: term damping over what K lost", 1,
+              e["damping"]/(0.5*2*RHO*U**2*(np.exp(-2*rate*end) - 1)), 1e-9)
+
+
+def source(table):
+    """A load is a source of energy: without a budget nothing is warned of."""
+    case = growing("source", ())
+    case.write("system/fvSolution", {"materialPoints": {**FLIP, "energyBudget": False}})
+    case.change("system/controlDict", r"functions\s*\{[\s\S]*", "reportInterval 1;")
+    case.run("materialPointFoam")
+    strain = [float(w) for w in re.findall(r"strain (\S+),", case.log())]
+    table.check("a load that does work is no growth without a source", "Energy has grown"
+                not in case.log() and strain[-1] > 10*strain[0], strain[-1])
+
+
 def badInput(table):
     top = {"pressure": 1.0}
     for what, phase, words in (
@@ -289,6 +322,8 @@ def main():
         lambda: sphere(table),
         lambda: restart(table),
         lambda: parallel(table),
+        lambda: redone(table),
+        lambda: source(table),
         lambda: badInput(table)]
     if VERIFY:
         tests += [lambda: ring(table, 16, 0.02), lambda: hole(table, 10, 0.05)]

@@ -185,6 +185,20 @@ def limits(table):
                     "Warning") >= 1 and "more than maxEnergyGrowth" in c.log()
                 and float(c.times()[-1]) < 1e-3, c.times()[-1])
 
+    # Found in the last step
+    end = c.times()[-1]
+    c.change("system/controlDict", "maxEnergyGrowth .*?;", "maxEnergyGrowth 0.05;")
+    c.change("system/controlDict", "endTime .*?;", f"endTime {end}; reportInterval 100000;")
+    c.change("system/controlDict", "writeInterval.*?;", f"writeInterval {float(end)/2!r};")
+    for t in c.times()[1:]:
+        shutil.rmtree(c.file(t))
+    c.run("materialPointFoam")
+    table.check("energy that has grown in the last step: it is the last",
+                "more than maxEnergyGrowth" in c.log() and c.log().rstrip().endswith("End")
+                and abs(float(c.times()[-1])/float(end) - 1) < 1e-9, c.times())
+    table.check("energy that has grown in the last step: progress of the end",
+                re.findall(r"^Progress: (\S+) %", c.log(), re.M)[-1] == "100")
+
 
 def edited(table):
     """fvSolution that is changed while the run goes on."""
@@ -201,21 +215,28 @@ def edited(table):
         def until(words):
             for _ in range(300):
                 time.sleep(0.1)
-                if words in open(c.file("log.edited")).read():
+                if re.search(words, open(c.file("log.edited")).read()):
                     return True
             return False
 
         until("\nTime = ")
         c.change("system/fvSolution", "order 2;", "order 3; maxStrain 0.1;\nstressUpdate USL;")
         acts = until("act from time")
+        # Another transfer, then one more entry: each 20 s younger than the one before
+        c.change("system/fvSolution", r"transfer FMPM;\s+order 3;", "transfer APIC;", age=-20)
+        stays = until(r"changed: \d*\([^)]*\btransfer\b[^)]*\) *\n? *act only")
+        c.change("system/fvSolution", "maxStrain 0.1;", "maxStrain 0.15;", age=-40)
+        goesOn = until(r"\(maxStrain\) act")
         p.send_signal(signal.SIGTERM)
-        p.wait(60)
+        status = p.wait(60)
     text = " ".join(open(c.file("log.edited")).read().split())
     table.check("fvSolution edited while running: what acts is named", acts and re.search(
         r"fvSolution.materialPoints has changed: \d*\((order maxStrain|maxStrain order)\) act"
         r" from time", text) is not None)
     table.check("fvSolution edited while running: what does not act is named",
                 "(stressUpdate) act only in a new run" in text)
+    table.check("fvSolution edited while running: another transfer waits for a new run, what"
+                " comes after acts", stays and goesOn and status == 0, f"exit {status}")
 
 
 def main():

@@ -19,6 +19,7 @@ piston     a rigid piston moves into an elastic bar of the same velocity field a
            (3.8 %; 3.1 % with strainFilter 0) and is held to the two bars' error
 parallel   a paddle turns into a block, GIMP and linear: points and impulse on 4
            processors as on one, to 1e-10
+round      a rigid box goes twice through cyclic sides, one and two processors: places
 """
 
 import os
@@ -304,6 +305,49 @@ def parallel(table, shape):
               np.linalg.norm(impulse(four, "paddle") - J)/np.linalg.norm(J), 1e-10)
 
 
+def around(table):
+    cells, end = (12, 6), 20.0
+    for n in ((1, 1, 1), (2, 1, 1), (1, 2, 1)):
+        label = f"{n[0]} x {n[1]} processors"
+        case = FoamCase("rigid", f"round-{n[0]}-{n[1]}")
+        case.write("system/blockMeshDict", boxMesh((0, 0, 0), (*cells, 1), (*cells, 1), {
+            "left": ("cyclic; neighbourPatch right", ("x-",)),
+            "right": ("cyclic; neighbourPatch left", ("x+",)),
+            "low": ("cyclic; neighbourPatch high", ("y-",)),
+            "high": ("cyclic; neighbourPatch low", ("y+",)), "sides": ("empty", ("z-", "z+"))}))
+        v = np.array((1.0, 0.7))
+        case.write("constant/phaseProperties", {"phases": ["box", "dot"], "box": {
+            "type": "rigid", "rho": 1, "velocityField": "box",
+            "motion": {"type": "translation", "velocity": f"({v[0]} {v[1]} 0)"}},
+            "dot": {"constitutiveModel": LAW, "velocityField": "dot"}})
+        for field in ("box", "dot"):
+            velocityFile(case, field, {**{p: "cyclic" for p in ("left", "right", "low", "high")},
+                                       "sides": "empty"})
+        case.write("system/setMaterialPointsDict", {"regions": {
+            "box": {"phase": "box", "pointsPerCell": 2, "type": "box", "min": (3, 1, 0),
+                    "max": (6, 2, 1)},
+            "dot": {"phase": "dot", "pointsPerCell": 2, "type": "box", "min": (0, 4, 0),
+                    "max": (1, 5, 1)}}})
+        case.write("system/fvSolution", {"materialPoints": FLIP})
+        noSchemes(case)
+        case.write("system/controlDict", {**controlDict(end, end, maxCo=0.3),
+                                          "maxDeltaT": 0.3, "maxCo": 1})
+        case.run("blockMesh")
+        case.run("setMaterialPoints")
+        start = case.points("0", "box").byId("x")[:, :2]
+        if n != (1, 1, 1):
+            case.decompose(n)
+            case.runParallel()
+        else:
+            case.run("materialPointFoam")
+        x = case.points(f"{end:g}", "box").byId("x")[:, :2]
+        off = (x - start - end*v)/cells
+        table.row(f"box through cyclic sides, {label}: place", 0,
+                  np.abs(off - np.round(off)).max(), 1e-12)
+        table.check(f"box through cyclic sides, {label}: inside",
+                    (x >= 0).all() and (x <= cells).all(), (x.min(), x.max()))
+
+
 def main():
     table = Report("rigid")
     hit = (0.1, -1, 0)
@@ -330,7 +374,8 @@ def main():
         lambda: motions(table),
         lambda: restart(table),
         lambda: parallel(table, "GIMP"),
-        lambda: parallel(table, "linear"))
+        lambda: parallel(table, "linear"),
+        lambda: around(table))
     for test in tests:
         try:
             test()

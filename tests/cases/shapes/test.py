@@ -448,7 +448,21 @@ def messages(table):
           "has been written by a run", "startFrom startTime;", "-force")
     table.check("after a run: its points are there",
                 np.array_equal(x, case.points(case.times()[-1], "a")["x"]))
+
+    # With -force a run starts anew there
+    control = controlDict(2e-3, 1e-3, deltaT=1e-3)
+    control["startFrom"] = "latestTime"
+    case.write("system/controlDict", control)
+    state = case.file(case.times()[-1], "uniform/materialPointState")
+    with open(state) as f:
+        old = f.read()
+    with open(state, "w") as f:
+        f.write(old.replace("stepsRedone     0;", "stepsRedone     7;"))
     case.run("setMaterialPoints", "-force")
+    case.run("materialPointFoam")
+    table.check("after a run, -force: what the run had summed up is gone",
+                "stepsRedone     0;" in old and "steps redone: 0" in case.log(),
+                re.findall("steps redone: .*", case.log())[-1:])
 
 
 def free(**more):

@@ -93,14 +93,23 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
     parts[Pstream::myProcNo()] = found;
     Pstream::gatherList(parts);
     Pstream::scatterList(parts);
+    label nPairs = 0;
     for (const List<labelPair>& part : parts)
     {
-        pairs_.append(part);
+        nPairs += part.size();
     }
-    for (const labelPair& pair : pairs_)
+    pairs_.setSize(nPairs);
+    id_.setSize(2*nPairs);
+    nPairs = 0;
+    for (const List<labelPair>& part : parts)
     {
-        id_.append(pair.first());
-        id_.append(pair.second());
+        for (const labelPair& pair : part)
+        {
+            pairs_[nPairs] = pair;
+            id_[2*nPairs] = pair.first();
+            id_[2*nPairs + 1] = pair.second();
+            ++nPairs;
+        }
     }
     inplaceUniqueSort(id_);
     for (labelPair& pair : pairs_)
