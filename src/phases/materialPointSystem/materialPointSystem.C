@@ -266,7 +266,6 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
                 phase.cloud(),
                 moment,
                 moment ? field.UL() : field.U(),
-                moment ? 2*field.stride() : field.stride(),
                 dt
             );
         }
@@ -285,7 +284,7 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
             (
                 phase.cloud(),
                 rule,
-                field.UL(),
+                field.velocities(),
                 cellChanges_[phasei]
             )
         );

@@ -67,7 +67,7 @@ void Foam::mpm::materialPointSystem::startAffine()
             {
                 continue;
             }
-            gridTransfer_->affine(cloud, false, field.U(), field.stride(), 0);
+            gridTransfer_->affine(cloud, false, field.U(), 0);
             column& C = *cloud.affine();
             column& CNew = *cloud.affineNew();
             for (int c = 0; c < C.nComponents(); ++c)

@@ -158,8 +158,7 @@ void shapeTransfer<Shape, DIM, HOOP>::projectAffine
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-template<int STRIDE>
-void shapeTransfer<Shape, DIM, HOOP>::affineFrom
+void shapeTransfer<Shape, DIM, HOOP>::affine
 (
     materialPointCloud& cloud,
     const bool moment,
@@ -182,7 +181,7 @@ void shapeTransfer<Shape, DIM, HOOP>::affineFrom
             if (moment && shapeType::hasMoments)
             {
                 shape_.moments(celli, s, X, L, S, D);
-                shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
+                shapeType::template gatherGradient<P>(S, s.nodes, u, G);
                 for (int i = 0; i < DIM*DIM; ++i)
                 {
                     G[i] /= D[i % DIM];
@@ -191,7 +190,7 @@ void shapeTransfer<Shape, DIM, HOOP>::affineFrom
             else
             {
                 shape_.evaluate(s, X, L, S);
-                shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
+                shapeType::template gatherGradient<P>(S, s.nodes, u, G);
                 shape_.toPhysical(S, G);
             }
             for (int i = 0; i < DIM; ++i)
@@ -215,27 +214,6 @@ void shapeTransfer<Shape, DIM, HOOP>::affineFrom
         },
         [&](const stencil&) {}
     );
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::affine
-(
-    materialPointCloud& cloud,
-    const bool moment,
-    const scalar* u,
-    const label stride,
-    const scalar dt
-) const
-{
-    if (stride == P)
-    {
-        affineFrom<P>(cloud, moment, u, dt);
-    }
-    else
-    {
-        affineFrom<2*P>(cloud, moment, u, dt);
-    }
 }
 
 
@@ -330,7 +308,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
 (
     materialPointCloud& cloud,
     const moveRule& rule,
-    const scalar* u,
+    const nodeVelocities& u,
     DynamicList<materialPointCloud::cellChange>& cellChanges
 ) const
 {
@@ -374,8 +352,8 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             if (rule.kind == transfer::FLIP)
             {
                 T uL[DIM];
-                shapeType::template gather<DIM, 2*P>(S, s.nodes, u, uL);
-                shapeType::template gather<DIM, 2*P>(S, s.nodes, u + P, du);
+                shapeType::template gather<DIM, P>(S, s.nodes, u.UL, uL);
+                shapeType::template gather<DIM, P>(S, s.nodes, u.dU, du);
                 for (int d = 0; d < DIM; ++d)
                 {
                     // (7) and (8)
@@ -385,7 +363,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             }
             else
             {
-                shapeType::template gather<DIM, 2*P>(S, s.nodes, u, V);
+                shapeType::template gather<DIM, P>(S, s.nodes, u.UL, V);
                 for (int d = 0; d < DIM; ++d)
                 {
                     const T v = load<W>(U[d] + p);
@@ -397,10 +375,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             {
                 if (rule.kind != transfer::FLIP)
                 {
-                    shapeType::template gather<DIM, 2*P>
-                    (
-                        S, s.nodes, u + P, du
-                    );
+                    shapeType::template gather<DIM, P>(S, s.nodes, u.dU, du);
                 }
                 // Lanes beyond n may hold anything
                 const auto own = load<W>(lane) < broadcast<W>(n);
@@ -543,7 +518,7 @@ void shapeTransfer<Shape, DIM, HOOP>::massTimes
             geo.load(p, X, L);
             weightsType S;
             shape_.evaluate(s, X, L, S);
-            shapeType::template gather<DIM, 2*P>(S, s.nodes, u, q);
+            shapeType::template gather<DIM, P>(S, s.nodes, u, q);
             const T m = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {

@@ -39,7 +39,8 @@ Foam::mpm::velocityField::velocityField
     mUNew_(stride_*grid.nNodes()),
     f_(stride_*grid.nNodes()),
     U_(stride_*grid.nNodes()),
-    UL_(2*stride_*grid.nNodes()),
+    UL_(stride_*grid.nNodes()),
+    dU_(stride_*grid.nNodes()),
     strainIsU_(true),
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),
@@ -244,6 +245,7 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
     const scalar* __restrict__ U = U_.data();
     const scalar* __restrict__ f = f_.data();
     scalar* __restrict__ UL = UL_.data();
+    scalar* __restrict__ dU = dU_.data();
 
     scalar gd[3] = {0, 0, 0};
     for (int d = 0; d < nDim_; ++d)
@@ -257,31 +259,30 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
         const scalar dtm = m > 0 ? dt/m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            UL[2*stride_*n + d] =
+            UL[stride_*n + d] =
                 m > 0 ? U[stride_*n + d] + dtm*f[stride_*n + d] + dt*gd[d] : 0;
         }
     }
     if (reactions_)
     {
         reactions_->start(dt, active_, shared_);
-        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+        reactions_->add(active_, -1, UL, stride_, mU, stride_);
     }
     rigid_.begin(dt, g);
-    rigid_.take(UL, 2*stride_, mU, stride_);
-    rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
+    rigid_.take(UL, stride_, mU, stride_);
+    rigid_.addImpulse(UL, stride_, false, mU, stride_);
     rigid_.addTractionImpulse(dt);
-    constrain(UL, 2*stride_, false, false);
+    constrain(UL, stride_, false, false);
     if (reactions_)
     {
-        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
+        reactions_->add(active_, 1, UL, stride_, mU, stride_);
     }
 
     for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            UL[2*stride_*n + stride_ + d] =
-                UL[2*stride_*n + d] - U[stride_*n + d];
+            dU[stride_*n + d] = UL[stride_*n + d] - U[stride_*n + d];
         }
     }
 }
@@ -322,7 +323,7 @@ Foam::scalar Foam::mpm::velocityField::boundaryWork
         const scalar part = share_.size() ? share_[n] : 1;
         for (int d = 0; m > 0 && d < nDim_; ++d)
         {
-            const scalar du = UL_.data()[2*stride_*n + stride_ + d];
+            const scalar du = dU_.data()[stride_*n + d];
             const scalar J =
                 m*(du - dt*g[grid_.direction(d)])
               - dt*f_.data()[stride_*n + d];
@@ -334,7 +335,7 @@ Foam::scalar Foam::mpm::velocityField::boundaryWork
         add(n);
     }
 
-    return w + rigid_.tractionWork(dt, U_.data(), UL_.data(), stride_);
+    return w + rigid_.tractionWork(dt, U_.data(), dU_.data(), stride_);
 }
 
 
@@ -347,15 +348,16 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
 {
     const scalar* mU = mU_.data();
     scalar* UL = UL_.data();
+    scalar* dU = dU_.data();
     for (const label n : active_)
     {
         const scalar m = mU[stride_*n + nDim_];
         const scalar rm = m > 0 ? 1/m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            // The increment takes what is left after boundary conditions
-            UL[2*stride_*n + stride_ + d] -= UL[2*stride_*n + d];
-            UL[2*stride_*n + d] += rm*impulse[stride_*n + d];
+            // du takes what is left after boundary conditions
+            dU[stride_*n + d] -= UL[stride_*n + d];
+            UL[stride_*n + d] += rm*impulse[stride_*n + d];
         }
     }
 
@@ -367,22 +369,22 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            free[nDim_*i + d] = UL[2*stride_*nodes[i] + d];
+            free[nDim_*i + d] = UL[stride_*nodes[i] + d];
         }
     }
     if (reactions_)
     {
-        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
+        reactions_->add(active_, -1, UL, stride_, mU, stride_);
     }
     if (!bodiesKnow)
     {
-        rigid_.take(UL, 2*stride_, mU, stride_);
+        rigid_.take(UL, stride_, mU, stride_);
     }
-    rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
-    constrain(UL, 2*stride_, false, false);
+    rigid_.addImpulse(UL, stride_, false, mU, stride_);
+    constrain(UL, stride_, false, false);
     if (reactions_)
     {
-        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
+        reactions_->add(active_, 1, UL, stride_, mU, stride_);
     }
     forAll(nodes, i)
     {
@@ -391,7 +393,7 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
             (share_.size() ? share_[n] : 1)*mU[stride_*n + nDim_];
         for (int d = 0; m > 0 && d < nDim_; ++d)
         {
-            const scalar u = UL[2*stride_*n + d];
+            const scalar u = UL[stride_*n + d];
             work +=
                 m*(u - free[nDim_*i + d])*0.5*(U_.data()[stride_*n + d] + u);
         }
@@ -400,7 +402,7 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            UL[2*stride_*n + stride_ + d] += UL[2*stride_*n + d];
+            dU[stride_*n + d] += UL[stride_*n + d];
         }
     }
     return work;
@@ -554,7 +556,7 @@ Foam::scalar Foam::mpm::velocityField::bytes() const
         scalar(grid_.nNodes())
        *(
             sizeof(scalar)*stride_
-           *(7 + (work_.data() ? 3 : 0) + (Ustrain_.data() ? 1 : 0))
+           *(7 + (increment_.data() ? 2 : 0) + (Ustrain_.data() ? 1 : 0))
           + sizeof(label)
         )
       + sizeof(label)*scalar(active_.size() + activeNew_.size());
