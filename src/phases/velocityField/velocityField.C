@@ -45,7 +45,8 @@ Foam::mpm::velocityField::velocityField
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),
     shared_(grid.shared(reach)),
-    fixedElsewhere_(false),
+    fixed_(grid, shared_, Ufield_),
+    slip_(grid, shared_, Ufield_, fixed_.nodes()),
     rigid_(grid),
     UNew_(stride_*grid.nNodes())
 {
@@ -56,8 +57,11 @@ Foam::mpm::velocityField::velocityField
             << Ufield_.dimensions() << "; they must be " << dimVelocity
             << " (m/s)." << exit(FatalError);
     }
-    readBoundary();
-    updateFixed(0);
+    checkBoundary();
+    addConstraint(fixed_);
+    addConstraint(slip_);
+    addConstraint(rigid_);
+    fixed_.update(0);
 
     if (Pstream::parRun())
     {
@@ -189,33 +193,33 @@ void Foam::mpm::velocityField::constrain
     const bool tentative
 ) const
 {
-    forAll(fixedNode_, i)
+    for (const nodeConstraint* constraint : constraints_)
     {
-        for (int d = 0; d < nDim_; ++d)
-        {
-            u[stride*fixedNode_[i] + d] =
-                homogeneous ? 0 : fixedValue_[nDim_*i + d];
-        }
+        constraint->impose(u, stride, homogeneous, tentative);
     }
-    forAll(slipNode_, i)
+}
+
+
+void Foam::mpm::velocityField::constrainStep
+(
+    scalar* u,
+    const bool homogeneous
+)
+{
+    const scalar* mU = mU_.data();
+    if (reactions_)
     {
-        scalar* un = u + stride*slipNode_[i];
-        const scalar* R = slipProjection_.cdata() + nDim_*nDim_*i;
-        scalar v[3];
-        for (int a = 0; a < nDim_; ++a)
-        {
-            v[a] = 0;
-            for (int b = 0; b < nDim_; ++b)
-            {
-                v[a] += R[nDim_*a + b]*un[b];
-            }
-        }
-        for (int a = 0; a < nDim_; ++a)
-        {
-            un[a] = v[a];
-        }
+        reactions_->add(active_, -1, u, mU, stride_);
     }
-    rigid_.impose(u, stride, homogeneous, tentative);
+    for (nodeConstraint* constraint : constraints_)
+    {
+        constraint->addImpulse(u, homogeneous, mU, stride_);
+    }
+    constrain(u, stride_, homogeneous, false);
+    if (reactions_)
+    {
+        reactions_->add(active_, 1, u, mU, stride_);
+    }
 }
 
 
@@ -266,17 +270,11 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
     if (reactions_)
     {
         reactions_->start(dt, active_, shared_);
-        reactions_->add(active_, -1, UL, stride_, mU, stride_);
     }
     rigid_.begin(dt, g);
-    rigid_.take(UL, stride_, mU, stride_);
-    rigid_.addImpulse(UL, stride_, false, mU, stride_);
+    rigid_.take(UL, mU, stride_);
+    constrainStep(UL, false);
     rigid_.addTractionImpulse(dt);
-    constrain(UL, stride_, false, false);
-    if (reactions_)
-    {
-        reactions_->add(active_, 1, UL, stride_, mU, stride_);
-    }
 
     for (const label n : active_)
     {
@@ -290,19 +288,10 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
 
 Foam::labelList Foam::mpm::velocityField::constrained() const
 {
-    labelHashSet nodes(fixedNode_);
-    nodes.insert(slipNode_);
-    forAll(rigid_.nodes(), i)
+    labelHashSet nodes;
+    for (const nodeConstraint* constraint : constraints_)
     {
-        // What a free body takes it has
-        if (!rigid_.isFree(rigid_.nodePhases()[i]))
-        {
-            nodes.insert(rigid_.nodes()[i]);
-        }
-        else
-        {
-            nodes.erase(rigid_.nodes()[i]);
-        }
+        constraint->mark(nodes);
     }
     // Columns of other nodes are of a step long ago
     nodes &= labelHashSet(active_);
@@ -372,20 +361,11 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
             free[nDim_*i + d] = UL[stride_*nodes[i] + d];
         }
     }
-    if (reactions_)
-    {
-        reactions_->add(active_, -1, UL, stride_, mU, stride_);
-    }
     if (!bodiesKnow)
     {
-        rigid_.take(UL, stride_, mU, stride_);
+        rigid_.take(UL, mU, stride_);
     }
-    rigid_.addImpulse(UL, stride_, false, mU, stride_);
-    constrain(UL, stride_, false, false);
-    if (reactions_)
-    {
-        reactions_->add(active_, 1, UL, stride_, mU, stride_);
-    }
+    constrainStep(UL, false);
     forAll(nodes, i)
     {
         const label n = nodes[i];
@@ -487,7 +467,9 @@ void Foam::mpm::velocityField::needReactions()
 {
     if (!reactions_)
     {
-        reactions_.reset(new nodeReactions(grid_, parts_, shared_));
+        DynamicList<nodeReactions::part> parts(fixed_.parts());
+        parts.append(slip_.parts());
+        reactions_.reset(new nodeReactions(grid_, parts, shared_));
     }
 }
 

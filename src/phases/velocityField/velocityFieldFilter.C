@@ -128,20 +128,14 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
     }
 
     // The sum keeps the fixed velocities: increments have none there
-    const bool takes = reactions_ && s != strain;
-    if (takes)
+    rigid_.takeIncrement(v, mU, stride_, s != strain);
+    if (s == strain)
     {
-        reactions_->add(active_, -1, v, stride_, mU, stride_);
+        constrain(v, stride_, true, false);
     }
-    rigid_.takeIncrement(v, stride_, mU, stride_, s != strain);
-    if (s != strain)
+    else
     {
-        rigid_.addImpulse(v, stride_, true, mU, stride_);
-    }
-    constrain(v, stride_, true, false);
-    if (takes)
-    {
-        reactions_->add(active_, 1, v, stride_, mU, stride_);
+        constrainStep(v, true);
     }
 }
 
