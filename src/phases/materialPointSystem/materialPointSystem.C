@@ -45,15 +45,15 @@ void Foam::mpm::materialPointSystem::updateWaveRate()
 }
 
 
-Foam::scalar Foam::mpm::materialPointSystem::PICfraction
+Foam::mpm::moveCoefficients Foam::mpm::materialPointSystem::coefficients
 (
     const label fieldi,
     const scalar dt
 ) const
 {
     // Grains without a law's stress have no waves until they are packed. With
-    // the rate of the packed ones the fraction would be a viscosity that holds
-    // loose grains. One fraction for a field keeps its momentum
+    // the rate of the packed ones a PIC fraction would be a viscosity that holds
+    // loose grains. One set of coefficients for a field keeps its momentum
     bool loose = false, waves = false;
     forAll(phases_, phasei)
     {
@@ -64,11 +64,13 @@ Foam::scalar Foam::mpm::materialPointSystem::PICfraction
             (grains ? loose : waves) = true;
         }
     }
-    return transfer_.fraction
-    (
-        dt*(rate_ + (loose && !waves ? 0 : waveRate_)),
-        loose && !waves
-    );
+    const bool grains = loose && !waves;
+    return transfer_->coefficients
+    ({
+        dt*(rate_ + (grains ? 0 : waveRate_)),
+        grains,
+        meanMove()
+    });
 }
 
 
@@ -214,14 +216,7 @@ void Foam::mpm::materialPointSystem::momentum(const scalar dt)
         budget_.step.contact = returnReduce(work, sumOp<scalar>());
     }
 
-    if (transfer_.kind == transfer::FMPM)
-    {
-        filter(velocityField::FMPM, 1);
-    }
-    else if (transfer_.kind == transfer::XPIC)
-    {
-        filter(velocityField::XPIC, 1);
-    }
+    filter(transfer_->filtered(), 1);
 }
 
 
@@ -232,19 +227,16 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
 
     pointGridTransfer::moveRule rule;
     rule.dt = dt;
-    rule.kind = transfer_.kind;
-    rule.mean = meanMove();
     rule.energy = budget_.active;
     rule.outflow = outflow_.get();
 
     // Share of their velocity that points take from the nodes
-    scalarList projected(fields_.size(), scalar(1));
+    List<moveCoefficients> take(fields_.size());
+    scalarList projected(fields_.size());
     forAll(fields_, fieldi)
     {
-        if (transfer_.kind == transfer::FLIP)
-        {
-            projected[fieldi] = PICfraction(fieldi, dt);
-        }
+        take[fieldi] = coefficients(fieldi, dt);
+        projected[fieldi] = take[fieldi].projected();
         fields_[fieldi].addProjected(projected[fieldi]);
     }
 
@@ -256,11 +248,11 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
     {
         materialPointPhase& phase = phases_[phasei];
         const velocityField& field = fields_[fieldOf_[phasei]];
-        rule.PICfraction = projected[fieldOf_[phasei]];
+        rule.take = take[fieldOf_[phasei]];
         rule.bodyForce = phase.bodyAcceleration();
-        if (transfer_.kind == transfer::APIC && !phase.motion())
+        if (transfer_->affine() != transferScheme::none && !phase.motion())
         {
-            const bool moment = transfer_.moment;
+            const bool moment = transfer_->affine() == transferScheme::moment;
             gridTransfer_->affine
             (
                 phase.cloud(),

@@ -24,7 +24,7 @@ void Foam::mpm::materialPointSystem::readNumerics()
 
     checkNumerics(dict);
     numerics_ = dict;
-    transfer_ = transfer(dict);
+    transfer_ = transferScheme::New(dict);
     stressUpdate_ = stressUpdate::New(dict);
     readLimits(dict);
 }
@@ -39,7 +39,7 @@ void Foam::mpm::materialPointSystem::readLimits(const dictionary& dict)
 
 void Foam::mpm::materialPointSystem::checkNumerics(const dictionary& dict)
 {
-    wordList valid(transfer::keywords());
+    wordList valid(transferScheme::keywordsOfAll(dict));
     valid.append
     (
         wordList
@@ -218,7 +218,7 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
                 requiredDict(properties_, names[phasei]),
                 // Contact sees the points' boxes with every shape function
                 gridTransfer_->hasExtent() || properties_.found("contact"),
-                transfer_.kind == transfer::APIC
+                transfer_->affine() != transferScheme::none
             )
         );
         erodes_ = erodes_ || phases_[phasei].erosion();
@@ -372,7 +372,7 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
     }
     if
     (
-        transfer_.kind == transfer::APIC
+        transfer_->affine() != transferScheme::none
      && !returnReduce(haveAffine, orOp<bool>())
     )
     {
@@ -412,7 +412,7 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
         << mesh.solutionDict().subDict("materialPoints").get<word>("shapeFunction")
         << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "")
         << ", stress update " << stressUpdate_->name() << nl << "    ";
-    transfer_.write(Info);
+    transfer_->write(Info);
     reportBalance();
     Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
         << " buffers, " << gridBytes()/max(nPoints(), label(1))

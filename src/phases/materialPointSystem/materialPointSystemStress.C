@@ -25,7 +25,7 @@ void Foam::mpm::materialPointSystem::filter
         return;
     }
     const timer t(clock_.project);
-    for (label k = 1; k < transfer_.order; ++k)
+    for (label k = 1; k < transfer_->order(); ++k)
     {
         forAll(fields_, fieldi)
         {
@@ -53,7 +53,7 @@ void Foam::mpm::materialPointSystem::filter
         }
         if (contact_)
         {
-            contact_->filter(s != velocityField::strain);
+            contact_->filter(s != velocityField::ofStrain);
         }
         for (velocityField& field : fields_)
         {
@@ -79,7 +79,8 @@ void Foam::mpm::materialPointSystem::finishForce(const scalar dt)
 void Foam::mpm::materialPointSystem::strainVelocity()
 {
     const noTraps guard;
-    const bool filtered = transfer_.order > 1 && transfer_.strainFilter > 0;
+    const bool filtered =
+        transfer_->order() > 1 && transfer_->strainFilter() > 0;
     for (velocityField& field : fields_)
     {
         field.strainFromU(filtered || contact_);
@@ -88,7 +89,7 @@ void Foam::mpm::materialPointSystem::strainVelocity()
     {
         contact_->applyStrainImpulses(dt_);
     }
-    filter(velocityField::strain, transfer_.strainFilter);
+    filter(velocityField::ofStrain, transfer_->strainFilter());
 }
 
 
@@ -96,7 +97,7 @@ void Foam::mpm::materialPointSystem::strainVelocityL()
 {
     for (velocityField& field : fields_)
     {
-        field.strainFromUL(transfer_.strainFilter);
+        field.strainFromUL(transfer_->strainFilter());
     }
 }
 
@@ -132,7 +133,7 @@ void Foam::mpm::materialPointSystem::strainVelocityAnew()
             contact_->applyStrainImpulses(dt_);
         }
     }
-    filter(velocityField::strain, transfer_.strainFilter);
+    filter(velocityField::ofStrain, transfer_->strainFilter());
 }
 
 

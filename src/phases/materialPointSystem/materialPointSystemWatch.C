@@ -233,7 +233,7 @@ void Foam::mpm::materialPointSystem::readModified()
         }
     }
     checkNumerics(dict);
-    transfer_ = transfer(now);
+    transfer_ = transferScheme::New(now);
     readLimits(now);
     if (now.getOrDefault<bool>("energyBudget", false))
     {

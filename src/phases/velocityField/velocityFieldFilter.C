@@ -85,7 +85,7 @@ void Foam::mpm::velocityField::startFilter(const series s)
         product_ = alignedArray(stride_*grid_.nNodes());
     }
     const scalar* from =
-        s == FMPM ? UL_.data() : s == XPIC ? U_.data() : Ustrain_.data();
+        s == ofUL ? UL_.data() : s == ofU ? U_.data() : Ustrain_.data();
     scalar* v = increment_.data();
     for (const label n : active_)
     {
@@ -128,8 +128,8 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
     }
 
     // The sum keeps the fixed velocities: increments have none there
-    rigid_.takeIncrement(v, mU, stride_, s != strain);
-    if (s == strain)
+    rigid_.takeIncrement(v, mU, stride_, s != ofStrain);
+    if (s == ofStrain)
     {
         constrain(v, stride_, true, false);
     }
@@ -143,7 +143,7 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
 void Foam::mpm::velocityField::addIncrement(const series s, const scalar weight)
 {
     const scalar* v = increment_.data();
-    scalar* to = s == strain ? Ustrain_.data() : UL_.data();
+    scalar* to = s == ofStrain ? Ustrain_.data() : UL_.data();
     for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)
