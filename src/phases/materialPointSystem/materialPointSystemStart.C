@@ -411,7 +411,7 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
         << "    shape function "
         << mesh.solutionDict().subDict("materialPoints").get<word>("shapeFunction")
         << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "")
-        << ", stress update " << stressUpdate_->name() << nl << "    ";
+        << ", stress update " << stressUpdate_->type() << nl << "    ";
     transfer_->write(Info);
     reportBalance();
     Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
