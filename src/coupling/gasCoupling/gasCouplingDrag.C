@@ -106,7 +106,7 @@ void Foam::mpm::gasCoupling::dragPhase(const label phasei, const scalar dt)
                 for (int d = 0; d < D; ++d)
                 {
                     mU[sums_.grid().direction(d)] +=
-                        share[i]*UL[2*stride*nodes[i] + d];
+                        share[i]*UL[stride*nodes[i] + d];
                 }
             }
             for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)

@@ -231,7 +231,7 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
     {
         u[fieldi] = fields_[fieldi].UL();
     }
-    const int step = 2*fields_[0].stride();
+    const int step = fields_[0].stride();
     if (bodies_.size())
     {
         solveBodies(u, step, dt);
@@ -375,7 +375,7 @@ void Foam::mpm::pointContact::filter(const bool changes)
             continue;
         }
         const contactPair& pair = pairs_[m.pair];
-        const int step = 2*fields_[pair.a].stride();
+        const int step = fields_[pair.a].stride();
         scalar* va = fields_[pair.a].increment() + step*m.node;
         scalar* vb =
             pair.b < 0 ? nullptr : fields_[pair.b].increment() + step*m.node;

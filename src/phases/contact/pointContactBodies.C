@@ -340,7 +340,7 @@ void Foam::mpm::pointContact::shareIncrement()
             continue;
         }
         const contactPair& pair = pairs_[m.pair];
-        const int step = 2*fields_[pair.a].stride();
+        const int step = fields_[pair.a].stride();
         const scalar part = fields_[pair.a].part(m.node);
         scalar dv[3] = {0, 0, 0}, dvn = 0;
         for (int d = 0; d < nDim_; ++d)
@@ -393,7 +393,7 @@ void Foam::mpm::pointContact::shareIncrement()
             rigidNodes::bodyOf{bodies_[b].phase, bodies_[b].body},
             W[b]
         );
-        rigid.impose(field.increment(), 2*field.stride(), true, false);
+        rigid.impose(field.increment(), field.stride(), true, false);
     }
 }
 

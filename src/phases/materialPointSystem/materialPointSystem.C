@@ -84,12 +84,12 @@ bool Foam::mpm::materialPointSystem::damps() const
 
 void Foam::mpm::materialPointSystem::couple(pointCoupling& coupling)
 {
-    if (stressUpdate_->early() || word(stressUpdate_->name()) != "MUSL")
+    if (stressUpdate_->early())
     {
         FatalIOErrorInFunction
         (
             mesh_.solutionDict().subDict("materialPoints")
-        )   << "stressUpdate " << stressUpdate_->name() << " does not work in"
+        )   << "stressUpdate " << stressUpdate_->type() << " does not work in"
             << " a gas, which has to act on the stress of the start of the"
             << " step." << nl << "Valid choice: MUSL" << exit(FatalIOError);
     }

@@ -21,7 +21,7 @@ void Foam::mpm::materialPointSystem::readNumerics()
     checkNumerics(dict);
     numerics_ = dict;
     numericsRead_ = dict;
-    transfer_ = transfer(dict);
+    transfer_ = transferScheme::New(dict);
     stressUpdate_ = stressUpdate::New(dict);
     readLimits(dict);
 }
@@ -36,7 +36,7 @@ void Foam::mpm::materialPointSystem::readLimits(const dictionary& dict)
 
 void Foam::mpm::materialPointSystem::checkNumerics(const dictionary& dict)
 {
-    wordList valid(transfer::keywords());
+    wordList valid(transferScheme::keywordsOfAll(dict));
     valid.append
     (
         wordList
@@ -73,7 +73,7 @@ void Foam::mpm::materialPointSystem::readModified()
      != numerics_.getOrDefault<word>("transfer", "")
     )
     {
-        fixed = transfer::keywords();
+        fixed = transferScheme::keywordsOfAll(dict);
         fixed.append(wordList({"shapeFunction", "dilatation", "stressUpdate"}));
     }
     if (energy_->active())
@@ -109,7 +109,7 @@ void Foam::mpm::materialPointSystem::readModified()
         }
     }
     checkNumerics(dict);
-    transfer_ = transfer(now);
+    transfer_ = transferScheme::New(now);
     readLimits(now);
     if (now.getOrDefault<bool>("energyBudget", false))
     {

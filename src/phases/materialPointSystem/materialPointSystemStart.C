@@ -90,7 +90,7 @@ void Foam::mpm::materialPointSystem::readPhases()
                 requiredDict(properties_, names[phasei]),
                 // Contact sees the points' boxes with every shape function
                 gridTransfer_->hasExtent() || properties_.found("contact"),
-                transfer_.kind == transfer::APIC
+                transfer_->affine() != transferScheme::none
             )
         );
     }
@@ -287,7 +287,7 @@ void Foam::mpm::materialPointSystem::startAffine()
             {
                 continue;
             }
-            gridTransfer_->affine(cloud, false, field.U(), field.stride(), 0);
+            gridTransfer_->affine(cloud, false, field.U(), 0);
             column& C = *cloud.affine();
             column& CNew = *cloud.affineNew();
             for (int c = 0; c < C.nComponents(); ++c)
@@ -369,8 +369,8 @@ void Foam::mpm::materialPointSystem::reportStart() const
         << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
         << "    shape function " << numerics_.get<word>("shapeFunction")
         << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "")
-        << ", stress update " << stressUpdate_->name() << nl << "    ";
-    transfer_.write(Info);
+        << ", stress update " << stressUpdate_->type() << nl << "    ";
+    transfer_->write(Info);
     reportBalance();
     Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
         << " buffers, " << gridBytes()/max(nPoints(), label(1))
@@ -443,7 +443,7 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
     }
     if
     (
-        transfer_.kind == transfer::APIC
+        transfer_->affine() != transferScheme::none
      && !returnReduce(haveAffine, orOp<bool>())
     )
     {

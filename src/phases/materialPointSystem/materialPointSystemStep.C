@@ -37,15 +37,15 @@ void Foam::mpm::materialPointSystem::updateWaveRate()
 }
 
 
-Foam::scalar Foam::mpm::materialPointSystem::PICfraction
+Foam::mpm::moveCoefficients Foam::mpm::materialPointSystem::coefficients
 (
     const label fieldi,
     const scalar dt
 ) const
 {
     // Grains without a law's stress have no waves until they are packed. With
-    // the rate of the packed ones the fraction would be a viscosity that holds
-    // loose grains. One fraction for a field keeps its momentum
+    // the rate of the packed ones a PIC fraction would be a viscosity that holds
+    // loose grains. One set of coefficients for a field keeps its momentum
     bool loose = false, waves = false;
     forAll(phases_, phasei)
     {
@@ -56,11 +56,13 @@ Foam::scalar Foam::mpm::materialPointSystem::PICfraction
             (grains ? loose : waves) = true;
         }
     }
-    return transfer_.fraction
-    (
-        dt*(rate_ + (loose && !waves ? 0 : waveRate_)),
-        loose && !waves
-    );
+    const bool grains = loose && !waves;
+    return transfer_->coefficients
+    ({
+        dt*(rate_ + (grains ? 0 : waveRate_)),
+        grains,
+        meanMove()
+    });
 }
 
 
@@ -140,14 +142,7 @@ void Foam::mpm::materialPointSystem::momentum(const scalar dt)
 void Foam::mpm::materialPointSystem::filterVelocity()
 {
     const noTraps guard;
-    if (transfer_.kind == transfer::FMPM)
-    {
-        filter(velocityField::FMPM, 1);
-    }
-    else if (transfer_.kind == transfer::XPIC)
-    {
-        filter(velocityField::XPIC, 1);
-    }
+    filter(transfer_->filtered(), 1);
 }
 
 
@@ -158,19 +153,15 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
 
     pointGridTransfer::moveRule rule;
     rule.dt = dt;
-    rule.kind = transfer_.kind;
-    rule.mean = meanMove();
     rule.energy = energy_->active();
     rule.outflow = outflow_.get();
 
     // Share of their velocity that points take from the nodes
-    projectedShare_ = 1;
+    List<moveCoefficients> take(fields_.size());
     forAll(fields_, fieldi)
     {
-        if (transfer_.kind == transfer::FLIP)
-        {
-            projectedShare_[fieldi] = PICfraction(fieldi, dt);
-        }
+        take[fieldi] = coefficients(fieldi, dt);
+        projectedShare_[fieldi] = take[fieldi].projected();
         fields_[fieldi].addProjected(projectedShare_[fieldi]);
     }
     parts_.within(&stepPart::moving, dt);
@@ -182,17 +173,16 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
     {
         materialPointPhase& phase = phases_[phasei];
         const velocityField& field = fields_[fieldOf_[phasei]];
-        rule.PICfraction = projectedShare_[fieldOf_[phasei]];
+        rule.take = take[fieldOf_[phasei]];
         rule.bodyForce = phase.bodyAcceleration();
-        if (transfer_.kind == transfer::APIC && !phase.motion())
+        if (transfer_->affine() != transferScheme::none && !phase.motion())
         {
-            const bool moment = transfer_.moment;
+            const bool moment = transfer_->affine() == transferScheme::moment;
             gridTransfer_->affine
             (
                 phase.cloud(),
                 moment,
                 moment ? field.UL() : field.U(),
-                moment ? 2*field.stride() : field.stride(),
                 dt
             );
         }
@@ -204,7 +194,7 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
             (
                 phase.cloud(),
                 rule,
-                field.UL(),
+                field.velocities(),
                 cellChanges_[phasei]
             )
         );

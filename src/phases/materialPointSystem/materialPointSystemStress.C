@@ -25,7 +25,7 @@ void Foam::mpm::materialPointSystem::filter
         return;
     }
     const timer t(clock_.project);
-    for (label k = 1; k < transfer_.order; ++k)
+    for (label k = 1; k < transfer_->order(); ++k)
     {
         forAll(fields_, fieldi)
         {
@@ -51,7 +51,7 @@ void Foam::mpm::materialPointSystem::filter
             field.sumColumn(Mv);
             field.nextIncrement(s);
         }
-        parts_.within(&stepPart::filtered, s != velocityField::strain);
+        parts_.within(&stepPart::filtered, s != velocityField::ofStrain);
         for (velocityField& field : fields_)
         {
             field.addIncrement(s, weight);
@@ -77,13 +77,13 @@ void Foam::mpm::materialPointSystem::finishForce(const scalar dt)
 void Foam::mpm::materialPointSystem::strainVelocity()
 {
     const noTraps guard;
-    const bool filtered = transfer_.order > 1 && transfer_.strainFilter > 0;
+    const bool filtered = transfer_->order() > 1 && transfer_->strainFilter() > 0;
     for (velocityField& field : fields_)
     {
         field.strainFromU(filtered || parts_.changesStrain());
     }
     parts_.within(&stepPart::strainVelocity, dt_);
-    filter(velocityField::strain, transfer_.strainFilter);
+    filter(velocityField::ofStrain, transfer_->strainFilter());
 }
 
 
@@ -91,7 +91,7 @@ void Foam::mpm::materialPointSystem::strainVelocityL()
 {
     for (velocityField& field : fields_)
     {
-        field.strainFromUL(transfer_.strainFilter);
+        field.strainFromUL(transfer_->strainFilter());
     }
 }
 
@@ -124,7 +124,7 @@ void Foam::mpm::materialPointSystem::strainVelocityAnew()
         }
         parts_.within(&stepPart::strainVelocity, dt_);
     }
-    filter(velocityField::strain, transfer_.strainFilter);
+    filter(velocityField::ofStrain, transfer_->strainFilter());
 }
 
 

@@ -158,8 +158,7 @@ void shapeTransfer<Shape, DIM, HOOP>::projectAffine
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-template<int STRIDE>
-void shapeTransfer<Shape, DIM, HOOP>::affineFrom
+void shapeTransfer<Shape, DIM, HOOP>::affine
 (
     materialPointCloud& cloud,
     const bool moment,
@@ -182,7 +181,7 @@ void shapeTransfer<Shape, DIM, HOOP>::affineFrom
             if (moment && shapeType::hasMoments)
             {
                 shape_.moments(celli, s, X, L, S, D);
-                shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
+                shapeType::template gatherGradient<P>(S, s.nodes, u, G);
                 for (int i = 0; i < DIM*DIM; ++i)
                 {
                     G[i] /= D[i % DIM];
@@ -191,7 +190,7 @@ void shapeTransfer<Shape, DIM, HOOP>::affineFrom
             else
             {
                 shape_.evaluate(s, X, L, S);
-                shapeType::template gatherGradient<STRIDE>(S, s.nodes, u, G);
+                shapeType::template gatherGradient<P>(S, s.nodes, u, G);
                 shape_.toPhysical(S, G);
             }
             for (int i = 0; i < DIM; ++i)
@@ -215,27 +214,6 @@ void shapeTransfer<Shape, DIM, HOOP>::affineFrom
         },
         [&](const stencil&) {}
     );
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::affine
-(
-    materialPointCloud& cloud,
-    const bool moment,
-    const scalar* u,
-    const label stride,
-    const scalar dt
-) const
-{
-    if (stride == P)
-    {
-        affineFrom<P>(cloud, moment, u, dt);
-    }
-    else
-    {
-        affineFrom<2*P>(cloud, moment, u, dt);
-    }
 }
 
 
@@ -326,37 +304,142 @@ void shapeTransfer<Shape, DIM, HOOP>::addBodyForce
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
+MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::add
+(
+    const scalar* mass,
+    const column* bodyForce,
+    const label p,
+    const int n,
+    const T (&v)[DIM],
+    const T (&du)[DIM]
+)
+{
+    // Lanes beyond n may hold anything
+    const scalar lane[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const auto own = load<W>(lane) < broadcast<W>(n);
+    const T none = {};
+    const T m = select(own, load<W>(mass + p), none);
+    for (int d = 0; d < DIM; ++d)
+    {
+        const T w = m*select(own, v[d] + 0.5*du[d], none);
+        work += w*select(own, du[d], none);
+        momentum[d] += w;
+        if (bodyForce)
+        {
+            body += w*select(own, load<W>((*bodyForce)[d] + p), none);
+        }
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::workSums::write
+(
+    const hexGrid& grid,
+    moveResult& result
+) const
+{
+    for (int l = 0; l < W; ++l)
+    {
+        result.work += work[l];
+        result.bodyWork += body[l];
+        for (int d = 0; d < DIM; ++d)
+        {
+            result.momentum[grid.direction(d)] += momentum[d][l];
+        }
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::changeCell
+(
+    const hexGrid& grid,
+    const moveRule& rule,
+    const label celli,
+    const label point,
+    const scalar (&X)[DIM],
+    const scalar way,
+    movedPoints& to,
+    moveResult& result,
+    DynamicList<materialPointCloud::cellChange>& cellChanges
+) const
+{
+    scalar x[3] = {0, 0, 0};
+    bool finite = true;
+    for (int d = 0; d < DIM; ++d)
+    {
+        x[d] = X[d];
+        finite = finite && std::isfinite(x[d]);
+    }
+    if (HOOP && x[radial_] < 0)
+    {
+        x[radial_] = -x[radial_];
+        to.U[radial_][point] = -to.U[radial_][point];
+        if (to.displacement[radial_])
+        {
+            to.displacement[radial_][point] += 2*x[radial_];
+        }
+    }
+    // A point that goes too far is not followed: the step will be redone
+    const scalar beyond[3] = {x[0], x[1], x[2]};
+    label cell =
+        finite && way <= 2 ? grid.locate(celli, x)
+      : finite ? celli : -1;
+    if
+    (
+        cell < 0 && finite && rule.outflow
+     && rule.outflow->through(celli, beyond)
+    )
+    {
+        cell = outflowPatches::gone;
+    }
+    if (cell < 0)
+    {
+        result.badPoint = point;
+        result.left = finite;
+        return;
+    }
+    for (int d = 0; d < DIM; ++d)
+    {
+        to.x[d][point] = x[d];
+    }
+    if (cell != celli)
+    {
+        cellChanges.append(materialPointCloud::cellChange{point, cell});
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
 (
     materialPointCloud& cloud,
     const moveRule& rule,
-    const scalar* u,
+    const nodeVelocities& u,
     DynamicList<materialPointCloud::cellChange>& cellChanges
 ) const
 {
     const geometry geo(cloud, false);
     const hexGrid& grid = cloud.grid();
     const scalar* U[DIM];
-    scalar* xNew[DIM];
-    scalar* UNew[DIM];
     for (int d = 0; d < DIM; ++d)
     {
         U[d] = cloud.U()[d];
-        xNew[d] = cloud.xNew()[d];
-        UNew[d] = cloud.UNew()[d];
     }
-    scalar* ways[DIM] = {};
-    for (int d = 0; cloud.displacement() && d < DIM; ++d)
-    {
-        ways[d] = (*cloud.displacement())[d];
-    }
-    const double dt = rule.dt, a = rule.PICfraction;
-    const double late = rule.mean ? 0.5 : 0;
+    movedPoints to(cloud);
+    const scalar* mass = cloud.mass()[0];
+
+    // Only what the coefficients need is gathered
+    const moveCoefficients c(rule.take);
+    const bool energy = rule.energy;
+    const bool needsU = c.needsU(), needsUL = c.needsUL();
+    const bool needsDU = c.needsDU() || energy;
+    const double dt = rule.dt;
 
     moveResult result{0, 0, -1, false, 0, Zero, 0};
-    T travel = {}, rate = {}, work = {}, momentum[DIM] = {}, body = {};
-    const scalar* mass = cloud.mass()[0];
-    const scalar lane[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    T travel = {}, rate = {};
+    workSums sums;
     cellChanges.clear();
 
     forGroups
@@ -365,59 +448,39 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
         [&](const stencil&) {},
         [&](const stencil& s, const label celli, const label p, const int n)
         {
-            T X[DIM], L[DIM], V[DIM];
+            T X[DIM], L[DIM], v[DIM], V[DIM], dX[DIM];
             geo.load(p, X, L);
             weightsType S;
             shape_.evaluate(s, X, L, S);
 
-            T dX[DIM], du[DIM];
-            if (rule.kind == transfer::FLIP)
+            T uL[DIM] = {}, du[DIM] = {};
+            if (needsUL)
             {
-                T uL[DIM];
-                shapeType::template gather<DIM, 2*P>(S, s.nodes, u, uL);
-                shapeType::template gather<DIM, 2*P>(S, s.nodes, u + P, du);
+                shapeType::template gather<DIM, P>(S, s.nodes, u.UL, uL);
+            }
+            if (needsDU)
+            {
+                shapeType::template gather<DIM, P>(S, s.nodes, u.dU, du);
+            }
+            for (int d = 0; d < DIM; ++d)
+            {
+                // (7) and (8)
+                v[d] = load<W>(U[d] + p);
+                V[d] = c.a0*(v[d] + c.a1*du[d]) + c.a2*uL[d];
+                dX[d] = dt*(c.b0*v[d] + c.b1*du[d] + c.b2*uL[d]);
+            }
+            if (needsU)
+            {
+                T uN[DIM];
+                shapeType::template gather<DIM, P>(S, s.nodes, u.U, uN);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    // (7) and (8)
-                    V[d] = (1 - a)*(load<W>(U[d] + p) + du[d]) + a*uL[d];
-                    dX[d] = dt*(uL[d] - late*du[d]);
+                    dX[d] += dt*c.b3*uN[d];
                 }
             }
-            else
+            if (energy)
             {
-                shapeType::template gather<DIM, 2*P>(S, s.nodes, u, V);
-                for (int d = 0; d < DIM; ++d)
-                {
-                    const T v = load<W>(U[d] + p);
-                    dX[d] = dt*(rule.mean ? 0.5*(v + V[d]) : V[d]);
-                }
-            }
-
-            if (rule.energy)
-            {
-                if (rule.kind != transfer::FLIP)
-                {
-                    shapeType::template gather<DIM, 2*P>
-                    (
-                        S, s.nodes, u + P, du
-                    );
-                }
-                // Lanes beyond n may hold anything
-                const auto own = load<W>(lane) < broadcast<W>(n);
-                const T none = {};
-                const T m = select(own, load<W>(mass + p), none);
-                for (int d = 0; d < DIM; ++d)
-                {
-                    const T w =
-                        m*select(own, load<W>(U[d] + p) + 0.5*du[d], none);
-                    work += w*select(own, du[d], none);
-                    momentum[d] += w;
-                    if (rule.bodyForce)
-                    {
-                        const T b = load<W>((*rule.bodyForce)[d] + p);
-                        body += w*select(own, b, none);
-                    }
-                }
+                sums.add(mass, rule.bodyForce, p, n, v, du);
             }
 
             // Lanes beyond n belong to another cell: they do not count
@@ -425,15 +488,15 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             for (int d = 0; d < DIM; ++d)
             {
                 X[d] += dX[d];
-                if (ways[d])
+                if (to.displacement[d])
                 {
-                    storePart<W>(ways[d] + p, dX[d], n);
+                    storePart<W>(to.displacement[d] + p, dX[d], n);
                 }
                 const double ih = shape_.inverseWidth(s, d);
                 way = laneMax(way, laneAbs(dX[d])*ih);
                 fast = laneMax(fast, laneAbs(V[d])*ih);
-                store<W>(xNew[d] + p, X[d]);
-                store<W>(UNew[d] + p, V[d]);
+                store<W>(to.x[d] + p, X[d]);
+                store<W>(to.U[d] + p, V[d]);
             }
             if (n < W)
             {
@@ -455,50 +518,16 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
                     {
                         continue;
                     }
-                    scalar x[3] = {0, 0, 0};
-                    bool finite = true;
+                    scalar x[DIM];
                     for (int d = 0; d < DIM; ++d)
                     {
                         x[d] = X[d][l];
-                        finite = finite && std::isfinite(x[d]);
                     }
-                    if (HOOP && x[radial_] < 0)
-                    {
-                        x[radial_] = -x[radial_];
-                        UNew[radial_][p + l] = -UNew[radial_][p + l];
-                        if (ways[radial_])
-                        {
-                            ways[radial_][p + l] += 2*x[radial_];
-                        }
-                    }
-                    // A point that goes too far is not followed: the step
-                    // will be redone
-                    const scalar beyond[3] = {x[0], x[1], x[2]};
-                    label to =
-                        finite && way[l] <= 2 ? grid.locate(celli, x)
-                      : finite ? celli : -1;
-                    if
+                    changeCell
                     (
-                        to < 0 && finite && rule.outflow
-                     && rule.outflow->through(celli, beyond)
-                    )
-                    {
-                        to = outflowPatches::gone;
-                    }
-                    if (to < 0)
-                    {
-                        result.badPoint = p + l;
-                        result.left = finite;
-                        continue;
-                    }
-                    for (int d = 0; d < DIM; ++d)
-                    {
-                        xNew[d][p + l] = x[d];
-                    }
-                    if (to != celli)
-                    {
-                        cellChanges.append(materialPointCloud::cellChange{p + l, to});
-                    }
+                        grid, rule, celli, p + l, x, way[l], to, result,
+                        cellChanges
+                    );
                 }
             }
         },
@@ -507,15 +536,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
 
     result.travel = horizontalMax(travel);
     result.rate = horizontalMax(rate);
-    for (int l = 0; l < W; ++l)
-    {
-        result.work += work[l];
-        result.bodyWork += body[l];
-        for (int d = 0; d < DIM; ++d)
-        {
-            result.momentum[grid.direction(d)] += momentum[d][l];
-        }
-    }
+    sums.write(grid, result);
     return result;
 }
 
@@ -543,7 +564,7 @@ void shapeTransfer<Shape, DIM, HOOP>::massTimes
             geo.load(p, X, L);
             weightsType S;
             shape_.evaluate(s, X, L, S);
-            shapeType::template gather<DIM, 2*P>(S, s.nodes, u, q);
+            shapeType::template gather<DIM, P>(S, s.nodes, u, q);
             const T m = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {

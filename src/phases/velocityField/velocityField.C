@@ -39,12 +39,14 @@ Foam::mpm::velocityField::velocityField
     mUNew_(stride_*grid.nNodes()),
     f_(stride_*grid.nNodes()),
     U_(stride_*grid.nNodes()),
-    UL_(2*stride_*grid.nNodes()),
+    UL_(stride_*grid.nNodes()),
+    dU_(stride_*grid.nNodes()),
     strainIsU_(true),
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),
     shared_(grid.shared(reach)),
-    fixedElsewhere_(false),
+    fixed_(grid, shared_, Ufield_),
+    slip_(grid, shared_, Ufield_, fixed_.nodes()),
     rigid_(grid),
     UNew_(stride_*grid.nNodes())
 {
@@ -55,8 +57,11 @@ Foam::mpm::velocityField::velocityField
             << Ufield_.dimensions() << "; they must be " << dimVelocity
             << " (m/s)." << exit(FatalError);
     }
-    readBoundary();
-    updateFixed(0);
+    checkBoundary();
+    addConstraint(fixed_);
+    addConstraint(slip_);
+    addConstraint(rigid_);
+    fixed_.update(0);
 
     if (Pstream::parRun())
     {
@@ -188,33 +193,33 @@ void Foam::mpm::velocityField::constrain
     const bool tentative
 ) const
 {
-    forAll(fixedNode_, i)
+    for (const nodeConstraint* constraint : constraints_)
     {
-        for (int d = 0; d < nDim_; ++d)
-        {
-            u[stride*fixedNode_[i] + d] =
-                homogeneous ? 0 : fixedValue_[nDim_*i + d];
-        }
+        constraint->impose(u, stride, homogeneous, tentative);
     }
-    forAll(slipNode_, i)
+}
+
+
+void Foam::mpm::velocityField::constrainStep
+(
+    scalar* u,
+    const bool homogeneous
+)
+{
+    const scalar* mU = mU_.data();
+    if (reactions_)
     {
-        scalar* un = u + stride*slipNode_[i];
-        const scalar* R = slipProjection_.cdata() + nDim_*nDim_*i;
-        scalar v[3];
-        for (int a = 0; a < nDim_; ++a)
-        {
-            v[a] = 0;
-            for (int b = 0; b < nDim_; ++b)
-            {
-                v[a] += R[nDim_*a + b]*un[b];
-            }
-        }
-        for (int a = 0; a < nDim_; ++a)
-        {
-            un[a] = v[a];
-        }
+        reactions_->add(active_, -1, u, mU, stride_);
     }
-    rigid_.impose(u, stride, homogeneous, tentative);
+    for (nodeConstraint* constraint : constraints_)
+    {
+        constraint->addImpulse(u, homogeneous, mU, stride_);
+    }
+    constrain(u, stride_, homogeneous, false);
+    if (reactions_)
+    {
+        reactions_->add(active_, 1, u, mU, stride_);
+    }
 }
 
 
@@ -244,6 +249,7 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
     const scalar* __restrict__ U = U_.data();
     const scalar* __restrict__ f = f_.data();
     scalar* __restrict__ UL = UL_.data();
+    scalar* __restrict__ dU = dU_.data();
 
     scalar gd[3] = {0, 0, 0};
     for (int d = 0; d < nDim_; ++d)
@@ -257,31 +263,24 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
         const scalar dtm = m > 0 ? dt/m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            UL[2*stride_*n + d] =
+            UL[stride_*n + d] =
                 m > 0 ? U[stride_*n + d] + dtm*f[stride_*n + d] + dt*gd[d] : 0;
         }
     }
     if (reactions_)
     {
         reactions_->start(dt, active_, shared_);
-        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
     }
     rigid_.begin(dt, g);
-    rigid_.take(UL, 2*stride_, mU, stride_);
-    rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
+    rigid_.take(UL, mU, stride_);
+    constrainStep(UL, false);
     rigid_.addTractionImpulse(dt);
-    constrain(UL, 2*stride_, false, false);
-    if (reactions_)
-    {
-        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
-    }
 
     for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            UL[2*stride_*n + stride_ + d] =
-                UL[2*stride_*n + d] - U[stride_*n + d];
+            dU[stride_*n + d] = UL[stride_*n + d] - U[stride_*n + d];
         }
     }
 }
@@ -289,19 +288,10 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
 
 Foam::labelList Foam::mpm::velocityField::constrained() const
 {
-    labelHashSet nodes(fixedNode_);
-    nodes.insert(slipNode_);
-    forAll(rigid_.nodes(), i)
+    labelHashSet nodes;
+    for (const nodeConstraint* constraint : constraints_)
     {
-        // What a free body takes it has
-        if (!rigid_.isFree(rigid_.nodePhases()[i]))
-        {
-            nodes.insert(rigid_.nodes()[i]);
-        }
-        else
-        {
-            nodes.erase(rigid_.nodes()[i]);
-        }
+        constraint->mark(nodes);
     }
     // Columns of other nodes are of a step long ago
     nodes &= labelHashSet(active_);
@@ -322,7 +312,7 @@ Foam::scalar Foam::mpm::velocityField::boundaryWork
         const scalar part = share_.size() ? share_[n] : 1;
         for (int d = 0; m > 0 && d < nDim_; ++d)
         {
-            const scalar du = UL_.data()[2*stride_*n + stride_ + d];
+            const scalar du = dU_.data()[stride_*n + d];
             const scalar J =
                 m*(du - dt*g[grid_.direction(d)])
               - dt*f_.data()[stride_*n + d];
@@ -334,7 +324,7 @@ Foam::scalar Foam::mpm::velocityField::boundaryWork
         add(n);
     }
 
-    return w + rigid_.tractionWork(dt, U_.data(), UL_.data(), stride_);
+    return w + rigid_.tractionWork(dt, U_.data(), dU_.data(), stride_);
 }
 
 
@@ -347,15 +337,16 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
 {
     const scalar* mU = mU_.data();
     scalar* UL = UL_.data();
+    scalar* dU = dU_.data();
     for (const label n : active_)
     {
         const scalar m = mU[stride_*n + nDim_];
         const scalar rm = m > 0 ? 1/m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            // The increment takes what is left after boundary conditions
-            UL[2*stride_*n + stride_ + d] -= UL[2*stride_*n + d];
-            UL[2*stride_*n + d] += rm*impulse[stride_*n + d];
+            // du takes what is left after boundary conditions
+            dU[stride_*n + d] -= UL[stride_*n + d];
+            UL[stride_*n + d] += rm*impulse[stride_*n + d];
         }
     }
 
@@ -367,23 +358,14 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            free[nDim_*i + d] = UL[2*stride_*nodes[i] + d];
+            free[nDim_*i + d] = UL[stride_*nodes[i] + d];
         }
-    }
-    if (reactions_)
-    {
-        reactions_->add(active_, -1, UL, 2*stride_, mU, stride_);
     }
     if (!bodiesKnow)
     {
-        rigid_.take(UL, 2*stride_, mU, stride_);
+        rigid_.take(UL, mU, stride_);
     }
-    rigid_.addImpulse(UL, 2*stride_, false, mU, stride_);
-    constrain(UL, 2*stride_, false, false);
-    if (reactions_)
-    {
-        reactions_->add(active_, 1, UL, 2*stride_, mU, stride_);
-    }
+    constrainStep(UL, false);
     forAll(nodes, i)
     {
         const label n = nodes[i];
@@ -391,7 +373,7 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
             (share_.size() ? share_[n] : 1)*mU[stride_*n + nDim_];
         for (int d = 0; m > 0 && d < nDim_; ++d)
         {
-            const scalar u = UL[2*stride_*n + d];
+            const scalar u = UL[stride_*n + d];
             work +=
                 m*(u - free[nDim_*i + d])*0.5*(U_.data()[stride_*n + d] + u);
         }
@@ -400,7 +382,7 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            UL[2*stride_*n + stride_ + d] += UL[2*stride_*n + d];
+            dU[stride_*n + d] += UL[stride_*n + d];
         }
     }
     return work;
@@ -485,7 +467,9 @@ void Foam::mpm::velocityField::needReactions()
 {
     if (!reactions_)
     {
-        reactions_.reset(new nodeReactions(grid_, parts_, shared_));
+        DynamicList<nodeReactions::part> parts(fixed_.parts());
+        parts.append(slip_.parts());
+        reactions_.reset(new nodeReactions(grid_, parts, shared_));
     }
 }
 
@@ -554,7 +538,7 @@ Foam::scalar Foam::mpm::velocityField::bytes() const
         scalar(grid_.nNodes())
        *(
             sizeof(scalar)*stride_
-           *(7 + (work_.data() ? 3 : 0) + (Ustrain_.data() ? 1 : 0))
+           *(7 + (increment_.data() ? 2 : 0) + (Ustrain_.data() ? 1 : 0))
           + sizeof(label)
         )
       + sizeof(label)*scalar(active_.size() + activeNew_.size());

@@ -35,9 +35,8 @@ void Foam::mpm::velocityField::strainFromUL(const scalar weight)
         for (int d = 0; d < nDim_; ++d)
         {
             const scalar u =
-                U_.data()[stride_*n + d]
-              + UL_.data()[2*stride_*n + stride_ + d];
-            to[stride_*n + d] = u + weight*(UL_.data()[2*stride_*n + d] - u);
+                U_.data()[stride_*n + d] + dU_.data()[stride_*n + d];
+            to[stride_*n + d] = u + weight*(UL_.data()[stride_*n + d] - u);
         }
     }
 }
@@ -80,20 +79,19 @@ void Foam::mpm::velocityField::strainFromMomentum()
 
 void Foam::mpm::velocityField::startFilter(const series s)
 {
-    // work = [increments v in 2 stride per node][sum of m S S^T v]
-    if (!work_.data())
+    if (!increment_.data())
     {
-        work_ = alignedArray(3*stride_*grid_.nNodes());
+        increment_ = alignedArray(stride_*grid_.nNodes());
+        product_ = alignedArray(stride_*grid_.nNodes());
     }
     const scalar* from =
-        s == FMPM ? UL_.data() : s == XPIC ? U_.data() : Ustrain_.data();
-    const int step = s == FMPM ? 2*stride_ : stride_;
-    scalar* v = work_.data();
+        s == ofUL ? UL_.data() : s == ofU ? U_.data() : Ustrain_.data();
+    scalar* v = increment_.data();
     for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            v[2*stride_*n + d] = from[step*n + d];
+            v[stride_*n + d] = from[stride_*n + d];
         }
     }
 }
@@ -101,7 +99,7 @@ void Foam::mpm::velocityField::startFilter(const series s)
 
 Foam::scalar* Foam::mpm::velocityField::zeroProduct()
 {
-    scalar* Mv = work_.data() + 2*stride_*grid_.nNodes();
+    scalar* Mv = product_.data();
     for (const label n : active_)
     {
         for (int c = 0; c < stride_; ++c)
@@ -116,8 +114,8 @@ Foam::scalar* Foam::mpm::velocityField::zeroProduct()
 void Foam::mpm::velocityField::nextIncrement(const series s)
 {
     const scalar* mU = mU_.data();
-    scalar* v = work_.data();
-    const scalar* Mv = v + 2*stride_*grid_.nNodes();
+    scalar* v = increment_.data();
+    const scalar* Mv = product_.data();
 
     for (const label n : active_)
     {
@@ -125,39 +123,32 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
         const scalar rm = m > 0 ? 1/m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            v[2*stride_*n + d] -= rm*Mv[stride_*n + d];
+            v[stride_*n + d] -= rm*Mv[stride_*n + d];
         }
     }
 
     // The sum keeps the fixed velocities: increments have none there
-    const bool takes = reactions_ && s != strain;
-    if (takes)
+    rigid_.takeIncrement(v, mU, stride_, s != ofStrain);
+    if (s == ofStrain)
     {
-        reactions_->add(active_, -1, v, 2*stride_, mU, stride_);
+        constrain(v, stride_, true, false);
     }
-    rigid_.takeIncrement(v, 2*stride_, mU, stride_, s != strain);
-    if (s != strain)
+    else
     {
-        rigid_.addImpulse(v, 2*stride_, true, mU, stride_);
-    }
-    constrain(v, 2*stride_, true, false);
-    if (takes)
-    {
-        reactions_->add(active_, 1, v, 2*stride_, mU, stride_);
+        constrainStep(v, true);
     }
 }
 
 
 void Foam::mpm::velocityField::addIncrement(const series s, const scalar weight)
 {
-    const scalar* v = work_.data();
-    scalar* to = s == strain ? Ustrain_.data() : UL_.data();
-    const int step = s == strain ? stride_ : 2*stride_;
+    const scalar* v = increment_.data();
+    scalar* to = s == ofStrain ? Ustrain_.data() : UL_.data();
     for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            to[step*n + d] += weight*v[2*stride_*n + d];
+            to[stride_*n + d] += weight*v[stride_*n + d];
         }
     }
 }

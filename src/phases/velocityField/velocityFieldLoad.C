@@ -49,7 +49,7 @@ Foam::scalar Foam::mpm::velocityField::loadWork(const scalar dt) const
                 part(n)*dt*load_.data()[stride_*n + d]
                *(
                     U_.data()[stride_*n + d]
-                  + 0.5*UL_.data()[2*stride_*n + stride_ + d]
+                  + 0.5*dU_.data()[stride_*n + d]
                 );
         }
     }

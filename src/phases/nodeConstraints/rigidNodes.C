@@ -69,10 +69,9 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
     const bodyOf& b,
     const bool tentative,
     const scalar* u,
-    const int stride,
     const freeBody::vector6& V,
     const scalar* mU,
-    const int massStride,
+    const int stride,
     freeBody::matrix6* A
 ) const
 {
@@ -86,7 +85,7 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
     forAll(set.node, i)
     {
         const label n = set.node[i];
-        const scalar m = set.part[i]*mU[massStride*n + D];
+        const scalar m = set.part[i]*mU[stride*n + D];
         if (set.phase[i] != b.phase || !(m > 0))
         {
             continue;
@@ -277,7 +276,6 @@ void Foam::mpm::rigidNodes::combine
                 b,
                 true,
                 u,
-                stride,
                 b.body->velocityNew(),
                 mU,
                 stride,
@@ -308,9 +306,8 @@ void Foam::mpm::rigidNodes::begin(const scalar dt, const vector& g)
 void Foam::mpm::rigidNodes::take
 (
     const scalar* u,
-    const int stride,
     const scalar* mU,
-    const int massStride
+    const int stride
 )
 {
     for (const bodyOf& b : bodies_)
@@ -326,10 +323,9 @@ void Foam::mpm::rigidNodes::take
                         b,
                         false,
                         u,
-                        stride,
                         b.body->step(),
                         mU,
-                        massStride,
+                        stride,
                         nullptr
                     )
                 )
@@ -343,9 +339,8 @@ void Foam::mpm::rigidNodes::take
 void Foam::mpm::rigidNodes::takeIncrement
 (
     const scalar* u,
-    const int stride,
     const scalar* mU,
-    const int massStride,
+    const int stride,
     const bool changes
 )
 {
@@ -356,7 +351,7 @@ void Foam::mpm::rigidNodes::takeIncrement
         {
             W = b.body->response
             (
-                sumOver(b, false, u, stride, W, mU, massStride, nullptr)
+                sumOver(b, false, u, W, mU, stride, nullptr)
             );
         }
         setVelocity(b, W, false, now_, now_.increment);
@@ -438,21 +433,36 @@ void Foam::mpm::rigidNodes::impose
 void Foam::mpm::rigidNodes::addImpulse
 (
     const scalar* u,
-    const int stride,
     const bool homogeneous,
     const scalar* mU,
-    const int massStride
+    const int stride
 )
 {
     const int D = grid_.nDim();
     forAll(now_.node, i)
     {
         const label n = now_.node[i];
-        const scalar m = now_.weight[i]*now_.part[i]*mU[massStride*n + D];
+        const scalar m = now_.weight[i]*now_.part[i]*mU[stride*n + D];
         for (int d = 0; d < D; ++d)
         {
             step_[now_.phase[i]][grid_.direction(d)] +=
                 m*(u[stride*n + d] - imposed(now_, homogeneous, D*i + d));
+        }
+    }
+}
+
+
+void Foam::mpm::rigidNodes::mark(labelHashSet& constrained) const
+{
+    forAll(now_.node, i)
+    {
+        if (isFree(now_.phase[i]))
+        {
+            constrained.erase(now_.node[i]);
+        }
+        else
+        {
+            constrained.insert(now_.node[i]);
         }
     }
 }

@@ -171,7 +171,7 @@ Foam::scalar Foam::mpm::rigidNodes::tractionWork
 (
     const scalar dt,
     const scalar* U,
-    const scalar* UL,
+    const scalar* dU,
     const int stride
 ) const
 {
@@ -183,7 +183,7 @@ Foam::scalar Foam::mpm::rigidNodes::tractionWork
         const int d = j % D;
         work +=
             now_.part[j/D]*dt*traction_[j]
-           *(U[stride*n + d] + 0.5*UL[2*stride*n + stride + d]);
+           *(U[stride*n + d] + 0.5*dU[stride*n + d]);
     }
     return work;
 }

@@ -117,7 +117,6 @@ void Foam::mpm::nodeReactions::add
     const labelUList& nodes,
     const scalar sign,
     const scalar* u,
-    const int uStride,
     const scalar* mU,
     const int stride
 )
@@ -130,7 +129,7 @@ void Foam::mpm::nodeReactions::add
             scalar* J = impulse_.data() + D*place_[n];
             for (int d = 0; d < D; ++d)
             {
-                J[d] += sign*mU[stride*n + D]*u[uStride*n + d];
+                J[d] += sign*mU[stride*n + D]*u[stride*n + d];
             }
         }
     }

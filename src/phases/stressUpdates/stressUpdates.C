@@ -8,21 +8,22 @@ License
 
 #include "stressUpdate.H"
 #include "materialPointSystem.H"
-#include "dictionaryTools.H"
+#include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Stress Updates  * * * * * * * * * * * * * * //
 
-namespace
+namespace Foam
+{
+namespace mpm
 {
 
-using namespace Foam;
-using namespace Foam::mpm;
-
-struct MUSL
+class MUSL
 :
     public stressUpdate
 {
-    const char* name() const override { return "MUSL"; }
+public:
+
+    TypeName("MUSL");
 
     bool early() const override { return false; }
 
@@ -33,12 +34,17 @@ struct MUSL
     }
 };
 
+defineTypeNameAndDebug(MUSL, 0);
+addToRunTimeSelectionTable(stressUpdate, MUSL, word);
 
-struct USL
+
+class USL
 :
     public stressUpdate
 {
-    const char* name() const override { return "USL"; }
+public:
+
+    TypeName("USL");
 
     scalar square() const override { return -0.5; }
 
@@ -54,12 +60,17 @@ struct USL
     }
 };
 
+defineTypeNameAndDebug(USL, 0);
+addToRunTimeSelectionTable(stressUpdate, USL, word);
 
-struct USF
+
+class USF
 :
     public stressUpdate
 {
-    const char* name() const override { return "USF"; }
+public:
+
+    TypeName("USF");
 
     void start(materialPointSystem& points, const scalar dt) const override
     {
@@ -68,12 +79,17 @@ struct USF
     }
 };
 
+defineTypeNameAndDebug(USF, 0);
+addToRunTimeSelectionTable(stressUpdate, USF, word);
 
-struct USAVG
+
+class USAVG
 :
     public stressUpdate
 {
-    const char* name() const override { return "USAVG"; }
+public:
+
+    TypeName("USAVG");
 
     scalar square() const override { return 0; }
 
@@ -90,30 +106,10 @@ struct USAVG
     }
 };
 
-}
+defineTypeNameAndDebug(USAVG, 0);
+addToRunTimeSelectionTable(stressUpdate, USAVG, word);
 
-// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
-
-Foam::autoPtr<Foam::mpm::stressUpdate>
-Foam::mpm::stressUpdate::New(const dictionary& dict)
-{
-    const word name
-    (
-        oneOfOrDefault
-        (
-            dict,
-            "stressUpdate",
-            "MUSL",
-            {"MUSL", "USL", "USF", "USAVG"}
-        )
-    );
-    return autoPtr<stressUpdate>
-    (
-        name == "USL" ? static_cast<stressUpdate*>(new USL)
-      : name == "USF" ? static_cast<stressUpdate*>(new USF)
-      : name == "USAVG" ? static_cast<stressUpdate*>(new USAVG)
-      : static_cast<stressUpdate*>(new MUSL)
-    );
-}
+} // End namespace mpm
+} // End namespace Foam
 
 // ************************************************************************* //

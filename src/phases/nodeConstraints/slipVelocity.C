@@ -1,0 +1,294 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "slipVelocity.H"
+#include "basicSymmetryPointPatchField.H"
+#include "fixedNormalSlipPointPatchField.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::List<Foam::List<Foam::mpm::slipVelocity::faceNormal>>
+Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
+{
+    const bool parallel = Pstream::parRun();
+    List<List<faceNormal>> normals(Pstream::nProcs());
+    labelHashSet isShared;
+    isShared.insert(shared_.nodes());
+    DynamicList<faceNormal> mine, others;
+    const auto add = [&](const label n, const label patchi, const vector& nf)
+    {
+        const label key = parallel ? grid_.nodeKey()[n] : n;
+        (isShared.found(n) ? mine : others).append
+        (
+            faceNormal(labelPair(key, patchi), nf)
+        );
+    };
+
+    forAll(U.boundaryField(), patchi)
+    {
+        const pointPatchField<vector>& pf = U.boundaryField()[patchi];
+        if (!is(pf))
+        {
+            continue;
+        }
+        const polyPatch& pp =
+            grid_.mesh().boundaryMesh()[pf.patch().index()];
+        forAll(pp.meshPoints(), i)
+        {
+            const label n = grid_.pointToNode()[pp.meshPoints()[i]];
+            for (const label facei : pp.pointFaces()[i])
+            {
+                add(n, patchi, pp.faceNormals()[facei]);
+            }
+        }
+    }
+    if (grid_.radial() >= 0)
+    {
+        vector radius(Zero);
+        radius[grid_.direction(grid_.radial())] = 1;
+        for (const label n : grid_.axisNodes())
+        {
+            add(n, -1, radius);
+        }
+    }
+    normals[Pstream::myProcNo()].transfer(mine);
+    if (parallel)
+    {
+        Pstream::gatherList(normals);
+        Pstream::scatterList(normals);
+    }
+    normals[Pstream::myProcNo()].append(others);
+    return normals;
+}
+
+
+Foam::mpm::slipVelocity::normalsOfNodes Foam::mpm::slipVelocity::byNode
+(
+    const List<List<faceNormal>>& normals,
+    const labelHashSet& fixed
+) const
+{
+    const bool parallel = Pstream::parRun();
+    Map<label> nodeOfKey;
+    if (parallel)
+    {
+        forAll(grid_.nodeKey(), n)
+        {
+            nodeOfKey.insert(grid_.nodeKey()[n], n);
+        }
+    }
+
+    normalsOfNodes ofNode;
+    for (const List<faceNormal>& list : normals)
+    {
+        for (const faceNormal& f : list)
+        {
+            label n = f.first().first();
+            if (parallel)
+            {
+                const auto iter = nodeOfKey.cfind(n);
+                n = iter.found() ? iter.val() : -1;
+            }
+            if (n >= 0 && !fixed.found(n))
+            {
+                ofNode[labelPair(n, f.first().second())].push_back(f.second());
+            }
+        }
+    }
+
+    // In an order that all processors share
+    for (auto& entry : ofNode)
+    {
+        std::sort
+        (
+            entry.second.begin(),
+            entry.second.end(),
+            [](const vector& a, const vector& b)
+            {
+                return
+                    a.x() != b.x() ? a.x() < b.x()
+                  : a.y() != b.y() ? a.y() < b.y()
+                  : a.z() < b.z();
+            }
+        );
+    }
+    return ofNode;
+}
+
+
+std::vector<Foam::vector> Foam::mpm::slipVelocity::surfaces
+(
+    std::vector<vector>& faces
+)
+{
+    // pointNormals() would average over the edges of a patch that has some.
+    // Faces at less than 45 degrees are one smooth surface; others are
+    // surfaces of their own (edges, corners)
+    std::vector<vector> groups;
+    for (const vector& nf : faces)
+    {
+        bool known = false;
+        for (vector& g : groups)
+        {
+            if (!known && (g & nf) > 0.7*mag(g))
+            {
+                g += nf;
+                known = true;
+            }
+        }
+        if (!known)
+        {
+            groups.push_back(nf);
+        }
+    }
+    return groups;
+}
+
+
+void Foam::mpm::slipVelocity::hold
+(
+    const label node,
+    const label patchi,
+    const vector& normal,
+    Eigen::Matrix3d& N
+)
+{
+    const int D = grid_.nDim();
+    Eigen::Vector3d v(Eigen::Vector3d::Zero());
+    for (int d = 0; d < D; ++d)
+    {
+        v(d) = normal[grid_.direction(d)];
+    }
+    if (v.norm() > 0)
+    {
+        v.normalize();
+    }
+    const Eigen::Vector3d rest(v - N*v);
+    if (!(rest.norm() > 1e-3))
+    {
+        return;
+    }
+    N += rest*rest.transpose()/rest.squaredNorm();
+
+    if (patchi >= 0)
+    {
+        nodeReactions::part part{node, patchi, false, {}, point(Zero)};
+        for (int d = 0; d < D; ++d)
+        {
+            part.normal[d] = rest(d)/rest.norm();
+        }
+        parts_.append(part);
+    }
+}
+
+
+void Foam::mpm::slipVelocity::apply(const label i, scalar* u) const
+{
+    const int D = grid_.nDim();
+    const scalar* R = projection_.cdata() + D*D*i;
+    scalar v[3];
+    for (int a = 0; a < D; ++a)
+    {
+        v[a] = 0;
+        for (int b = 0; b < D; ++b)
+        {
+            v[a] += R[D*a + b]*u[b];
+        }
+    }
+    for (int a = 0; a < D; ++a)
+    {
+        u[a] = v[a];
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::slipVelocity::slipVelocity
+(
+    const hexGrid& grid,
+    const sharedNodes& shared,
+    const pointVectorField& U,
+    const labelUList& fixedNodes
+)
+:
+    grid_(grid),
+    shared_(shared)
+{
+    labelHashSet fixed;
+    fixed.insert(fixedNodes);
+    normalsOfNodes ofNode(byNode(allNormals(U), fixed));
+
+    std::map<label, Eigen::Matrix3d> held;
+    for (auto& entry : ofNode)
+    {
+        const label node = entry.first.first();
+        Eigen::Matrix3d& N =
+            held.emplace
+            (
+                node,
+                Eigen::Matrix3d(Eigen::Matrix3d::Zero())
+            ).first->second;
+        for (const vector& normal : surfaces(entry.second))
+        {
+            hold(node, entry.first.second(), normal, N);
+        }
+    }
+
+    DynamicList<label> nodes;
+    DynamicList<scalar> projections;
+    for (const auto& s : held)
+    {
+        nodes.append(s.first);
+        for (int i = 0; i < grid_.nDim(); ++i)
+        {
+            for (int j = 0; j < grid_.nDim(); ++j)
+            {
+                projections.append((i == j ? 1 : 0) - s.second(i, j));
+            }
+        }
+    }
+    node_.transfer(nodes);
+    projection_.transfer(projections);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::slipVelocity::is(const pointPatchField<vector>& pf)
+{
+    return
+        isA<basicSymmetryPointPatchField<vector>>(pf)
+     && !isA<fixedNormalSlipPointPatchField<vector>>(pf);
+}
+
+
+void Foam::mpm::slipVelocity::project(const label node, scalar* v) const
+{
+    const auto at = std::lower_bound(node_.begin(), node_.end(), node);
+    if (at != node_.end() && *at == node)
+    {
+        apply(at - node_.begin(), v);
+    }
+}
+
+
+void Foam::mpm::slipVelocity::impose
+(
+    scalar* u,
+    const int stride,
+    const bool,
+    const bool
+) const
+{
+    forAll(node_, i)
+    {
+        apply(i, u + stride*node_[i]);
+    }
+}
+
+// ************************************************************************* //
