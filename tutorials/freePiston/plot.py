@@ -57,7 +57,7 @@ for case, label in CASES:
     points = log(case, "^Energy: kinetic .* total N").ravel()
     all_ = gas + points
     kinetic = 0.5*RHO*B*AREA*MEAN**2
-    steps = log(case, "^deltaT = N").size
+    steps = log(case, "^Steps: N")[-1]
     with open(os.path.join(case, "system/blockMeshDict")) as f:
         n = int(re.search(r"^n\s+(\d+);", f.read(), re.M)[1])
     first = firstOrderLoss(n, t[-1]/steps, 4*T)
