@@ -419,3 +419,134 @@ TEST_CASE("APIC: points that turn as a rigid body give nodes and a gradient that
         CHECK(deformation(m->grid(), "linear", true, false) <= 1e-12);
     }
 }
+
+
+TEST_CASE("move: (7) and (8) with any coefficients, point by point")
+{
+    const testMesh square(12, 11, 0, [](const point& p) { return p; });
+    const testMesh block(5, 6, 4, [](const point& p) { return p; });
+    std::mt19937 gen(7);
+    std::uniform_real_distribution<scalar> u(-1, 1);
+    for (const testMesh* m : {&square, &block})
+    {
+        for (const word name : {"linear", "GIMP", "quadraticBSpline"})
+        {
+            CAPTURE(std::string(name));
+            const hexGrid& g = m->grid();
+            const int D = g.nDim(), P = D == 1 ? 2 : 4;
+            const autoPtr<pointGridTransfer> pass(passes(name, g));
+            materialPointCloud cloud(g, "test");
+            cloud.needHalfSize();
+            const point c(average(g.mesh().points()));
+            List<materialPointCloud::newPoint> points(101);
+            for (auto& p : points)
+            {
+                p.x = c + 0.3*vector(u(gen), u(gen), D > 2 ? u(gen) : 0);
+                p.U = vector(u(gen), u(gen), u(gen));
+                p.mass = 1 + 0.5*u(gen);
+                p.volume = 1;
+                p.sigma = Zero;
+                p.halfSize = vector(0.02, 0.02, 0.02);
+            }
+            cloud.add(points);
+
+            alignedArray U(P*g.nNodes()), UL(P*g.nNodes()), dU(P*g.nNodes());
+            for (label i = 0; i < P*g.nNodes(); ++i)
+            {
+                U.data()[i] = u(gen);
+                UL.data()[i] = u(gen);
+                dU.data()[i] = u(gen);
+            }
+            const scalar* node[] = {U.data(), UL.data(), dU.data()};
+
+            // All terms, and each scheme's pattern of zeroes
+            for (const moveCoefficients c : {
+                moveCoefficients{0.7, 1.1, 0.4, 0.3, -0.6, 0.8, 0.9},
+                moveCoefficients{1, 1, 0, 0, 0, 1, 0},
+                moveCoefficients{0.9, 1, 0.1, 0, -0.5, 1, 0},
+                moveCoefficients{0, 0, 1, 0.5, 0, 0.5, 0},
+                moveCoefficients{0, 0, 1, 0, 0, 1, 0},
+                moveCoefficients{1, 1, 0, 0, 0, 0, 1}})
+            {
+                for (const bool energy : {false, true})
+                {
+                    pointGridTransfer::moveRule rule;
+                    rule.dt = 1e-2;
+                    rule.take = c;
+                    rule.energy = energy;
+                    rule.bodyForce = nullptr;
+                    rule.outflow = nullptr;
+                    DynamicList<materialPointCloud::cellChange> changes;
+                    const auto result
+                    (
+                        pass->move
+                        (
+                            cloud,
+                            rule,
+                            {U.data(), UL.data(), dU.data()},
+                            changes
+                        )
+                    );
+                    CHECK(result.badPoint == -1);
+
+                    scalar worst = 0, work = 0, size = 0;
+                    DynamicList<label> nodes;
+                    DynamicList<scalar> S, dS;
+                    forAll(cloud.cells(), k)
+                    {
+                        for
+                        (
+                            label p = cloud.start()[k];
+                            p < cloud.start()[k + 1];
+                            ++p
+                        )
+                        {
+                            scalar x[3], l[3] = {0.02, 0.02, 0.02};
+                            for (int d = 0; d < D; ++d) x[d] = cloud.x()[d][p];
+                            pass->weights(cloud.cells()[k], x, l, nodes, S, dS);
+                            for (int d = 0; d < D; ++d)
+                            {
+                                scalar q[3] = {0, 0, 0};
+                                for (int i = 0; i < 3; ++i)
+                                {
+                                    forAll(nodes, n)
+                                    {
+                                        q[i] += S[n]*node[i][P*nodes[n] + d];
+                                    }
+                                }
+                                const scalar v = cloud.U()[d][p];
+                                const scalar w = cloud.mass()[0][p]*(v + 0.5*q[2]);
+                                work += w*q[2];
+                                size += mag(w*q[2]);
+                                worst = max
+                                (
+                                    worst,
+                                    mag
+                                    (
+                                        c.a0*(v + c.a1*q[2]) + c.a2*q[1]
+                                      - cloud.UNew()[d][p]
+                                    )
+                                );
+                                worst = max
+                                (
+                                    worst,
+                                    mag
+                                    (
+                                        x[d] + rule.dt
+                                       *(
+                                            c.b0*v + c.b1*q[2] + c.b2*q[1]
+                                          + c.b3*q[0]
+                                        )
+                                      - cloud.xNew()[d][p]
+                                    )
+                                );
+                            }
+                        }
+                    }
+                    CHECK(worst <= 1e-14);
+                    CHECK(mag(result.work - (energy ? work : 0)) <= 1e-13*size);
+                }
+            }
+        }
+    }
+}

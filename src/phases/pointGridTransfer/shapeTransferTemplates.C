@@ -422,13 +422,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
 {
     const geometry geo(cloud, false);
     const hexGrid& grid = cloud.grid();
-    const scalar* U[DIM];
-    for (int d = 0; d < DIM; ++d)
-    {
-        U[d] = cloud.U()[d];
-    }
     movedPoints to(cloud);
-    const scalar* mass = cloud.mass()[0];
 
     // Only what the coefficients need is gathered
     const moveCoefficients c(rule.take);
@@ -465,7 +459,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             for (int d = 0; d < DIM; ++d)
             {
                 // (7) and (8)
-                v[d] = load<W>(U[d] + p);
+                v[d] = load<W>(to.v[d] + p);
                 V[d] = c.a0*(v[d] + c.a1*du[d]) + c.a2*uL[d];
                 dX[d] = dt*(c.b0*v[d] + c.b1*du[d] + c.b2*uL[d]);
             }
@@ -480,7 +474,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             }
             if (energy)
             {
-                sums.add(mass, rule.bodyForce, p, n, v, du);
+                sums.add(cloud.mass()[0], rule.bodyForce, p, n, v, du);
             }
 
             // Lanes beyond n belong to another cell: they do not count
@@ -498,13 +492,10 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
                 store<W>(to.x[d] + p, X[d]);
                 store<W>(to.U[d] + p, V[d]);
             }
-            if (n < W)
+            for (int l = n; l < W; ++l)
             {
-                for (int l = n; l < W; ++l)
-                {
-                    way[l] = 0;
-                    fast[l] = 0;
-                }
+                way[l] = 0;
+                fast[l] = 0;
             }
             travel = laneMax(travel, way);
             rate = laneMax(rate, fast);
@@ -514,20 +505,19 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             {
                 for (int l = 0; l < n; ++l)
                 {
-                    if (!out[l])
-                    {
-                        continue;
-                    }
                     scalar x[DIM];
                     for (int d = 0; d < DIM; ++d)
                     {
                         x[d] = X[d][l];
                     }
-                    changeCell
-                    (
-                        grid, rule, celli, p + l, x, way[l], to, result,
-                        cellChanges
-                    );
+                    if (out[l])
+                    {
+                        changeCell
+                        (
+                            grid, rule, celli, p + l, x, way[l], to, result,
+                            cellChanges
+                        );
+                    }
                 }
             }
         },
