@@ -215,6 +215,7 @@ bool Foam::mpm::eulerianGas::newStates
         }
     }
 
+    const ownPressure::conserved now(conserved());
     bool positive = true;
     forAll(sums_, c)
     {
@@ -248,7 +249,7 @@ bool Foam::mpm::eulerianGas::newStates
         }
         if (Energy)
         {
-            positive = positive && ownPressure::isPositive(conserved(), c);
+            positive = positive && ownPressure::isPositive(now, c);
         }
     }
     return positive;

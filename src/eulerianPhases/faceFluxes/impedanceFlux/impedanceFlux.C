@@ -88,24 +88,25 @@ void Foam::mpm::impedanceFlux::insideFaces
     const label nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
+    const vector* const S = mesh.faceAreas().cdata();
     const scalarField& V = mesh.V();
-    const scalarField& magS = faces_.magS;
+    const scalar* const magS = faces_.magS.cdata();
     const bool upwind = states.upwind();
-    scalarField& phi = to.phi;
-    scalarField& out = to.out;
+    const scalar factor = states.factor();
+    scalar* const phi = to.phi.data();
+    scalar* const pStar = to.pStar.data();
+    scalar* const out = to.out.data();
 
     // Face between two states
     const auto open = [&](const label f, const state& L, const state& R)
     {
         const scalar z = std::sqrt
         (
-            states.factor()
-           *max(L.w.rho*states.q(L), R.w.rho*states.q(R))
+            factor*max(L.w.rho*states.q(L), R.w.rho*states.q(R))
         );
         const scalar uL = L.w.u & S[f], uR = R.w.u & S[f];
         phi[f] = 0.5*(uL + uR + (L.w.p - R.w.p)*magS[f]/z);
-        to.pStar[f] = 0.5*(L.w.p + R.w.p + z*(uL - uR)/magS[f]);
+        pStar[f] = 0.5*(L.w.p + R.w.p + z*(uL - uR)/magS[f]);
     };
 
     for (label f = 0; f < nInternal; ++f)

@@ -17,34 +17,45 @@ Foam::mpm::ownPressure::found Foam::mpm::ownPressure::gammaLaw
     const primitives& to
 ) const
 {
-    const scalarField& rho = from.rho;
+    const label n = from.rho.size();
+    const scalar* const theta = from.theta.cdata();
+    const scalar* const rho = from.rho.cdata();
+    const vector* const rhoU = from.rhoU.cdata();
+    const scalar* const rhoE = from.rhoE.cdata();
+    const vector* const rate = rates.directions.cdata();
+    const scalar* const rateOfAll = rates.all.cdata();
+    gasState* const W = to.W.data();
+    scalar* const p = to.p.data();
+    vector* const U = to.U.data();
+    scalar* const rho0 = to.rho0.data();
+    scalar* const T = to.T;
     const scalar gamma = thermo_.gamma();
     const scalar R = thermo_.R();
     const bool energy = thermo_.hasEnergy();
 
     found result{0, -1};
-    forAll(rho, c)
+    for (label c = 0; c < n; ++c)
     {
-        gasState& w = to.W[c];
-        const scalar iTheta = 1/from.theta[c];
+        gasState& w = W[c];
+        const scalar iTheta = 1/theta[c];
         w.rho = rho[c]*iTheta;
-        w.u = from.rhoU[c]/rho[c];
+        w.u = rhoU[c]/rho[c];
         w.p =
             energy
-          ? (gamma - 1)*(from.rhoE[c] - 0.5*(from.rhoU[c] & w.u))*iTheta
+          ? (gamma - 1)*(rhoE[c] - 0.5*(rhoU[c] & w.u))*iTheta
           : thermo_.pIsentropic(w.rho);
 
-        to.p[c] = w.p;
-        to.U[c] = w.u;
-        to.rho0[c] = w.rho;
-        if (to.T)
+        p[c] = w.p;
+        U[c] = w.u;
+        rho0[c] = w.rho;
+        if (T)
         {
-            to.T[c] = w.p/(w.rho*R);
+            T[c] = w.p/(w.rho*R);
         }
 
         const scalar r =
-            (cmptMag(w.u) & rates.directions[c])
-          + std::sqrt(gamma*w.p/w.rho)*rates.all[c];
+            (cmptMag(w.u) & rate[c])
+          + std::sqrt(gamma*w.p/w.rho)*rateOfAll[c];
         if (!(w.rho > 0 && w.p > 0 && r < GREAT))
         {
             result.bad = result.bad < 0 ? c : result.bad;
