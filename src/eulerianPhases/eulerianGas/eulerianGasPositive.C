@@ -45,6 +45,27 @@ Foam::mpm::eulerianGas::sums Foam::mpm::eulerianGas::positiveFlux
 }
 
 
+template<bool General>
+Foam::mpm::eulerianGas::sums Foam::mpm::eulerianGas::wallFlux
+(
+    const gasStates<General>& states,
+    const label f
+) const
+{
+    typedef typename gasStates<General>::state state;
+    const vector& S = mesh_.faceAreas()[f];
+    const scalar volume = phiLimited()[f];
+    const state c = states.cell(mesh_.faceOwner()[f]);
+    const state b = states.behind(f - mesh_.nInternalFaces());
+    const scalar z = std::sqrt(states.factor()*c.w.rho*states.q(c));
+    const scalar p = b.w.p + z*((c.w.u - b.w.u) & S)/faces_.magS[f];
+    const state& donor = volume > 0 ? c : b;
+    sums flux = carried<true>(volume, p*volume, donor.w, states.rhoE(donor));
+    flux.rhoU += p*S;
+    return flux;
+}
+
+
 template<bool Porous, bool General>
 void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
 {
@@ -142,22 +163,14 @@ void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
         }
         for (const label f : faces_.boundary)
         {
-            // Walls: the pressure of the cell itself instead of that at the
-            // face
             const label P = own[f], i = f - nInternal;
-            if (bad[P] && faces_.wall[i] && !replaced[f] && !(Porous && near_[P]))
+            if
+            (
+                bad[P] && faces_.wall[i] && !replaced[f]
+             && !(Porous && near_[P])
+            )
             {
-                const state c = all.cell(P), b = all.behind(i);
-                const scalar z = std::sqrt(all.factor()*c.w.rho*all.q(c));
-                const scalar p =
-                    b.w.p + z*((c.w.u - b.w.u) & S[f])/faces_.magS[f];
-                const state& donor = limited[f] > 0 ? c : b;
-                sums now = carried<true>
-                (
-                    limited[f], p*limited[f], donor.w, all.rhoE(donor)
-                );
-                now.rhoU += p*S[f];
-                const sums d = give(f, now, -1);
+                const sums d = give(f, wallFlux(all, f), -1);
                 if (flows_)
                 {
                     flows_->mass += dt*d.rho;

@@ -129,7 +129,9 @@ void Foam::mpm::gasThermo::readGas(const dictionary& dict)
       ? wordList({"molWeight", "R", "Cp", "Cv", "rho"})
       : wordList({"p0", "rho0", "rho"}),
         "thermo " + dict.get<word>("thermo"),
-        isentropic_ ? "p0, rho0 and gamma." : "molWeight or R, and Cp, Cv or gamma."
+        isentropic_
+      ? "p0, rho0 and gamma."
+      : "molWeight or R, and Cp, Cv or gamma."
     );
 
     if (isentropic_)
