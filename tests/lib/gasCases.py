@@ -5,8 +5,9 @@
     case.run("materialPointFoam")
     rho = volField(case, case.timeName(0.2), "rho.air")
 
-Gas air with gamma 1.4 and R = 1 J/kg/K, so that T = p/rho. initial gives
-arrays (u: n x 3, or n along x).
+Gas air with gamma 1.4 and R = 1 J/kg/K, so that T = p/rho; or thermo, the entries
+of the phase: with equationOfState the file is rho.air in place of T.air. initial
+gives arrays (u: n x 3, or n along x).
 """
 
 import os
@@ -26,7 +27,7 @@ OPEN = ("zeroGradient", "zeroGradient", "zeroGradient")
 WALL = ("zeroGradient", "zeroGradient", "slip")
 
 DIMENSIONS = {"p": "[1 -1 -2 0 0 0 0]", "T": "[0 0 0 1 0 0 0]",
-              "U": "[0 1 -1 0 0 0 0]"}
+              "U": "[0 1 -1 0 0 0 0]", "r": "[1 -3 0 0 0 0 0]"}
 
 
 def schemes(reconstruct, solver="materialPointFoam"):
@@ -105,7 +106,9 @@ def gasCase(folder, name, cells, high, initial, endTime, low=(0, 0, 0), ends=OPE
     own = solver == "materialPointFoam"
     suffix = ".air" if own else ""
     writeVolField(case, "p", p, conditionsOf(0))
-    if not thermo or thermo["thermo"] == "perfectGas":
+    if thermo and "equationOfState" in thermo:
+        writeVolField(case, "rho" + suffix, rho, conditionsOf(1))
+    elif not thermo or thermo["thermo"] == "perfectGas":
         writeVolField(case, "T" + suffix, p/rho, conditionsOf(1))
     writeVolField(case, "U" + suffix, u, conditionsOf(2))
 

@@ -12,6 +12,7 @@ License
 #include "IStringStream.H"
 #include <cmath>
 #include <string>
+#include <vector>
 
 using namespace Foam;
 using namespace Foam::mpm;
@@ -205,6 +206,78 @@ TEST_CASE("equations of state: the state of a pressure")
     scalar rho, e;
     CHECK(!equation(all[2], 1)->stateOf(-1, rho, e));
     CHECK(!equation(all[1], 1)->stateOf(-1e12, rho, e));
+}
+
+
+TEST_CASE("equations of state: runs, energy of a pressure, density of a pressure")
+{
+    // More than one run of the functions
+    const label n = 600;
+    for (const char* text : all)
+    {
+        const scalar rho0 = 1630;
+        const auto eos(equation(text, rho0));
+        std::vector<scalar> rho(n), e(n), p(n), c2(n), Gamma(n), back(n), again(n);
+        for (label i = 0; i < n; ++i)
+        {
+            rho[i] = rho0*(0.8 + 0.5*i/n);
+            e[i] = eos->usesEnergy() ? eos->e0() + 1e5 + 100*i : 0;
+        }
+        eos->pressures(n, rho.data(), e.data(), p.data(), c2.data(), Gamma.data());
+        eos->energies(n, rho.data(), p.data(), back.data(), again.data(), Gamma.data());
+        scalar worst = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            const auto t(eos->at(rho[i]));
+            const scalar size = std::abs(t.A) + std::abs(t.B*e[i]) + 1;
+            worst = max(worst, std::abs(p[i] - eos->p(rho[i], e[i]))/size);
+            worst = max(worst, std::abs(c2[i] - eos->c2(rho[i], e[i]))*rho[i]/size);
+            worst = max(worst, std::abs(Gamma[i] - t.B/rho[i]));
+            worst = max(worst, std::abs(t.B*(back[i] - e[i]))/size);
+            worst = max(worst, std::abs(t.B*(eos->e(rho[i], p[i]) - e[i]))/size);
+        }
+        CHECK(worst < 1e-14);
+
+        if (!eos->usesEnergy())
+        {
+            // From far off, and none where there is none
+            std::vector<scalar> found(n, 0.3*rho0);
+            found[1] = 4*rho0;
+            eos->densities(n, p.data(), found.data());
+            scalar off = 0;
+            for (label i = 0; i < n; ++i)
+            {
+                off = max(off, std::abs(found[i]/rho[i] - 1));
+            }
+            CHECK(off < 1e-14);
+            const scalar low = -1e12;
+            found[0] = rho0;
+            eos->densities(1, &low, found.data());
+            CHECK(found[0] <= 0);
+        }
+    }
+}
+
+
+TEST_CASE("equations of state: the cold curve is an isentrope")
+{
+    for (const char* text : all)
+    {
+        const auto eos(equation(text, 1630));
+        if (!eos->hasTemperature())
+        {
+            continue;
+        }
+        for (const scalar rho : {800.0, 1630.0, 2000.0})
+        {
+            const scalar d = 1e-5*rho;
+            const scalar slope =
+                (eos->coldEnergy(rho + d) - eos->coldEnergy(rho - d))/(2*d);
+            const scalar p = eos->p(rho, eos->coldEnergy(rho));
+            const scalar size = std::abs(eos->at(rho).A) + 1;
+            CHECK(std::abs(slope*rho*rho - p) <= 1e-8*size);
+        }
+    }
 }
 
 

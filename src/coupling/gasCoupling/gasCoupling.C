@@ -308,6 +308,13 @@ Foam::mpm::gasCoupling::gasCoupling
     normalOnly_(false),
     energyOfAll_(0)
 {
+    if (!gas_.thermo().isGammaLaw())
+    {
+        FatalIOErrorInFunction(requiredDict(properties, gas_.name()))
+            << "Gas " << gas_.name() << " has an equationOfState; beside"
+            << " material points it needs thermo perfectGas or isentropic."
+            << exit(FatalIOError);
+    }
     forAll(points_.phases(), phasei)
     {
         materialPointPhase& phase = points_.phases()[phasei];

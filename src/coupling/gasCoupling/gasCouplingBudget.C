@@ -103,7 +103,7 @@ void Foam::mpm::gasCoupling::bookDry()
 
 void Foam::mpm::gasCoupling::needEnergy() const
 {
-    if (gas_.thermo().isentropic())
+    if (!gas_.thermo().hasEnergy())
     {
         FatalErrorInFunction
             << "An energy budget needs a gas with an energy: the thermo of "

@@ -24,11 +24,12 @@ void Foam::mpm::gasCoupling::readHeat
     }
     const dictionary& heatDict = requiredDict(dict, "heatTransfer");
     heat_.set(phasei, heatTransferModel::New(heatDict).ptr());
-    if (gas_.thermo().isentropic())
+    if (!gas_.thermo().hasTemperature())
     {
         FatalIOErrorInFunction(heatDict)
-            << "The gas " << gas_.name() << " is isentropic: it has no energy"
-            << " equation and exchanges no heat. Use thermo perfectGas."
+            << "The gas " << gas_.name() << " (" << gas_.thermo().description().c_str()
+            << ") has no temperature and exchanges no heat. Use thermo"
+            << " perfectGas."
             << exit(FatalIOError);
     }
     if (heat_[phasei].needsConductivity() && !(mu_ > 0 && Pr_ > 0))
@@ -46,7 +47,7 @@ void Foam::mpm::gasCoupling::exchangeHeat(const scalar dt)
 {
     const noTraps guard;
     const gasThermo& thermo = gas_.thermo();
-    const scalar Cv = thermo.Cp()/thermo.gamma();
+    const scalar Cv = thermo.Cv();
 
     forAll(heat_, phasei)
     {

@@ -127,12 +127,16 @@ void Foam::mpm::eulerianGas::sortFaces()
     {
         checkNames(*T_, name_);
     }
+    if (readsRho())
+    {
+        checkNames(rho0_, name_);
+    }
 
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     const label nInternal = mesh_.nInternalFaces();
 
     DynamicList<label> boundary, coupled;
-    wall_.setSize(mesh_.nFaces() - nInternal, false);
+    faces_.wall.setSize(mesh_.nFaces() - nInternal, false);
     forAll(patches, patchi)
     {
         const polyPatch& pp = patches[patchi];
@@ -150,29 +154,29 @@ void Foam::mpm::eulerianGas::sortFaces()
         for (label f = pp.start(); f < pp.start() + pp.size(); ++f)
         {
             (pp.coupled() ? coupled : boundary).append(f);
-            wall_[f - nInternal] = wall;
+            faces_.wall[f - nInternal] = wall;
         }
     }
-    boundary_.transfer(boundary);
-    coupledList_.transfer(coupled);
+    faces_.boundary.transfer(boundary);
+    faces_.coupled.transfer(coupled);
 
     // Courant number per second of a cell: half the sum of |u.S| + c|S| over
     // its faces over its volume
-    faceRate_.setSize(mesh_.nCells(), Zero);
-    allRate_.setSize(mesh_.nCells(), 0);
+    faceRates_.directions.setSize(mesh_.nCells(), Zero);
+    faceRates_.all.setSize(mesh_.nCells(), 0);
     const auto add = [&](const label f, const label c)
     {
         const vector& S = mesh_.faceAreas()[f];
         const scalar h = 0.5/mesh_.V()[c];
-        faceRate_[c] += h*cmptMag(S);
-        allRate_[c] += h*mag(S);
+        faceRates_.directions[c] += h*cmptMag(S);
+        faceRates_.all[c] += h*mag(S);
     };
     for (label f = 0; f < nInternal; ++f)
     {
         add(f, mesh_.faceOwner()[f]);
         add(f, mesh_.faceNeighbour()[f]);
     }
-    for (const labelList* list : {&boundary_, &coupledList_})
+    for (const labelList* list : {&faces_.boundary, &faces_.coupled})
     {
         for (const label f : *list)
         {
@@ -180,149 +184,63 @@ void Foam::mpm::eulerianGas::sortFaces()
         }
     }
 
-    Vb_.setSize(mesh_.nFaces() - nInternal);
-    magS_.setSize(mesh_.nFaces());
-    forAll(magS_, f)
+    faces_.Vb.setSize(mesh_.nFaces() - nInternal);
+    faces_.magS.setSize(mesh_.nFaces());
+    forAll(faces_.magS, f)
     {
-        magS_[f] = mag(mesh_.faceAreas()[f]);
+        faces_.magS[f] = mag(mesh_.faceAreas()[f]);
     }
-    forAll(Vb_, i)
+    forAll(faces_.Vb, i)
     {
-        Vb_[i] = mesh_.V()[mesh_.faceOwner()[nInternal + i]];
+        faces_.Vb[i] = mesh_.V()[mesh_.faceOwner()[nInternal + i]];
     }
-    coupled_.swap(Vb_);
+    coupled_.swap(faces_.Vb);
 }
 
 
 void Foam::mpm::eulerianGas::conserve()
 {
     const noTraps guard;
-    const scalar iGm1 = 1/(thermo_.gamma() - 1);
-    forAll(rho_, c)
-    {
-        const scalar p = p_[c];
-        rho_[c] = theta_[c]*thermo_.rho(p, T_ ? (*T_)[c] : 1);
-        rhoU_[c] = rho_[c]*U_[c];
-        if (!thermo_.isentropic())
-        {
-            rhoE_[c] = theta_[c]*p*iGm1 + 0.5*rho_[c]*magSqr(U_[c]);
-        }
-    }
+    closure_.conserve
+    (
+        conserved(),
+        p_.primitiveField(),
+        U_.primitiveField(),
+        T_ && thermo_.isGammaLaw() ? T_->primitiveField().cdata() : nullptr,
+        rho0_.primitiveField()
+    );
 }
 
 
 void Foam::mpm::eulerianGas::primitives()
 {
-    const scalar gamma = thermo_.gamma();
-    const scalar R = thermo_.R();
-    const bool energy = !thermo_.isentropic();
-    scalarField& p = p_.primitiveFieldRef();
-    vectorField& U = U_.primitiveFieldRef();
-    scalarField& rho0 = rho0_.primitiveFieldRef();
-    scalar* T = T_ ? T_->primitiveFieldRef().data() : nullptr;
-
-    scalar rate = 0;
-    label bad = badCell_;
+    ownPressure::found found;
     {
         const noTraps guard;
-        forAll(rho_, c)
-        {
-            gasState& w = W_[c];
-            const scalar iTheta = 1/theta_[c];
-            w.rho = rho_[c]*iTheta;
-            w.u = rhoU_[c]/rho_[c];
-            w.p =
-                energy
-              ? (gamma - 1)*(rhoE_[c] - 0.5*(rhoU_[c] & w.u))*iTheta
-              : thermo_.pIsentropic(w.rho);
-
-            p[c] = w.p;
-            U[c] = w.u;
-            rho0[c] = w.rho;
-            if (T)
+        const bool hasT = T_ && thermo_.isGammaLaw();
+        found = closure_.correct
+        (
+            conserved(),
+            faceRates_,
             {
-                T[c] = w.p/(w.rho*R);
+                W_,
+                t_,
+                p_.primitiveFieldRef(),
+                U_.primitiveFieldRef(),
+                rho0_.primitiveFieldRef(),
+                hasT ? T_->primitiveFieldRef().data() : nullptr
             }
-
-            const scalar r =
-                (cmptMag(w.u) & faceRate_[c])
-              + std::sqrt(gamma*w.p/w.rho)*allRate_[c];
-            if (!(w.rho > 0 && w.p > 0 && r < GREAT))
-            {
-                bad = bad < 0 ? c : bad;
-            }
-            rate = max(rate, r);
-        }
+        );
     }
 
     // One reduction for both
-    rate = bad < 0 ? -rate : -VGREAT;
+    const label bad = badCell_ < 0 ? found.bad : badCell_;
+    scalar rate = bad < 0 ? -found.rate : -VGREAT;
     reduce(rate, minOp<scalar>());
     rate_ = -rate;
     if (rate_ >= VGREAT)
     {
         stop(bad);
-    }
-}
-
-
-void Foam::mpm::eulerianGas::updateBoundaryStates()
-{
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const label nInternal = mesh_.nInternalFaces();
-    const labelUList& own = mesh_.faceOwner();
-
-    forAll(patches, patchi)
-    {
-        const polyPatch& pp = patches[patchi];
-        const label start = pp.start() - nInternal;
-        if (isA<emptyPolyPatch>(pp))
-        {
-            continue;
-        }
-        if (pp.coupled())
-        {
-            for (label i = 0; i < pp.size(); ++i)
-            {
-                Wb_[start + i] = W_[own[pp.start() + i]];
-                thetaB_[start + i] = theta_[own[pp.start() + i]];
-            }
-            continue;
-        }
-        const fvPatchScalarField& p = p_.boundaryField()[patchi];
-        const fvPatchVectorField& U = U_.boundaryField()[patchi];
-        fvPatchScalarField& rho0 = rho0_.boundaryFieldRef()[patchi];
-        fvPatchScalarField& psi = psi_.boundaryFieldRef()[patchi];
-        for (label i = 0; i < pp.size(); ++i)
-        {
-            const scalar T = T_ ? T_->boundaryField()[patchi][i] : 1;
-            gasState& w = Wb_[start + i];
-            w.p = p[i];
-            w.u = U[i];
-            w.rho = thermo_.rho(p[i], T);
-            rho0[i] = w.rho;
-            psi[i] = w.rho/w.p;
-            thetaB_[start + i] = theta_[own[pp.start() + i]];
-        }
-    }
-    if (!coupled_.empty())
-    {
-        coupled_.swap(Wb_);
-        if (porous_)
-        {
-            coupled_.swap(thetaB_);
-        }
-        forAll(patches, patchi)
-        {
-            const polyPatch& pp = patches[patchi];
-            for (label i = 0; pp.coupled() && i < pp.size(); ++i)
-            {
-                const gasState& w = Wb_[pp.start() - nInternal + i];
-                rho0_.boundaryFieldRef()[patchi][i] = w.rho;
-                U_.boundaryFieldRef()[patchi][i] = w.u;
-                p_.boundaryFieldRef()[patchi][i] = w.p;
-            }
-        }
     }
 }
 
@@ -340,32 +258,52 @@ Foam::mpm::eulerianGas::eulerianGas
     name_(name),
     thermo_(dict),
     g_(g),
+    faces_{mesh, {}, {}, {}, {}, {}},
     coupled_(mesh),
-    reconstruction_(mesh, coupled_, boundary_, coupledList_),
+    reconstruction_(mesh, coupled_, faces_.boundary, faces_.coupled),
+    faceFlux_(faces_),
+    closure_(thermo_),
     theta_(mesh.nCells(), 1),
     rho_(mesh.nCells()),
-    rhoE_(thermo_.isentropic() ? 0 : mesh.nCells()),
+    rhoE_(thermo_.hasEnergy() ? mesh.nCells() : 0),
     rhoU_(mesh.nCells()),
     W_(mesh.nCells()),
     Wb_(mesh.nFaces() - mesh.nInternalFaces(), gasState{1, Zero, 1}),
     thetaB_(Wb_.size(), 1),
+    t_(thermo_.isGammaLaw() ? 0 : W_.size()),
+    tb_(thermo_.isGammaLaw() ? 0 : Wb_.size()),
     p_(present(header("p", IOobject::MUST_READ), name), mesh),
     T_
     (
-        thermo_.isentropic()
-      ? nullptr
-      : new volScalarField
+        !thermo_.hasTemperature() ? nullptr
+      : thermo_.isGammaLaw()
+      ? new volScalarField
         (
             present(header("T", IOobject::MUST_READ), name),
             mesh
+        )
+      : new volScalarField
+        (
+            header("T", IOobject::NO_READ),
+            mesh,
+            dimensionedScalar(dimTemperature, Zero)
         )
     ),
     U_(present(header("U", IOobject::MUST_READ), name), mesh),
     rho0_
     (
-        header("rho", IOobject::NO_READ),
-        mesh,
-        dimensionedScalar(dimDensity, Zero)
+        readsRho()
+      ? volScalarField
+        (
+            present(header("rho", IOobject::MUST_READ), name),
+            mesh
+        )
+      : volScalarField
+        (
+            header("rho", IOobject::NO_READ),
+            mesh,
+            dimensionedScalar(dimDensity, Zero)
+        )
     ),
     psi_
     (
@@ -397,6 +335,7 @@ Foam::mpm::eulerianGas::eulerianGas
     checkKeywords(dict, valid);
     checkDimensions(p_, dimPressure);
     checkDimensions(U_, dimVelocity);
+    checkDimensions(rho0_, dimDensity);
     if (T_)
     {
         checkDimensions(*T_, dimTemperature);
@@ -405,12 +344,7 @@ Foam::mpm::eulerianGas::eulerianGas
     sortFaces();
     readState();
 
-    Info<< "Gas " << name_ << ": " << dict.get<word>("thermo")
-        << ", gamma " << thermo_.gamma();
-    if (!thermo_.isentropic())
-    {
-        Info<< ", R " << thermo_.R() << " J/kg/K";
-    }
+    Info<< "Gas " << name_ << ": " << thermo_.description().c_str();
     Info<< ", " << returnReduce(mesh.nCells(), sumOp<label>()) << " cells"
         << nl << "    reconstruction: " << reconstruction_.description().c_str()
         << nl << endl;
@@ -432,12 +366,7 @@ void Foam::mpm::eulerianGas::readState()
         conserve();
         primitives();
         updateBoundaryStates();
-        U_.correctBoundaryConditions();
-        p_.correctBoundaryConditions();
-        if (T_)
-        {
-            T_->correctBoundaryConditions();
-        }
+        correctBoundaryFields();
         updateBoundaryStates();
         return;
     }
@@ -451,7 +380,7 @@ void Foam::mpm::eulerianGas::readState()
     (
         header("thetaRhoU", IOobject::MUST_READ), mesh_
     ).field();
-    if (!thermo_.isentropic())
+    if (thermo_.hasEnergy())
     {
         rhoE_ = volScalarField::Internal
         (
@@ -462,8 +391,13 @@ void Foam::mpm::eulerianGas::readState()
 
     const scalarField p(p_.primitiveField());
     primitives();
-    const scalar change =
-        returnReduce(max(mag(p/p_.primitiveField() - 1)), maxOp<scalar>());
+    scalar change = 0;
+    forAll(p, c)
+    {
+        const scalar size = t_.empty() ? p_[c] : t_[c].K;
+        change = max(change, mag(p[c] - p_[c])/size);
+    }
+    reduce(change, maxOp<scalar>());
     if (!(change < 1e-6))
     {
         FatalErrorInFunction
@@ -541,12 +475,7 @@ void Foam::mpm::eulerianGas::correct()
         }
     }
 
-    U_.correctBoundaryConditions();
-    p_.correctBoundaryConditions();
-    if (T_)
-    {
-        T_->correctBoundaryConditions();
-    }
+    correctBoundaryFields();
     updateBoundaryStates();
 }
 

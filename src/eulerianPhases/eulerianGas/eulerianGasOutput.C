@@ -33,13 +33,28 @@ void Foam::mpm::eulerianGas::stop(const label celli)
             << " pressure " << w.p << " Pa";
         if (T_)
         {
-            os  << ", temperature " << w.p/(w.rho*thermo_.R()) << " K";
+            os  << ", temperature " << thermo_.T(w.rho, w.p) << " K";
         }
-        os  << ", which must be positive, in cell " << celli << " at "
+        if (!thermo_.isGammaLaw())
+        {
+            os  << " and rho c^2 " << t_[celli].K << " Pa; density and rho c^2"
+                << " must be positive,";
+        }
+        else
+        {
+            os  << ", which must be positive,";
+        }
+        os  << " in cell " << celli << " at "
             << mesh_.cellCentres()[celli] << ", time "
             << mesh_.time().timeName() << " (velocity " << w.u << ", theta "
             << theta_[celli] << ")." << nl
-            << "At the start: look into 0/p, 0/T." << name_ << ", 0/U." << name_
+            << "At the start: look into 0/p, "
+            << (
+                    readsRho() ? "0/rho." + name_ + ", "
+                  : T_ ? "0/T." + name_ + ", "
+                  : string()
+               ).c_str()
+            << "0/U." << name_
             << " and constant/phaseProperties. Later: a smaller maxCoGas in"
             << " system/controlDict or upwind for reconstruct(...) in"
             << " system/fvSchemes often keeps the gas positive.";
@@ -66,7 +81,7 @@ void Foam::mpm::eulerianGas::report() const
     Info<< "Gas " << name_ << ": mass "
         << returnReduce(mass(), sumOp<scalar>()) << ", momentum "
         << returnReduce(momentum(), sumOp<vector>());
-    if (!thermo_.isentropic())
+    if (thermo_.hasEnergy())
     {
         Info<< ", energy " << returnReduce(energy(), sumOp<scalar>());
     }
@@ -104,6 +119,24 @@ Foam::scalar Foam::mpm::eulerianGas::energy() const
 }
 
 
+void Foam::mpm::eulerianGas::updateTemperature()
+{
+    forAll(W_, c)
+    {
+        (*T_)[c] = thermo_.T(W_[c].rho, W_[c].p);
+    }
+    for (fvPatchScalarField& T : T_->boundaryFieldRef())
+    {
+        const label start = T.patch().start() - mesh_.nInternalFaces();
+        forAll(T, i)
+        {
+            const gasState& w = Wb_[start + i];
+            T[i] = thermo_.T(w.rho, w.p);
+        }
+    }
+}
+
+
 void Foam::mpm::eulerianGas::writeFields()
 {
     const fullPrecision allDigits;
@@ -119,13 +152,17 @@ void Foam::mpm::eulerianGas::writeFields()
         scalarField& psi = psi_.primitiveFieldRef();
         forAll(psi, c)
         {
-            psi[c] = W_[c].rho/W_[c].p;
+            psi[c] = W_[c].rho/(t_.empty() ? W_[c].p : t_[c].K);
         }
     }
     for (regIOobject* field : {static_cast<regIOobject*>(&p_), static_cast<regIOobject*>(&U_), static_cast<regIOobject*>(&rho0_)})
     {
         field->instance() = mesh_.time().timeName();
         field->write();
+    }
+    if (T_ && !thermo_.isGammaLaw())
+    {
+        updateTemperature();
     }
     if (T_)
     {
@@ -148,7 +185,7 @@ void Foam::mpm::eulerianGas::writeFields()
         object("thetaRhoU"), mesh_, dimDensity*dimVelocity, rhoU_
     );
     rhoU.write();
-    if (!thermo_.isentropic())
+    if (thermo_.hasEnergy())
     {
         volScalarField::Internal rhoE
         (

@@ -303,149 +303,6 @@ void Foam::mpm::reconstruction::interpolated
     }
 }
 
-
-void Foam::mpm::reconstruction::predict
-(
-    const scalar dt,
-    const scalar gamma,
-    const UList<gasState>& W,
-    const UList<gasState>& Wb,
-    const boolUList* nearSolid
-)
-{
-    const vectorField& S = mesh_.faceAreas();
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-    const label nInternal = mesh_.nInternalFaces();
-
-    const label nCells = W.size();
-    const auto isNear = [&](const label f)
-    {
-        return
-            nearSolid
-         && (
-                (*nearSolid)[own[f]]
-             || (*nearSolid)[f < nInternal ? nei[f] : nCells + f - nInternal]
-            );
-    };
-    if (nearSolid)
-    {
-        for (label f = 0; f < nInternal; ++f)
-        {
-            if (isNear(f))
-            {
-                faces_[f].own = W[own[f]];
-                faces_[f].nei = W[nei[f]];
-            }
-        }
-        for (const label f : coupledList_)
-        {
-            if (isNear(f))
-            {
-                faces_[f].own = W[own[f]];
-            }
-        }
-    }
-
-    rates_ = rates{0, 0, 0, Zero, Zero};
-    const auto add = [&]
-    (
-        const label c,
-        const gasState& w,
-        const vector& s
-    )
-    {
-        const gasState& W0 = W[c];
-        rates& r = rates_[c];
-        const scalar us = W0.u & s;
-        const vector du(w.u - W0.u);
-        const scalar dp = w.p - W0.p;
-        r.div += du & s;
-        r.rho += us*(w.rho - W0.rho);
-        r.p += us*dp;
-        r.u += us*du;
-        r.gradP += dp*s;
-    };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        add(own[f], faces_[f].own, S[f]);
-        add(nei[f], faces_[f].nei, -S[f]);
-    }
-    for (const label f : coupledList_)
-    {
-        add(own[f], faces_[f].own, S[f]);
-    }
-    for (const label f : boundary_)
-    {
-        add(own[f], Wb[f - nInternal], S[f]);
-    }
-    for (const label f : wedge_)
-    {
-        // No flux through it: u_r/r, which the differences do not see
-        rates_[own[f]].div -= W[own[f]].u & S[f];
-    }
-
-    // Now the change of the state
-    const scalarField& V = mesh_.V();
-    forAll(rates_, c)
-    {
-        rates& r = rates_[c];
-        const gasState& w = W[c];
-        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5*dt/V[c];
-        r.rho = h*(r.rho + w.rho*r.div);
-        r.u = h*(r.u + r.gradP/w.rho);
-        r.p = h*(r.p + gamma*w.p*r.div);
-    }
-
-    const auto ahead = [&](const label c, gasState& s)
-    {
-        const rates& r = rates_[c];
-        const gasState& w = W[c];
-        s.rho += r.rho;
-        s.u += r.u;
-        s.p += r.p;
-        if (s.rho < 0.1*w.rho || s.p < 0.1*w.p)
-        {
-            s = w;
-        }
-    };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        if (!isNear(f))
-        {
-            ahead(own[f], faces_[f].own);
-            ahead(nei[f], faces_[f].nei);
-        }
-    }
-    for (const label f : boundary_)
-    {
-        faces_[f].own = W[own[f]];
-        ahead(own[f], faces_[f].own);
-        faces_[f].nei = Wb[f - nInternal];
-    }
-    for (const label f : wedge_)
-    {
-        faces_[f].own = W[own[f]];
-        ahead(own[f], faces_[f].own);
-    }
-    if (!coupled_.empty())
-    {
-        for (const label f : coupledList_)
-        {
-            if (!isNear(f))
-            {
-                ahead(own[f], faces_[f].own);
-            }
-            swap_[f - nInternal] = faces_[f].own;
-        }
-        coupled_.swap(swap_);
-        for (const label f : coupledList_)
-        {
-            faces_[f].nei = swap_[f - nInternal];
-        }
-    }
-}
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::reconstruction::reconstruction
@@ -505,15 +362,15 @@ Foam::string Foam::mpm::reconstruction::description() const
 void Foam::mpm::reconstruction::update
 (
     const scalar dt,
-    const scalar gamma,
-    const UList<gasState>& W,
-    const UList<gasState>& Wb,
+    const phase& of,
     const volScalarField& rho,
     const volVectorField& U,
     const volScalarField& p,
     const boolUList* nearSolid
 )
 {
+    const UList<gasState>& W = of.W;
+    const UList<gasState>& Wb = of.Wb;
     if (skew_.size())
     {
         leastSquares(W, Wb);
@@ -550,7 +407,7 @@ void Foam::mpm::reconstruction::update
     {
         addSkew(W, Wb);
     }
-    predict(dt, gamma, W, Wb, nearSolid);
+    halfStep(dt, of, nearSolid);
 }
 
 // ************************************************************************* //

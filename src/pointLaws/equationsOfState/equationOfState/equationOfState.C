@@ -21,6 +21,28 @@ namespace mpm
 }
 }
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- States that are worked on together
+constexpr label room = 256;
+
+//- Call f(first, n) for runs of n <= room states
+template<class Function>
+void inRuns(const label n, const Function& f)
+{
+    for (label first = 0; first < n; first += room)
+    {
+        f(first, min(room, n - first));
+    }
+}
+
+}
+
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
 Foam::autoPtr<Foam::mpm::equationOfState> Foam::mpm::equationOfState::New
@@ -47,6 +69,108 @@ Foam::scalar Foam::mpm::equationOfState::storedEnergy(const scalar) const
 }
 
 
+Foam::scalar Foam::mpm::equationOfState::coldEnergy(const scalar) const
+{
+    NotImplemented;
+    return 0;
+}
+
+
+void Foam::mpm::equationOfState::pressures
+(
+    const label n,
+    const scalar* rho,
+    const scalar* e,
+    scalar* p,
+    scalar* c2,
+    scalar* Gamma
+) const
+{
+    inRuns(n, [&](const label first, const label size)
+    {
+        scalar A[room], B[room], dA[room], dB[room];
+        coefficients(size, rho + first, A, B, dA, dB);
+        for (label i = 0; i < size; ++i)
+        {
+            const label j = first + i;
+            p[j] = A[i] + B[i]*e[j];
+            c2[j] = dA[i] + e[j]*dB[i] + p[j]*B[i]/sqr(rho[j]);
+            Gamma[j] = B[i]/rho[j];
+        }
+    });
+}
+
+
+void Foam::mpm::equationOfState::energies
+(
+    const label n,
+    const scalar* rho,
+    const scalar* p,
+    scalar* e,
+    scalar* c2,
+    scalar* Gamma
+) const
+{
+    const bool energy = usesEnergy();
+    inRuns(n, [&](const label first, const label size)
+    {
+        scalar A[room], B[room], dA[room], dB[room];
+        coefficients(size, rho + first, A, B, dA, dB);
+        for (label i = 0; i < size; ++i)
+        {
+            const label j = first + i;
+            e[j] = energy ? (p[j] - A[i])/B[i] : 0;
+            c2[j] = dA[i] + e[j]*dB[i] + p[j]*B[i]/sqr(rho[j]);
+            Gamma[j] = B[i]/rho[j];
+        }
+    });
+}
+
+
+void Foam::mpm::equationOfState::densities
+(
+    const label n,
+    const scalar* p,
+    scalar* rho
+) const
+{
+    // Newton's method for all states of a run; those that are done stay
+    inRuns(n, [&](const label first, const label size)
+    {
+        scalar A[room], B[room], dA[room], dB[room];
+        bool done[room] = {};
+        label left = size;
+        for (int k = 0; k < 100 && left; ++k)
+        {
+            coefficients(size, rho + first, A, B, dA, dB);
+            for (label i = 0; i < size; ++i)
+            {
+                if (done[i])
+                {
+                    continue;
+                }
+                scalar& r = rho[first + i];
+                const scalar change = (p[first + i] - A[i])/dA[i];
+
+                // Convex: the way down may pass zero, that up be far
+                r = min(max(r + change, 0.1*r), 2*r);
+                done[i] = mag(change) <= 1e-15*r || !(dA[i] > 0);
+                left -= done[i];
+            }
+        }
+        coefficients(size, rho + first, A, B, dA, dB);
+        for (label i = 0; i < size; ++i)
+        {
+            const scalar error = mag(p[first + i] - A[i]);
+            if (!(error <= 1e-9*(mag(p[first + i]) + rho[first + i]*dA[i])))
+            {
+                rho[first + i] = -1;
+            }
+        }
+    });
+}
+
+
 Foam::mpm::equationOfState::terms
 Foam::mpm::equationOfState::at(const scalar rho) const
 {
@@ -65,11 +189,26 @@ Foam::mpm::equationOfState::p(const scalar rho, const scalar e) const
 
 
 Foam::scalar
-Foam::mpm::equationOfState::c(const scalar rho, const scalar e) const
+Foam::mpm::equationOfState::e(const scalar rho, const scalar p) const
+{
+    const terms t(at(rho));
+    return usesEnergy() ? (p - t.A)/t.B : 0;
+}
+
+
+Foam::scalar
+Foam::mpm::equationOfState::c2(const scalar rho, const scalar e) const
 {
     const terms t(at(rho));
     const scalar p = t.A + t.B*e;
-    return std::sqrt(max(t.dA + e*t.dB + p*t.B/sqr(rho), scalar(0)));
+    return t.dA + e*t.dB + p*t.B/sqr(rho);
+}
+
+
+Foam::scalar
+Foam::mpm::equationOfState::c(const scalar rho, const scalar e) const
+{
+    return std::sqrt(max(c2(rho, e), scalar(0)));
 }
 
 

@@ -1,0 +1,265 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "reconstruction.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class IsNear>
+void Foam::mpm::reconstruction::setNearSolid
+(
+    const UList<gasState>& W,
+    const IsNear& isNear
+)
+{
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    for (label f = 0; f < mesh_.nInternalFaces(); ++f)
+    {
+        if (isNear(f))
+        {
+            faces_[f].own = W[own[f]];
+            faces_[f].nei = W[nei[f]];
+        }
+    }
+    for (const label f : coupledList_)
+    {
+        if (isNear(f))
+        {
+            faces_[f].own = W[own[f]];
+        }
+    }
+}
+
+
+template<bool General>
+void Foam::mpm::reconstruction::changes
+(
+    const scalar dt,
+    const phase& of,
+    const boolUList* nearSolid
+)
+{
+    const vectorField& S = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const label nInternal = mesh_.nInternalFaces();
+    const UList<gasState>& W = of.W;
+    const scalar gamma = of.thermo.gamma();
+
+    rates_ = rates{0, 0, 0, Zero, Zero};
+    const auto add = [&]
+    (
+        const label c,
+        const gasState& w,
+        const vector& s
+    )
+    {
+        const gasState& W0 = W[c];
+        rates& r = rates_[c];
+        const scalar us = W0.u & s;
+        const vector du(w.u - W0.u);
+        const scalar dp = w.p - W0.p;
+        r.div += du & s;
+        r.rho += us*(w.rho - W0.rho);
+        r.p += us*dp;
+        r.u += us*du;
+        r.gradP += dp*s;
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        add(own[f], faces_[f].own, S[f]);
+        add(nei[f], faces_[f].nei, -S[f]);
+    }
+    for (const label f : coupledList_)
+    {
+        add(own[f], faces_[f].own, S[f]);
+    }
+    for (const label f : boundary_)
+    {
+        add(own[f], of.Wb[f - nInternal], S[f]);
+    }
+    for (const label f : wedge_)
+    {
+        // No flux through it: u_r/r, which the differences do not see
+        rates_[own[f]].div -= W[own[f]].u & S[f];
+    }
+
+    const scalarField& V = mesh_.V();
+    forAll(rates_, c)
+    {
+        rates& r = rates_[c];
+        const gasState& w = W[c];
+        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5*dt/V[c];
+        r.rho = h*(r.rho + w.rho*r.div);
+        r.u = h*(r.u + r.gradP/w.rho);
+        r.p = h*(r.p + (General ? of.t[c].K : gamma*w.p)*r.div);
+    }
+}
+
+
+template<bool General>
+void Foam::mpm::reconstruction::predict
+(
+    const scalar dt,
+    const phase& of,
+    const boolUList* nearSolid
+)
+{
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const label nInternal = mesh_.nInternalFaces();
+    const UList<gasState>& W = of.W;
+
+    const label nCells = W.size();
+    const auto isNear = [&](const label f)
+    {
+        return
+            nearSolid
+         && (
+                (*nearSolid)[own[f]]
+             || (*nearSolid)[f < nInternal ? nei[f] : nCells + f - nInternal]
+            );
+    };
+    if (nearSolid)
+    {
+        setNearSolid(W, isNear);
+    }
+    changes<General>(dt, of, nearSolid);
+
+    const auto ahead = [&](const label c, gasState& s)
+    {
+        const rates& r = rates_[c];
+        const gasState& w = W[c];
+        s.rho += r.rho;
+        s.u += r.u;
+        s.p += r.p;
+        if
+        (
+            s.rho < 0.1*w.rho
+         || (
+                General
+              ? s.p < w.p - 0.9*of.t[c].strength
+              : s.p < 0.1*w.p
+            )
+        )
+        {
+            s = w;
+        }
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        if (!isNear(f))
+        {
+            ahead(own[f], faces_[f].own);
+            ahead(nei[f], faces_[f].nei);
+        }
+    }
+    for (const label f : boundary_)
+    {
+        faces_[f].own = W[own[f]];
+        ahead(own[f], faces_[f].own);
+        faces_[f].nei = of.Wb[f - nInternal];
+    }
+    for (const label f : wedge_)
+    {
+        faces_[f].own = W[own[f]];
+        ahead(own[f], faces_[f].own);
+    }
+    if (!coupled_.empty())
+    {
+        for (const label f : coupledList_)
+        {
+            if (!isNear(f))
+            {
+                ahead(own[f], faces_[f].own);
+            }
+            swap_[f - nInternal] = faces_[f].own;
+        }
+        coupled_.swap(swap_);
+        for (const label f : coupledList_)
+        {
+            faces_[f].nei = swap_[f - nInternal];
+        }
+    }
+}
+
+
+void Foam::mpm::reconstruction::setTerms(const phase& of)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+
+    const auto repair =
+        [](gasState& s, stateTerms& t, const gasState& w, const stateTerms& tw)
+    {
+        if (!(t.K > 0.01*tw.K))
+        {
+            s = w;
+            t = tw;
+        }
+    };
+    const auto set = [&](const label n, const auto& face)
+    {
+        of.thermo.terms
+        (
+            n,
+            [&](const label i) -> const gasState& { return faces_[face(i)].own; },
+            [&](const label i) -> stateTerms& { return terms_[face(i)].own; }
+        );
+        of.thermo.terms
+        (
+            n,
+            [&](const label i) -> const gasState& { return faces_[face(i)].nei; },
+            [&](const label i) -> stateTerms& { return terms_[face(i)].nei; }
+        );
+        for (label i = 0; i < n; ++i)
+        {
+            const label f = face(i), b = f - nInternal;
+            sides& s = faces_[f];
+            sideTerms& t = terms_[f];
+            repair(s.own, t.own, of.W[own[f]], of.t[own[f]]);
+            if (b < 0)
+            {
+                repair(s.nei, t.nei, of.W[nei[f]], of.t[nei[f]]);
+            }
+            else
+            {
+                repair(s.nei, t.nei, of.Wb[b], of.tb[b]);
+            }
+        }
+    };
+    set(nInternal, [](const label i) { return i; });
+    for (const labelList* list : {&coupledList_, &boundary_})
+    {
+        set(list->size(), [&](const label i) { return (*list)[i]; });
+    }
+}
+
+
+void Foam::mpm::reconstruction::halfStep
+(
+    const scalar dt,
+    const phase& of,
+    const boolUList* nearSolid
+)
+{
+    if (of.thermo.isGammaLaw())
+    {
+        predict<false>(dt, of, nearSolid);
+    }
+    else
+    {
+        terms_.setSize(faces_.size());
+        predict<true>(dt, of, nearSolid);
+        setTerms(of);
+    }
+}
+
+// ************************************************************************* //
