@@ -86,7 +86,8 @@ TEST_CASE("heat: constant")
 TEST_CASE("granular pressure: Johnson-Jackson")
 {
     IStringStream is("type JohnsonJackson; alphaMin 0.5; alphaMax 0.65;");
-    const granularPressure law{dictionary(is)};
+    const autoPtr<granularPressure> lawPtr(granularPressure::New(dictionary(is)));
+    const granularPressure& law = *lawPtr;
     CHECK(law.p(0.5) == 0);
     CHECK(law.slope(0.45) == 0);
 

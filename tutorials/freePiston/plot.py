@@ -47,8 +47,9 @@ CASES = [(".", "stick, 100 cells")] + [
         ("stick50", "stick, 50 cells"), ("stick200", "stick, 200 cells"),
         ("none50", "no drag, 50 cells"), ("none100", "no drag, 100 cells"),
         ("none200", "no drag, 200 cells"), ("weak100", "constant 1e4, 100 cells"),
-        ("middle100", "constant 1e6, 100 cells"), ("stick100face1", "stick, faceDrag 1"),
-        ("stick100face0", "stick, faceDrag 0"), ("none100vanLeer", "no drag, van Leer"),
+        ("middle100", "constant 1e6, 100 cells"),
+        ("stick100velocity", "stick, faceDrag velocity"),
+        ("stick100noFaceDrag", "stick, faceDrag none"), ("none100vanLeer", "no drag, van Leer"),
         ("none100pores", "the same, poreFloor 0.001"), ("stick100vanLeer", "stick, van Leer"))]
 print(f"exact period {T:.6e} s")
 for case, label in CASES:

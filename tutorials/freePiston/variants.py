@@ -8,16 +8,18 @@ import sys
 
 #: cells, drag, faceDrag, scheme of the gas(, poreFloor)
 VARIANTS = {
-    "none50": (50, "type none;", 3, "upwind"), "none100": (100, "type none;", 3, "upwind"),
-    "none200": (200, "type none;", 3, "upwind"),
-    "none100vanLeer": (100, "type none;", 3, "vanLeer"),
-    "none100pores": (100, "type none;", 3, "vanLeer", 0.001),
-    "stick50": (50, "type stick;", 3, "upwind"), "stick200": (200, "type stick;", 3, "upwind"),
-    "stick100face1": (100, "type stick;", 1, "upwind"),
-    "stick100face0": (100, "type stick;", 0, "upwind"),
-    "stick100vanLeer": (100, "type stick;", 3, "vanLeer"),
-    "weak100": (100, "type constant; value 1e4;", 3, "upwind"),
-    "middle100": (100, "type constant; value 1e6;", 3, "upwind")}
+    "none50": (50, "type none;", "impedance", "upwind"),
+    "none100": (100, "type none;", "impedance", "upwind"),
+    "none200": (200, "type none;", "impedance", "upwind"),
+    "none100vanLeer": (100, "type none;", "impedance", "vanLeer"),
+    "none100pores": (100, "type none;", "impedance", "vanLeer", 0.001),
+    "stick50": (50, "type stick;", "impedance", "upwind"),
+    "stick200": (200, "type stick;", "impedance", "upwind"),
+    "stick100velocity": (100, "type stick;", "velocity", "upwind"),
+    "stick100noFaceDrag": (100, "type stick;", "none", "upwind"),
+    "stick100vanLeer": (100, "type stick;", "impedance", "vanLeer"),
+    "weak100": (100, "type constant; value 1e4;", "impedance", "upwind"),
+    "middle100": (100, "type constant; value 1e6;", "impedance", "upwind")}
 
 
 def replace(path, pattern, text):

@@ -8,7 +8,6 @@ License
 
 #include "dragModel.H"
 #include "dictionaryTools.H"
-#include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -47,18 +46,12 @@ Foam::autoPtr<Foam::mpm::dragModel> Foam::mpm::dragModel::New
     const dictionary& dict
 )
 {
-    requireKeyword(dict, "type");
-    const word type(dict.get<word>("type"));
-    const auto constructor = dictionaryConstructorTablePtr_->cfind(type);
-    if (!constructor.found())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Unknown drag model " << type << "." << nl
-            << "Valid models: "
-            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-            << exit(FatalIOError);
-    }
-    return constructor.val()(dict);
+    return selectFromTable<dragModel>
+    (
+        dict,
+        dictionaryConstructorTablePtr_,
+        dict
+    );
 }
 
 // ************************************************************************* //

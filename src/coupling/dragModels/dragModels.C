@@ -13,12 +13,14 @@ Description
 #include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
 namespace mpm
 {
+namespace dragModels
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- C_D of a sphere times Re, which stays finite at Re = 0
 static scalar dragCoefficientRe(const scalar Re)
@@ -26,154 +28,245 @@ static scalar dragCoefficientRe(const scalar Re)
     return Re < 1000 ? 24*(1 + 0.15*std::pow(Re, 0.687)) : 0.44*Re;
 }
 
-static scalar WenYuK(const dragModel::state& s, const scalar d)
-{
-    const scalar Re = s.thetaG*s.rho*s.U*d/s.mu;
-    // C_D rho u/d = (C_D Re) mu/(theta_g d^2)
-    return
-        0.75*dragCoefficientRe(Re)*s.mu/(s.thetaG*sqr(d))
-       *s.thetaS*std::pow(s.thetaG, -1.65);
-}
-
-static scalar ErgunK(const dragModel::state& s, const scalar d)
-{
-    return
-        150*sqr(s.thetaS)*s.mu/(s.thetaG*sqr(d))
-      + 1.75*s.thetaS*s.rho*s.U/d;
-}
-
-static scalar constantK(const dragModel::state& s, const scalar value)
-{
-    return s.thetaS*s.thetaG*value;
-}
-
-static scalar stickK(const dragModel::state& s, const scalar)
-{
-    return s.thetaS > 0 ? dragModel::sticking : 0;
-}
-
-static scalar noneK(const dragModel::state&, const scalar)
-{
-    return 0;
-}
-
-static scalar SchillerNaumannK(const dragModel::state& s, const scalar d)
-{
-    return
-        0.75*dragCoefficientRe(s.rho*s.U*d/s.mu)*s.mu/sqr(d)*s.thetaS;
-}
-
-static scalar GidaspowK(const dragModel::state& s, const scalar d)
-{
-    return s.thetaG < 0.8 ? ErgunK(s, d) : WenYuK(s, d);
-}
-
-static scalar DarcyK(const dragModel::state& s, const scalar permeability)
-{
-    return sqr(s.thetaG)*s.mu/permeability;
-}
-
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
-//- A drag of one number
-class simpleDrag
+class noDrag
 :
     public dragModel
 {
 public:
 
-    typedef scalar (*coefficient)(const state& s, const scalar value);
+    TypeName("none");
 
-private:
-
-    const coefficient K_;
-    const bool viscous_;
-    const scalar value_;
-
-public:
-
-    //- With the keyword of its number; empty: it has none
-    simpleDrag
-    (
-        const dictionary& dict,
-        const word& keyword,
-        const coefficient K,
-        const bool viscous
-    )
+    explicit noDrag(const dictionary& dict)
     :
-        dragModel(dict, keyword.empty() ? wordList() : wordList(1, keyword)),
-        K_(K),
-        viscous_(viscous),
-        value_(keyword.empty() ? 0 : positive(dict, keyword))
+        dragModel(dict, wordList())
     {}
 
-    scalar K(const state& s) const override
+    scalar K(const state&) const override
     {
-        return K_(s, value_);
+        return 0;
     }
 
     bool needsViscosity() const override
     {
-        return viscous_;
+        return false;
     }
 
     bool none() const override
     {
-        return K_ == noneK;
+        return true;
     }
 };
 
 
-//- Entry of the selection table
-struct addDrag
+class stick
+:
+    public dragModel
 {
-    addDrag
-    (
-        const word& name,
-        autoPtr<dragModel> (*make)(const dictionary&)
-    )
+public:
+
+    TypeName("stick");
+
+    explicit stick(const dictionary& dict)
+    :
+        dragModel(dict, wordList())
+    {}
+
+    scalar K(const state& s) const override
     {
-        dragModel::constructdictionaryConstructorTables();
-        dragModel::dictionaryConstructorTablePtr_->insert(name, make);
+        return s.thetaS > 0 ? sticking : 0;
+    }
+
+    bool needsViscosity() const override
+    {
+        return false;
     }
 };
 
 
-template<simpleDrag::coefficient K, bool viscous>
-autoPtr<dragModel> ofSize(const dictionary& dict)
+class constant
+:
+    public dragModel
 {
-    return autoPtr<dragModel>(new simpleDrag(dict, "d", K, viscous));
-}
+    const scalar value_;
 
-static const addDrag none
-(
-    "none",
-    [](const dictionary& dict)
-    { return autoPtr<dragModel>(new simpleDrag(dict, "", noneK, false)); }
-);
-static const addDrag stick
-(
-    "stick",
-    [](const dictionary& dict)
-    { return autoPtr<dragModel>(new simpleDrag(dict, "", stickK, false)); }
-);
-static const addDrag constant
-(
-    "constant",
-    [](const dictionary& dict)
-    { return autoPtr<dragModel>(new simpleDrag(dict, "value", constantK, false)); }
-);
-static const addDrag Darcy
-(
-    "Darcy",
-    [](const dictionary& dict)
-    { return autoPtr<dragModel>(new simpleDrag(dict, "permeability", DarcyK, true)); }
-);
-static const addDrag SchillerNaumann("SchillerNaumann", ofSize<SchillerNaumannK, true>);
-static const addDrag WenYu("WenYu", ofSize<WenYuK, true>);
-static const addDrag Ergun("Ergun", ofSize<ErgunK, true>);
-static const addDrag Gidaspow("Gidaspow", ofSize<GidaspowK, true>);
+public:
 
+    TypeName("constant");
+
+    explicit constant(const dictionary& dict)
+    :
+        dragModel(dict, {"value"}),
+        value_(positive(dict, "value"))
+    {}
+
+    scalar K(const state& s) const override
+    {
+        return s.thetaS*s.thetaG*value_;
+    }
+
+    bool needsViscosity() const override
+    {
+        return false;
+    }
+};
+
+
+class Darcy
+:
+    public dragModel
+{
+    const scalar permeability_;
+
+public:
+
+    TypeName("Darcy");
+
+    explicit Darcy(const dictionary& dict)
+    :
+        dragModel(dict, {"permeability"}),
+        permeability_(positive(dict, "permeability"))
+    {}
+
+    scalar K(const state& s) const override
+    {
+        return sqr(s.thetaG)*s.mu/permeability_;
+    }
+};
+
+
+//- Spheres of one diameter
+class spheres
+:
+    public dragModel
+{
+protected:
+
+    const scalar d_;
+
+    explicit spheres(const dictionary& dict)
+    :
+        dragModel(dict, {"d"}),
+        d_(positive(dict, "d"))
+    {}
+
+    scalar WenYuK(const state& s) const
+    {
+        const scalar Re = s.thetaG*s.rho*s.U*d_/s.mu;
+        // C_D rho u/d = (C_D Re) mu/(theta_g d^2)
+        return
+            0.75*dragCoefficientRe(Re)*s.mu/(s.thetaG*sqr(d_))
+           *s.thetaS*std::pow(s.thetaG, -1.65);
+    }
+
+    scalar ErgunK(const state& s) const
+    {
+        return
+            150*sqr(s.thetaS)*s.mu/(s.thetaG*sqr(d_))
+          + 1.75*s.thetaS*s.rho*s.U/d_;
+    }
+};
+
+
+class SchillerNaumann
+:
+    public spheres
+{
+public:
+
+    TypeName("SchillerNaumann");
+
+    explicit SchillerNaumann(const dictionary& dict)
+    :
+        spheres(dict)
+    {}
+
+    scalar K(const state& s) const override
+    {
+        return
+            0.75*dragCoefficientRe(s.rho*s.U*d_/s.mu)*s.mu/sqr(d_)*s.thetaS;
+    }
+};
+
+
+class WenYu
+:
+    public spheres
+{
+public:
+
+    TypeName("WenYu");
+
+    explicit WenYu(const dictionary& dict)
+    :
+        spheres(dict)
+    {}
+
+    scalar K(const state& s) const override
+    {
+        return WenYuK(s);
+    }
+};
+
+
+class Ergun
+:
+    public spheres
+{
+public:
+
+    TypeName("Ergun");
+
+    explicit Ergun(const dictionary& dict)
+    :
+        spheres(dict)
+    {}
+
+    scalar K(const state& s) const override
+    {
+        return ErgunK(s);
+    }
+};
+
+
+class Gidaspow
+:
+    public spheres
+{
+public:
+
+    TypeName("Gidaspow");
+
+    explicit Gidaspow(const dictionary& dict)
+    :
+        spheres(dict)
+    {}
+
+    scalar K(const state& s) const override
+    {
+        return s.thetaG < 0.8 ? ErgunK(s) : WenYuK(s);
+    }
+};
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+#define addDrag(model)                                                         \
+    defineTypeNameAndDebug(model, 0);                                          \
+    addToRunTimeSelectionTable(dragModel, model, dictionary)
+
+addDrag(noDrag);
+addDrag(stick);
+addDrag(constant);
+addDrag(Darcy);
+addDrag(SchillerNaumann);
+addDrag(WenYu);
+addDrag(Ergun);
+addDrag(Gidaspow);
+
+#undef addDrag
+
+} // End namespace dragModels
 } // End namespace mpm
 } // End namespace Foam
 

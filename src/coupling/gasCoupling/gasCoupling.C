@@ -353,17 +353,7 @@ Foam::mpm::gasCoupling::gasCoupling
     pores_.rhoS = rhoS_.cdata();
     pores_.dilation = dilation_.cdata();
     pores_.eps = eps_;
-    pores_.fd = label
-    (
-        boundedOrDefault
-        (
-            requiredDict(properties, gas.name()),
-            "faceDrag",
-            normalOnly_ ? 0 : 3,
-            0,
-            3
-        )
-    );
+    pores_.fd = readFaceDrag(requiredDict(properties, gas.name()));
 
     const noTraps guard;
     points_.couple(*this);

@@ -8,8 +8,61 @@ License
 
 #include "gasCoupling.H"
 #include "noTraps.H"
+#include "dictionaryTools.H"
+#include "FlatOutput.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::mpm::solidOnFaces::faceDrag Foam::mpm::gasCoupling::readFaceDrag
+(
+    const dictionary& dict
+) const
+{
+    const wordList words({"none", "velocity", "impedance"});
+    const solidOnFaces::faceDrag forms[] =
+    {
+        solidOnFaces::none,
+        solidOnFaces::velocity,
+        solidOnFaces::impedance
+    };
+
+    // Cases of older versions have numbers
+    const entry* given = dict.findEntry("faceDrag", keyType::LITERAL);
+    if (given && given->isStream())
+    {
+        const token first(given->stream());
+        if (first.isNumber())
+        {
+            forAll(words, i)
+            {
+                if (first.number() == forms[i])
+                {
+                    Info<< "Phase " << gas_.name() << ": faceDrag "
+                        << first.number() << " is the older word for "
+                        << words[i] << nl << endl;
+                    return forms[i];
+                }
+            }
+            FatalIOErrorInFunction(dict)
+                << "Unknown faceDrag " << first.number() << nl << nl
+                << "Valid choices are: " << flatOutput(words)
+                << exit(FatalIOError);
+        }
+    }
+
+    const word form
+    (
+        oneOfOrDefault
+        (
+            dict,
+            "faceDrag",
+            normalOnly_ ? "none" : "impedance",
+            words
+        )
+    );
+    return forms[words.find(form)];
+}
+
 
 Foam::vector Foam::mpm::gasCoupling::dragImpulse
 (

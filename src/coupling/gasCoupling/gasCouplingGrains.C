@@ -63,7 +63,7 @@ void Foam::mpm::gasCoupling::readGranular
     granular_.set
     (
         phasei,
-        new granularPressure(requiredDict(dict, "granularPressure"))
+        granularPressure::New(requiredDict(dict, "granularPressure")).ptr()
     );
     grainFace_[phasei].setSize(face_.size(), scalar(0));
     grainCell_[phasei].setSize(cell_.size(), scalar(0));

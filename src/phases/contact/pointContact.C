@@ -97,10 +97,12 @@ void Foam::mpm::pointContact::computeImpulses
                 size += sqr(slip[d]);
             }
             size = std::sqrt(size);
-            const bool stuck =
-                Jn > 0 && (pair.how.stick || size <= pair.how.mu*Jn);
+            const contactLaw& law = *pair.how.law;
+            const contactLaw::state s{Jn, size, M, dt};
+            const scalar limit = Jn > 0 ? law.limit(s) : 0;
+            const bool stuck = Jn > 0 && size <= limit;
             const scalar part =
-                stuck ? 1 : size > 0 ? min(scalar(1), pair.how.mu*Jn/size) : 0;
+                stuck ? 1 : size > 0 ? min(scalar(1), limit/size) : 0;
             for (int d = 0; d < nDim_; ++d)
             {
                 const scalar Jt = part*slip[d];
@@ -111,6 +113,7 @@ void Foam::mpm::pointContact::computeImpulses
             m.stickImpulse = size;
             m.closed = Jn > 0;
             m.stuck = stuck;
+            m.slope = settling && Jn > 0 && !stuck ? law.slope(s) : 0;
         }
     }
 }

@@ -62,12 +62,12 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness
         P = n*n.transpose();
         if (Jt > 0 && kind != filtered)
         {
-            // J_t = mu J_n along t; only its direction follows the slip
+            // |J_t| follows J_n, its direction the slip
             Eigen::Matrix3d across(-n*n.transpose());
             if (kind == tangent)
             {
                 t /= Jt;
-                P += pairs_[m.pair].how.mu*t*n.transpose();
+                P += m.slope*t*n.transpose();
                 across -= t*t.transpose();
             }
             for (int d = 0; d < nDim_; ++d)

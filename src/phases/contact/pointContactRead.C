@@ -15,20 +15,12 @@ License
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::mpm::pointContact::rule
-Foam::mpm::pointContact::readRule(const dictionary& dict) const
+Foam::mpm::pointContact::readRule(const dictionary& dict)
 {
-    checkKeywords(dict, {"type", "mu", "fields", "patch", "normal"});
     rule r;
     r.name = dict.dictName();
-    const word type(oneOf(dict, "type", {"frictionless", "Coulomb", "stick"}));
-    r.stick = type == "stick";
-    r.mu = type == "Coulomb" ? bounded(dict, "mu", 0, GREAT) : 0;
-    if (type != "Coulomb" && dict.found("mu"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "mu is the friction of type Coulomb; the type is " << type << "."
-            << exit(FatalIOError);
-    }
+    laws_.append(contactLaw::New(dict).ptr());
+    r.law = &laws_[laws_.size() - 1];
     r.normal = dict.getOrDefault<vector>("normal", vector::zero);
     if (dict.found("normal"))
     {

@@ -47,6 +47,7 @@ Foam::wordList Foam::mpm::phaseNames
     valid.append("phases");
     valid.append("contact");
     valid.append("outflow");
+    valid.append("stepParts");
     valid.append("FoamFile");
     for (const entry& e : dict)
     {
@@ -56,7 +57,8 @@ Foam::wordList Foam::mpm::phaseNames
                 << "Dictionary " << e.keyword() << " is no phase: it is not in"
                 << " the list phases " << flatOutput(names) << "." << nl
                 << "Add it there, or remove the dictionary; others that may"
-                << " be there are contact and outflow." << exit(FatalIOError);
+                << " be there are contact, outflow and stepParts."
+                << exit(FatalIOError);
         }
     }
     checkKeywords(dict, valid);

@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""Models of a user's library (library/), loaded with libs and selected by name, each
+against an exact value.
+
+    compiles    wmake outside the tree of the project, without a warning; each in one file
+                under 60 lines
+    law         Maxwell: simple shear at a rate r between walls, on cyclic sides: the stress
+                is G r T (1 - exp(-t/T)), T the relaxation time. The law has it exactly for
+                a constant rate: to rounding
+    drag        quadratic: dust with another velocity than the air around. Per volume both
+                have M_s and M_g: the slip is w0/(1 + t/t0) with
+                1/t0 = K/w (1/M_s + 1/M_g) w0. The implicit step has it exactly
+    friction    viscousFriction: a block on a floor, whose normal force is m g: the velocity
+                is u0 exp(-mu I/speed), I the integral of g over time
+    spring      wallSpring: period of a block, 2 pi sqrt(m/k)
+    force       shaking: a block under a sin(2 pi f t) from rest has moved
+                a/(2 pi f) (t - sin(2 pi f t)/(2 pi f))
+    object      centreOfMass: its last row against the points written
+    choices     an unknown name: the error names the user's among the valid ones
+"""
+
+import glob
+import os
+import sys
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from coupledCases import coupledCase, gasLog
+from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, readField, runParts,
+                      velocityFile, writeField)
+
+LIBS = {"libs": '("../library/libuserLibrary.so")'}
+FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0}
+ELASTIC = {"type": "linearElastic", "rho": 1000, "E": 1e4, "nu": 0.3}
+CENTRE = {"centre": {"type": "centreOfMass", "phase": "block", "writeControl": "timeStep",
+                     "writeInterval": 1}}
+H = 0.1
+
+
+def compiles(table):
+    case = FoamCase("userLibrary", "library", os.path.join(HERE, "library"))
+    case.run("wmake", limit=300)
+    table.check("a user's library compiles without a warning",
+                "warning:" not in case.log("wmake"))
+    for name in sorted(glob.glob(os.path.join(HERE, "library", "*.C"))):
+        with open(name) as f:
+            table.row(f"lines of {os.path.basename(name)}", 59, len(f.readlines()), 59,
+                      "atMost")
+
+
+def planeCase(name, cells, patches, conditions, region, end, dt, law=None, phase=None,
+              properties=None):
+    """A block in 2D, cells of H."""
+    case = FoamCase("userLibrary", name)
+    case.write("constant/phaseProperties", {
+        "phases": ["block"],
+        "block": {"constitutiveModel": law or ELASTIC, **(phase or {})},
+        **(properties or {})})
+    case.write("system/blockMeshDict", boxMesh(
+        (0, 0, 0), (H*cells[0], H*cells[1], H), (*cells, 1),
+        {**patches, "frontAndBack": ("empty", ("z-", "z+"))}))
+    velocityFile(case, "block", {**conditions, "frontAndBack": "empty"})
+    case.write("system/setMaterialPointsDict", {"regions": {
+        "block": {"phase": "block", "pointsPerCell": 2, **region}}})
+    case.write("system/fvSolution", {"materialPoints": FLIP})
+    noSchemes(case)
+    case.write("system/controlDict", {
+        **LIBS, **controlDict(end, end, deltaT=dt, functions=CENTRE)})
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    return case
+
+
+def freeBlock(name, end, dt, **more):
+    """4 x 2 cells of matter that nothing touches."""
+    return planeCase(name, (16, 6), {"outside": ("patch", ("x-", "x+", "y-", "y+"))},
+                     {"outside": "calculated"},
+                     {"type": "box", "min": (6*H, 2*H, 0), "max": (10*H, 4*H, H)}, end, dt,
+                     **more)
+
+
+def centre(case):
+    series = case.series("centre", "block.dat")
+    return series[:, 0], series[:, 1:4]
+
+
+# --- law ---------------------------------------------------------------------
+
+def law(table):
+    n, rate, G, T, dt, steps = 4, 5.0, 1e4, 0.05, 1e-3, 100
+    wall = {"type": "fixedValue", "value": "uniform (0 0 0)"}
+    case = planeCase(
+        "shear", (n, n),
+        {"left": ("cyclic; neighbourPatch right", ("x-",)),
+         "right": ("cyclic; neighbourPatch left", ("x+",)),
+         "low": ("patch", ("y-",)), "high": ("patch", ("y+",))},
+        {"left": "cyclic", "right": "cyclic", "low": wall,
+         "high": {**wall, "value": f"uniform ({rate*n*H} 0 0)"}},
+        {"type": "box", "min": (0, 0, 0), "max": (n*H, n*H, H)}, steps*dt, dt,
+        law={"type": "Maxwell", "rho": 1000, "K": 2e4, "G": G, "relaxationTime": T})
+    path = case.file("0/lagrangian/block")
+    x = readField(os.path.join(path, "x"))
+    writeField(os.path.join(path, "U"), np.outer(rate*x[:, 1], (1, 0, 0)))
+    case.run("materialPointFoam")
+    sigma = case.points(case.times()[-1], "block")["sigma"]
+    exact = G*rate*T*(1 - np.exp(-steps*dt/T))
+    table.row("law: shear stress of any point over the exact one - 1", 0,
+              np.max(abs(sigma[:, 1]/exact - 1)), 1e-10)
+    table.row("law: other stresses over it", 0,
+              np.max(abs(sigma[:, (0, 2, 3, 4, 5)]))/exact, 1e-10)
+
+
+# --- drag --------------------------------------------------------------------
+
+def drag(table):
+    n, h, w0, rho, rhoS, alpha, eps, C = 4, 1e-2, 10.0, 1.2, 2500.0, 2e-3, 1e-2, 5000.0
+    end = 1e-2
+    case = coupledCase(
+        "userLibrary", "drag", (n, 1, 1), (n*h, h, h),
+        lambda x, y, z: (rho + 0*x, 0*x, 1e5 + 0*x), end,
+        {"dust": {"volumeModel": "grains",
+                  "constitutiveModel": {"type": "noStress", "rho": rhoS},
+                  "drag": {"type": "quadratic", "C": C}}},
+        {"dust": {"type": "cells", "volumeFraction": alpha, "velocity": (w0, 0, 0)}},
+        patches={"left": ("cyclic; neighbourPatch right", ("x-",)),
+                 "right": ("cyclic; neighbourPatch left", ("x+",))},
+        control={**LIBS, "reportInterval": 1})
+    case.run("materialPointFoam")
+    g = gasLog(case)
+    V = n*h**3
+    thetaS = (1 - eps)*alpha
+    Ms, Mg = alpha*rhoS, (1 - thetaS)*rho
+    u = g["pointMomentum"][-1, 0]/(Ms*V)
+    U = g["momentum"][-1, 0]/(Mg*V)
+    rate = C*thetaS*(1/Ms + 1/Mg)*w0
+    print(f"drag: {case.nSteps()} steps, t/t0 {rate*end:.3f}")
+    table.row("drag: slip after the run over that at the start", 1/(1 + rate*end),
+              (u - U)/w0, 1e-3, "relative")
+
+
+# --- friction ----------------------------------------------------------------
+
+def friction(table):
+    g, ramp, u0, mu, speed, end = 9.81, 0.2, 1.0, 0.4, 2.0, 0.8
+    case = planeCase(
+        "friction", (24, 6), {"floor": ("patch", ("y-",)),
+                              "rest": ("patch", ("x-", "x+", "y+"))},
+        {"floor": "calculated", "rest": "calculated"},
+        {"type": "box", "min": (4*H, 0, 0), "max": (14*H, 3*H, H),
+         "velocity": (u0, 0, 0)}, end, 5e-4,
+        law={"type": "linearElastic", "rho": 1000, "E": 1e6, "nu": 0.3},
+        phase={"bodyForce": {"type": "uniform", "acceleration":
+               f"table ((0 (0 0 0)) ({ramp} (0 {-g} 0)) (10 (0 {-g} 0)))"}},
+        properties={"contact": {"slide": {
+            "fields": "(block)", "patch": "floor", "type": "viscousFriction", "mu": mu,
+            "speed": speed}}})
+    case.run("materialPointFoam")
+    U = case.points(case.times()[-1], "block").byId("U")[:, 0]
+    exact = u0*np.exp(-mu/speed*g*(end - ramp/2))
+    table.row("friction: velocity of the sliding block [m/s]", exact, np.mean(U), 1e-2,
+              "relative")
+
+
+# --- spring, force, object ---------------------------------------------------
+
+def spring(table):
+    m, k = 1000*4*2*H**3, 50.0
+    period = 2*np.pi*np.sqrt(m/k)
+    case = freeBlock("spring", 2*period, period/400, properties={"stepParts": {
+        "anchor": {"type": "wallSpring", "phase": "block", "k": k,
+                   "rest": (0.7, 3*H, 0)}}})
+    case.run("materialPointFoam")
+    t, x = centre(case)
+    way = x[:, 0] - 0.7
+    i = np.nonzero(way[1:]*way[:-1] < 0)[0]
+    zeros = t[i] - way[i]*(t[i + 1] - t[i])/(way[i + 1] - way[i])
+    table.row("spring: passages through rest", 4, len(zeros), 0)
+    table.row("spring: period [s]", period, zeros[2] - zeros[0], 1e-3, "relative")
+    table.row("spring: amplitude at the end [m]", 0.1, np.max(way[len(way)//2:]), 1e-3,
+              "relative")
+
+
+def force(table):
+    a, f, end, dt = 2.0, 1.5, 0.8, 1e-3
+    case = freeBlock("force", end, dt, phase={"bodyForce": {
+        "type": "shaking", "amplitude": (a, 0, 0), "frequency": f}})
+    case.run("materialPointFoam")
+    t, x = centre(case)
+    w = 2*np.pi*f
+    exact = a/w*(end - np.sin(w*end)/w)
+    first = case.points("0", "block")
+    table.row("force: way of a shaken block [m]", exact,
+              x[-1, 0] - np.mean(first["x"][:, 0]), 2e-3, "relative")
+    last = case.points(case.times()[-1], "block")
+    table.row("object: centre of mass against the points written [m]", 0,
+              np.max(abs(last["x"].mean(axis=0) - x[-1])[:2]), 1e-14)
+
+
+# --- choices -----------------------------------------------------------------
+
+def choices(table):
+    contact = {"fields": "(block)", "patch": "outside", "type": "viscousFriction", "mu": 1,
+               "speed": 1}
+    spring = {"phase": "block", "k": 1, "rest": (0, 0, 0), "type": "wallSpring"}
+    case = freeBlock(
+        "choices", 1e-3, 1e-3,
+        law={"type": "Maxwell", "rho": 1000, "K": 2e4, "G": 1e4, "relaxationTime": 1},
+        phase={"bodyForce": {"type": "shaking", "amplitude": (0, 0, 0), "frequency": 1}},
+        properties={"contact": {"one": contact}, "stepParts": {"one": spring}})
+    case.run("materialPointFoam")
+    table.check("all of them in one case", "Contact one" in case.log())
+    for user, words in (("Maxwell", ("constitutiveModel", "linearElastic")),
+                        ("viscousFriction", ("contactLaw", "Coulomb")),
+                        ("wallSpring", ("stepPart",)),
+                        ("shaking", ("bodyForce", "uniform"))):
+        case.change("constant/phaseProperties", f"type {user};", "type best;")
+        case.run("materialPointFoam", fails=True)
+        case.change("constant/phaseProperties", "type best;", f"type {user};")
+        log = " ".join(case.log().split())
+        error = log[log.find("FATAL IO ERROR"):]
+        table.check(f"unknown name in place of {user}: the error names all",
+                    all(w in error for w in ("best", user, *words)), error[:200])
+
+
+if __name__ == "__main__":
+    sys.exit(runParts("userLibrary", compiles, law, drag, friction, spring, force, choices))
