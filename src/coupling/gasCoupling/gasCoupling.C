@@ -340,7 +340,6 @@ Foam::mpm::gasCoupling::gasCoupling
         readHeat(phasei, dict);
         readGranular(phasei, dict);
         phase.cloud().needGas();
-        phase.cloud().allocateGas();
     }
 
     pores_.thetaS0 = thetaS0_.cdata();

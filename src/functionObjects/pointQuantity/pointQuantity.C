@@ -123,7 +123,7 @@ Foam::mpm::pointQuantity::pointQuantity
     rank_(1),
     component_(-1)
 {
-    const std::vector<column>& history = phase.cloud().history();
+    const UPtrList<column>& history = phase.cloud().history();
 
     const auto lookUp = [&](const std::string& asked)
     {
@@ -144,11 +144,11 @@ Foam::mpm::pointQuantity::pointQuantity
                 return true;
             }
         }
-        for (std::size_t i = 0; i < history.size(); ++i)
+        forAll(history, i)
         {
             if (asked == history[i].name())
             {
-                quantity_ = HISTORY + label(i);
+                quantity_ = HISTORY + i;
                 rank_ = rankOf(history[i]);
                 return true;
             }

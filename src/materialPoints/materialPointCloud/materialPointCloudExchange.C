@@ -15,15 +15,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::mpm::materialPointCloud::rowSize()
-{
-    // The cell, then all columns
-    label n = 1;
-    forColumns([&](const column& c) { n += c.nComponents(); });
-    return n;
-}
-
-
 void Foam::mpm::materialPointCloud::pack(const UList<cellChange>& cellChanges)
 {
     for (DynamicList<scalar>& rows : leaving_)
@@ -40,18 +31,7 @@ void Foam::mpm::materialPointCloud::pack(const UList<cellChange>& cellChanges)
             leaving_[findSortedIndex(procs_, grid_.ghostProc(mv.cell))];
 
         rows.append(grid_.ghostCell(mv.cell));
-        forColumns
-        (
-            [&](column& c)
-            {
-                // The tentative ones where there are such
-                const column& from = tentative(c);
-                for (int i = 0; i < from.nComponents(); ++i)
-                {
-                    rows.append(from[i][mv.point]);
-                }
-            }
-        );
+        toRow(mv.point, rows);
     }
 }
 
@@ -123,7 +103,8 @@ void Foam::mpm::materialPointCloud::sendRows()
 
 void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
 {
-    const label row = rowSize();
+    // The cell, then all columns
+    const label row = 1 + rowSize();
     label n = 0;
     for (const DynamicList<scalar>& rows : arriving_)
     {
@@ -141,18 +122,8 @@ void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
         {
             const scalar* from = rows.cdata() + at;
             const label p = n_ + nArrived_++;
-            const label announced = label(*from++);
-            forColumns
-            (
-                [&](column& c)
-                {
-                    column& to = tentative(c);
-                    for (int i = 0; i < to.nComponents(); ++i)
-                    {
-                        to[i][p] = *from++;
-                    }
-                }
-            );
+            const label announced = label(from[0]);
+            fromRow(from + 1, p);
 
             scalar x[3] = {0, 0, 0};
             for (int d = 0; d < grid_.nDim(); ++d)
@@ -178,6 +149,54 @@ void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::mpm::materialPointCloud::rowSize()
+{
+    label n = 0;
+    forCarried([&](const column& c) { n += c.nComponents(); });
+    return n;
+}
+
+
+void Foam::mpm::materialPointCloud::toRow
+(
+    const label pointi,
+    DynamicList<scalar>& row
+)
+{
+    forCarried
+    (
+        [&](cloudColumn& c)
+        {
+            const column& from = c.tentative();
+            for (int i = 0; i < from.nComponents(); ++i)
+            {
+                row.append(from[i][pointi]);
+            }
+        }
+    );
+}
+
+
+void Foam::mpm::materialPointCloud::fromRow
+(
+    const scalar* row,
+    const label pointi
+)
+{
+    forCarried
+    (
+        [&](cloudColumn& c)
+        {
+            column& to = c.tentative();
+            for (int i = 0; i < to.nComponents(); ++i)
+            {
+                to[i][pointi] = *row++;
+            }
+        }
+    );
+}
+
 
 void Foam::mpm::materialPointCloud::exchange(DynamicList<cellChange>& cellChanges)
 {

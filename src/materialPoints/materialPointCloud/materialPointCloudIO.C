@@ -94,6 +94,14 @@ bool onDisk(const materialPointCloud& c, const word& name)
     return isFile(path) || isFile(path + ".gz");
 }
 
+
+//- Name of a column for messages
+string titleOf(const cloudColumn& c)
+{
+    const string& title = c.rules().title();
+    return title.empty() ? string(c.name()) : c.name() + " (" + title + ")";
+}
+
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -144,44 +152,222 @@ Foam::label Foam::mpm::materialPointCloud::ownCellBeside(const point& x) const
 }
 
 
-bool Foam::mpm::materialPointCloud::present(const word& name) const
+bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
 {
-    if (onDisk(*this, name))
+    const columnRules& rules = c.rules();
+    if
+    (
+        onDisk(*this, c.name())
+        // OpenFOAM says which file it misses
+     || (
+            rules.inFiles() == columnRules::required
+         && rules.remedySentence().empty()
+        )
+    )
     {
         return true;
     }
+    if (rules.inFiles() == columnRules::optional)
+    {
+        return false;
+    }
 
     // A time that a run has written has every column, one of setMaterialPoints
-    // at least these: a missing one would silently start from zero
+    // some of them: a missing one would silently start from its initial value
     const bool written = isFile
     (
         time().path()/time().timeName()/"uniform"/"materialPointState"
     );
-    const bool ours = onDisk(*this, "x") && (name == "U" || name == "sigma");
+    const bool ours =
+        rules.inFiles() == columnRules::sinceStart && onDisk(*this, "x");
     if (written || ours)
     {
         FatalErrorInFunction
-            << "Column " << name << " of phase " << this->name()
+            << "Column " << c.name() << " of phase " << this->name()
             << " is missing in time " << time().timeName() << ", which was"
             << " written with it." << nl
             << "Restart from another time, or run setMaterialPoints."
             << exit(FatalError);
     }
+    if (rules.inFiles() == columnRules::required)
+    {
+        FatalErrorInFunction
+            << "Phase " << this->name() << " needs column "
+            << titleOf(c).c_str() << ", which its points of time "
+            << time().timeName() << " do not have." << nl
+            << rules.remedySentence().c_str() << exit(FatalError);
+    }
     return false;
 }
 
 
-void Foam::mpm::materialPointCloud::readPositions
+template<class Type>
+void Foam::mpm::materialPointCloud::checkValue
 (
-    const labelList& id,
-    labelList& cell
+    const cloudColumn& c,
+    const Type& value,
+    const label pointi,
+    const label celli
+) const
+{
+    const columnRules& rules = c.rules();
+    bool good = true;
+    if (rules.sign() == columnRules::finite)
+    {
+        good = std::isfinite(magSqr(value));
+    }
+    else
+    {
+        const int D = grid_.nDim();
+        const bool isVector = c.kind() == column::vectors;
+        const int n = isVector ? D : int(pTraits<Type>::nComponents);
+        for (int i = 0; i < n; ++i)
+        {
+            const scalar a =
+                component(value, direction(isVector ? grid_.direction(i) : i));
+            good =
+                good
+             && (
+                    rules.sign() == columnRules::positives
+                  ? a > 0 && a < rules.limit()
+                  : a >= 0 && a <= 1
+                );
+        }
+    }
+    if (!good)
+    {
+        OStringStream text;
+        text<< value;
+        FatalErrorInFunction
+            << "Material point " << label(id_[0][pointi]) << " of "
+            << this->name() << " at " << position(pointi, celli) << ", time "
+            << time().timeName() << ": " << titleOf(c).c_str() << " is "
+            << text.str().c_str() << "; it must be " << rules.rule().c_str()
+            << "." << exit(FatalError);
+    }
+}
+
+
+template<class Type>
+void Foam::mpm::materialPointCloud::fillColumn
+(
+    cloudColumn& c,
+    const Field<Type>& values,
+    const labelList& cell
 )
+{
+    forAll(values, p)
+    {
+        checkValue(c, values[p], p, cell[p]);
+        setValue(c, p, values[p]);
+    }
+}
+
+
+void Foam::mpm::materialPointCloud::readColumn
+(
+    cloudColumn& c,
+    const labelList& cell
+)
+{
+    const label n = cell.size();
+    c.fromFile() = present(c);
+    const word file(c.fromFile() ? c.name() : c.rules().orElseFile());
+    if (file.empty())
+    {
+        return;
+    }
+    switch (c.kind())
+    {
+        case column::scalars:
+            fillColumn(c, readField<scalar>(*this, file, n)(), cell);
+            break;
+        case column::vectors:
+            fillColumn(c, readField<vector>(*this, file, n)(), cell);
+            break;
+        case column::tensors:
+            fillColumn(c, readField<tensor>(*this, file, n)(), cell);
+            break;
+        default:
+            fillColumn(c, readField<symmTensor>(*this, file, n)(), cell);
+    }
+}
+
+
+Foam::scalarField Foam::mpm::materialPointCloud::readMasses()
+{
+    // A processor without points has no files
+    if (!onDisk(*this, "m"))
+    {
+        return scalarField();
+    }
+    // Wrong if it agrees with neither of two other columns
+    const bool agrees = announced(*this, "m") == announced(*this, "x");
+    return readField<scalar>
+    (
+        *this,
+        "m",
+        agrees ? -1 : announced(*this, "V")
+    );
+}
+
+
+void Foam::mpm::materialPointCloud::readIds()
+{
+    labelList id;
+    for (const word name : {"id", "origId"})
+    {
+        if (id.empty() && onDisk(*this, name))
+        {
+            id = readField<label>(*this, name, n_);
+        }
+    }
+    if (id.empty())
+    {
+        FatalErrorInFunction
+            << "Cloud " << name() << " of time " << time().timeName()
+            << " has no file id in "
+            << columnObject("id", IOobject::NO_READ).objectPath().path()
+            << "." << nl
+            << "Points are known by their ids (strengths that scatter,"
+            << " probes, restarts): run setMaterialPoints again, or copy"
+            << " the file back." << exit(FatalError);
+    }
+    forAll(id, p)
+    {
+        if (id[p] < 0)
+        {
+            FatalErrorInFunction
+                << "Cloud " << name() << " of time " << time().timeName()
+                << " has a material point with the id " << id[p]
+                << "; ids must not be negative." << exit(FatalError);
+        }
+        id_[0][p] = id[p];
+    }
+
+    // Ids must be unique: they name points for ever
+    Foam::sort(id);
+    for (label i = 1; i < id.size(); ++i)
+    {
+        if (id[i] == id[i - 1])
+        {
+            FatalErrorInFunction
+                << "Cloud " << name() << " of time " << time().timeName()
+                << " has two material points with id " << id[i]
+                << "." << exit(FatalError);
+        }
+    }
+    nextId_ = id.last() + 1;
+}
+
+
+void Foam::mpm::materialPointCloud::readPositions(labelList& cell)
 {
     const int D = grid_.nDim();
     const label n = cell.size();
 
     vectorField x;
-    if (present("x"))
+    if (present(x_))
     {
         x = readField<vector>(*this, "x", n);
     }
@@ -232,7 +418,7 @@ void Foam::mpm::materialPointCloud::readPositions
         if (cell[p] < 0)
         {
             FatalErrorInFunction
-                << "Material point " << id[p] << " of " << name()
+                << "Material point " << label(id_[0][p]) << " of " << name()
                 << " at " << x[p] << ", time " << time().timeName()
                 << ", lies outside the mesh " << grid_.mesh().bounds()
                 << "." << exit(FatalError);
@@ -248,7 +434,6 @@ void Foam::mpm::materialPointCloud::readPositions
 
 Foam::label Foam::mpm::materialPointCloud::readPoints()
 {
-    const int D = grid_.nDim();
     grid_.mesh().tetBasePtIs();
 
     // Overflow and NaN in the files are found below, by name
@@ -259,20 +444,8 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         return -1;
     }
 
-    // A processor without points has no files. One field at a time is in
-    // memory beside the columns
-    scalarField mass;
-    if (onDisk(*this, "m"))
-    {
-        // Wrong if it agrees with neither of two other columns
-        const bool agrees = announced(*this, "m") == announced(*this, "x");
-        mass = readField<scalar>
-        (
-            *this,
-            "m",
-            agrees ? -1 : announced(*this, "V")
-        );
-    }
+    // One field at a time is in memory beside the columns
+    scalarField mass(readMasses());
     const label n = mass.size();
     checkRecord(returnReduce(n, sumOp<label>()));
     labelList cell(n, label(-1));
@@ -281,295 +454,24 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
     reserve(n);
     n_ = n;
 
+    for (cloudColumn& c : columns_)
+    {
+        c.fill(0, n);
+    }
     if (n)
     {
-        labelList id;
-        for (const word name : {"id", "origId"})
-        {
-            if (id.empty() && onDisk(*this, name))
-            {
-                id = readField<label>(*this, name, n);
-            }
-        }
-        if (id.empty())
-        {
-            FatalErrorInFunction
-                << "Cloud " << name() << " of time " << time().timeName()
-                << " has no file id in "
-                << columnObject("id", IOobject::NO_READ).objectPath().path()
-                << "." << nl
-                << "Points are known by their ids (strengths that scatter,"
-                << " probes, restarts): run setMaterialPoints again, or copy"
-                << " the file back." << exit(FatalError);
-        }
-        for (label p = 0; p < n; ++p)
-        {
-            if (id[p] < 0)
-            {
-                FatalErrorInFunction
-                    << "Cloud " << name() << " of time " << time().timeName()
-                    << " has a material point with the id " << id[p]
-                    << "; ids must not be negative." << exit(FatalError);
-            }
-            id_[0][p] = id[p];
-        }
-
-        readPositions(id, cell);
-
-        const auto check = [&]
-        (
-            const label p,
-            const bool good,
-            const word& name,
-            const string& value,
-            const char* rule
-        )
-        {
-            if (!good)
-            {
-                FatalErrorInFunction
-                    << "Material point " << id[p] << " of " << this->name()
-                    << " at " << position(p, cell[p]) << ", time "
-                    << time().timeName() << ": " << name << " is "
-                    << value.c_str() << "; it must be " << rule << "."
-                    << exit(FatalError);
-            }
-        };
-
-        const auto positiveField = [&]
-        (
-            const scalarField& f,
-            const word& name,
-            const scalar limit,
-            const char* rule,
-            column& c
-        )
-        {
-            for (label p = 0; p < n; ++p)
-            {
-                check
-                (
-                    p,
-                    f[p] > 0 && f[p] < limit,
-                    name,
-                    Foam::name(f[p]),
-                    rule
-                );
-                c[0][p] = f[p];
-            }
-        };
-
-        positiveField
-        (
-            mass,
-            "m (mass)",
-            VGREAT,
-            "finite and greater than 0",
-            mass_
-        );
+        readIds();
+        readPositions(cell);
+        fillColumn(mass_, mass, cell);
         mass.clear();
-        positiveField
-        (
-            readField<scalar>(*this, "V", n)(),
-            "V (volume)",
-            1e3*grid_.mesh().bounds().volume(),
-            "greater than 0 and not far above that of the mesh",
-            volume_
-        );
-
-        if (present("U"))
+        for (cloudColumn& c : columns_)
         {
-            const vectorField U(readField<vector>(*this, "U", n));
-            for (label p = 0; p < n; ++p)
+            const columnRules::files files = c.rules().inFiles();
+            if (files != columnRules::none && files != columnRules::key)
             {
-                check
-                (
-                    p,
-                    std::isfinite(magSqr(U[p])),
-                    "U (velocity)",
-                    Foam::name(mag(U[p])),
-                    "finite"
-                );
-                for (int d = 0; d < D; ++d)
-                {
-                    U_[d][p] = U[p][grid_.direction(d)];
-                }
+                readColumn(c, cell);
             }
         }
-        if (present("sigma"))
-        {
-            const symmTensorField sigma
-            (
-                readField<symmTensor>(*this, "sigma", n)
-            );
-            for (label p = 0; p < n; ++p)
-            {
-                check
-                (
-                    p,
-                    std::isfinite(magSqr(sigma[p])),
-                    "sigma (stress)",
-                    Foam::name(mag(sigma[p])),
-                    "finite"
-                );
-                setSigma(p, sigma[p]);
-            }
-        }
-
-        if (halfSize_)
-        {
-            const vectorField h(readField<vector>(*this, "halfSize", n));
-            for (label p = 0; p < n; ++p)
-            {
-                for (int d = 0; d < D; ++d)
-                {
-                    const scalar hd = h[p][grid_.direction(d)];
-                    if (!(hd > 0))
-                    {
-                        FatalErrorInFunction
-                            << "Material point " << id[p] << " of " << name()
-                            << " at " << position(p, cell[p]) << ", time "
-                            << time().timeName()
-                            << ", has halfSize " << h[p]
-                            << "; it must be greater than 0 in the computed"
-                            << " directions." << exit(FatalError);
-                    }
-                    (*halfSize_)[d][p] = hd;
-                }
-            }
-        }
-        if (reference_)
-        {
-            // Absent where another tool has made the points: they start here
-            const vectorField X
-            (
-                readField<vector>(*this, present("X") ? "X" : "x", n)
-            );
-            for (label p = 0; p < n; ++p)
-            {
-                check
-                (
-                    p,
-                    std::isfinite(magSqr(X[p])),
-                    "X (reference position)",
-                    Foam::name(mag(X[p])),
-                    "finite"
-                );
-                for (int d = 0; d < D; ++d)
-                {
-                    (*reference_)[d][p] = X[p][grid_.direction(d)];
-                }
-            }
-        }
-        if (damage_ && present("damage"))
-        {
-            const scalarField f(readField<scalar>(*this, "damage", n));
-            for (label p = 0; p < n; ++p)
-            {
-                check
-                (
-                    p,
-                    f[p] >= 0 && f[p] <= 1,
-                    "damage",
-                    Foam::name(f[p]),
-                    "in [0, 1]"
-                );
-            }
-            std::copy(f.begin(), f.end(), (*damage_)[0]);
-        }
-
-        if (temperature_)
-        {
-            if (!present("T"))
-            {
-                FatalErrorInFunction
-                    << "Phase " << this->name() << " has heatTransfer, but"
-                    << " its points of time " << time().timeName()
-                    << " have no column T (temperature)." << nl
-                    << "Run setMaterialPoints, with the entry temperature in"
-                    << " its regions." << exit(FatalError);
-            }
-            positiveField
-            (
-                readField<scalar>(*this, "T", n)(),
-                "T (temperature)",
-                1e9,
-                "greater than 0 and less than 1e9 K",
-                *temperature_
-            );
-        }
-
-        for (const column* own : ownColumns())
-        {
-            column& h = const_cast<column&>(*own);
-
-            // Absent at the start of a run: the law's initial state. The
-            // affine matrix also where another transfer has written the time
-            const bool isAffine = affine_ && own == &*affine_;
-            if (!(isAffine ? onDisk(*this, h.name()) : present(h.name())))
-            {
-                continue;
-            }
-            affineRead_ = affineRead_ || isAffine;
-            if (h.kind() == column::scalars)
-            {
-                const scalarField f(readField<scalar>(*this, h.name(), n));
-                std::copy(f.begin(), f.end(), h[0]);
-            }
-            else if (h.kind() == column::tensors)
-            {
-                const tensorField f(readField<tensor>(*this, h.name(), n));
-                for (label p = 0; p < n; ++p)
-                {
-                    setTensor(h, p, f[p]);
-                }
-            }
-            else
-            {
-                const symmTensorField f
-                (
-                    readField<symmTensor>(*this, h.name(), n)
-                );
-                for (label p = 0; p < n; ++p)
-                {
-                    setTensor(h, p, tensor(f[p]));
-                }
-            }
-        }
-
-        for (const column* own : ownColumns())
-        {
-            const column& h = *own;
-            for (int i = 0; i < h.nComponents(); ++i)
-            {
-                for (label p = 0; p < n; ++p)
-                {
-                    check
-                    (
-                        p,
-                        std::isfinite(sqr(h[i][p])),
-                        h.name(),
-                        Foam::name(h[i][p]),
-                        "finite, and its square as well"
-                    );
-                }
-            }
-        }
-
-        // Ids must be unique: they name points for ever
-        labelList sortedIds(id);
-        Foam::sort(sortedIds);
-        for (label i = 1; i < n; ++i)
-        {
-            if (sortedIds[i] == sortedIds[i - 1])
-            {
-                FatalErrorInFunction
-                    << "Cloud " << name() << " of time " << time().timeName()
-                    << " has two material points with id " << sortedIds[i]
-                    << "." << exit(FatalError);
-            }
-        }
-        nextId_ = sortedIds.last() + 1;
     }
 
     order(cell);
@@ -577,6 +479,5 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
 
     return returnReduce(n_, sumOp<label>());
 }
-
 
 // ************************************************************************* //

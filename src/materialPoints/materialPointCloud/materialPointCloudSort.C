@@ -19,11 +19,11 @@ void Foam::mpm::materialPointCloud::permute
 {
     // The current x, U and C stay in the old order: they are what reject()
     // needs and accept() throws away
-    forColumns
+    forCarried
     (
-        [&](column& c)
+        [&](cloudColumn& c)
         {
-            tentative(c).permute(from.cdata(), first, from.size(), scratch_);
+            c.tentative().permute(from.cdata(), first, from.size(), scratch_);
         }
     );
 }
@@ -43,7 +43,7 @@ void Foam::mpm::materialPointCloud::order(const labelList& cell)
             return cell[a] != cell[b] ? cell[a] < cell[b] : id[a] < id[b];
         }
     );
-    forColumns([&](column& c) { c.permute(order.cdata(), 0, n_, scratch_); });
+    forCarried([&](column& c) { c.permute(order.cdata(), 0, n_, scratch_); });
 
     DynamicList<label> cells, start;
     forAll(order, i)
@@ -59,65 +59,56 @@ void Foam::mpm::materialPointCloud::order(const labelList& cell)
     start_.transfer(start);
 }
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::mpm::materialPointCloud::sort(const UList<cellChange>& cellChanges)
+Foam::label Foam::mpm::materialPointCloud::countPoints
+(
+    const UList<cellChange>& cellChanges,
+    DynamicList<label>& fresh
+)
 {
-    sorted_ = false;
-    if (cellChanges.empty())
-    {
-        return false;
-    }
-
-    oldCells_ = cells_;
-    oldStart_ = start_;
-
-    // Points per cell after the step; cells that were empty before
-    DynamicList<label> fresh;
     forAll(cells_, k)
     {
         // One more marks a listed cell, so that an emptied one is known
         count_[cells_[k]] = 1 + start_[k + 1] - start_[k];
     }
-    label m = 0, nLeft = 0;
+    label nLeft = 0;
+    const auto comes = [&](const label celli)
+    {
+        if (celli >= grid_.nCells())
+        {
+            ++nLeft;
+            return;
+        }
+        label& c = count_[celli];
+        if (c == 0)
+        {
+            c = 1;
+            fresh.append(celli);
+        }
+        ++c;
+    };
+    label m = 0;
     forAll(cells_, k)
     {
         for (; m < cellChanges.size() && cellChanges[m].point < start_[k + 1]; ++m)
         {
             --count_[cells_[k]];
-            if (cellChanges[m].cell >= grid_.nCells())
-            {
-                ++nLeft;
-                continue;
-            }
-            label& c = count_[cellChanges[m].cell];
-            if (c == 0)
-            {
-                c = 1;
-                fresh.append(cellChanges[m].cell);
-            }
-            ++c;
+            comes(cellChanges[m].cell);
         }
     }
     for (; m < cellChanges.size(); ++m)
     {
         // Arrived
-        if (cellChanges[m].cell >= grid_.nCells())
-        {
-            ++nLeft;
-            continue;
-        }
-        label& c = count_[cellChanges[m].cell];
-        if (c == 0)
-        {
-            c = 1;
-            fresh.append(cellChanges[m].cell);
-        }
-        ++c;
+        comes(cellChanges[m].cell);
     }
     Foam::sort(fresh);
+    return nLeft;
+}
 
-    // New list of cells
+
+Foam::labelList
+Foam::mpm::materialPointCloud::cellsAfter(const labelUList& fresh)
+{
     DynamicList<label> cells(oldCells_.size() + fresh.size());
     for (label a = 0, b = 0; a < oldCells_.size() || b < fresh.size();)
     {
@@ -134,29 +125,21 @@ bool Foam::mpm::materialPointCloud::sort(const UList<cellChange>& cellChanges)
             count_[celli] = 0;
         }
     }
-    const bool changed =
-        fresh.size() || cells.size() != oldCells_.size();
+    return labelList(std::move(cells));
+}
 
-    // Turn counts into places
-    start_.setSize(cells.size() + 1);
-    label n = 0;
-    forAll(cells, k)
-    {
-        start_[k] = n;
-        const label nHere = count_[cells[k]] - 1;
-        count_[cells[k]] = first_[cells[k]] = n;
-        n += nHere;
-    }
-    start_[cells.size()] = n;
 
-    // Stayers in their order, then cellChanges; points that have left stand behind
-    // all others until the state is accepted
-    oldN_ = n_;
-    n_ += nArrived_ - nLeft;
-    nArrived_ = 0;
+void Foam::mpm::materialPointCloud::findOrder
+(
+    const UList<cellChange>& cellChanges,
+    const labelUList& cells,
+    const label nLeft
+)
+{
+    // Stayers in their order, then cellChanges; points that have left stand
+    // behind all others until the state is accepted
     from_.setSize(n_ + nLeft);
-    label left = n_;
-    m = 0;
+    label left = n_, m = 0;
     forAll(oldCells_, k)
     {
         const label celli = oldCells_[k];
@@ -197,6 +180,43 @@ bool Foam::mpm::materialPointCloud::sort(const UList<cellChange>& cellChanges)
     {
         count_[celli] = 0;
     }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::materialPointCloud::sort(const UList<cellChange>& cellChanges)
+{
+    sorted_ = false;
+    if (cellChanges.empty())
+    {
+        return false;
+    }
+
+    oldCells_ = cells_;
+    oldStart_ = start_;
+
+    DynamicList<label> fresh;
+    const label nLeft = countPoints(cellChanges, fresh);
+    labelList cells(cellsAfter(fresh));
+    const bool changed =
+        fresh.size() || cells.size() != oldCells_.size();
+
+    // Turn counts into places
+    start_.setSize(cells.size() + 1);
+    label n = 0;
+    forAll(cells, k)
+    {
+        start_[k] = n;
+        const label nHere = count_[cells[k]] - 1;
+        count_[cells[k]] = first_[cells[k]] = n;
+        n += nHere;
+    }
+    start_[cells.size()] = n;
+
+    oldN_ = n_;
+    n_ += nArrived_ - nLeft;
+    nArrived_ = 0;
+    findOrder(cellChanges, cells, nLeft);
     cells_.transfer(cells);
 
     firstMoved_ = 0;
@@ -242,7 +262,7 @@ Foam::label Foam::mpm::materialPointCloud::remove(const boolList& gone)
             order[last++] = p;
         }
     }
-    forColumns([&](column& c) { c.permute(order.cdata(), 0, n_, scratch_); });
+    forCarried([&](column& c) { c.permute(order.cdata(), 0, n_, scratch_); });
     cells_.transfer(cells);
     start_.transfer(start);
     sorted_ = false;
@@ -255,9 +275,10 @@ Foam::label Foam::mpm::materialPointCloud::remove(const boolList& gone)
 
 void Foam::mpm::materialPointCloud::accept()
 {
-    x_.swap(xNew_);
-    U_.swap(UNew_);
-    if (affine_) affine_->swap(*affineNew_);
+    for (cloudColumn& c : columns_)
+    {
+        c.accept();
+    }
     sorted_ = false;
 }
 

@@ -27,7 +27,13 @@ using namespace Foam;
 using namespace Foam::mpm;
 
 template<class Type, class Get>
-void writeField(const materialPointCloud& c, const word& name, const label n, const Get& get)
+void writeField
+(
+    const materialPointCloud& c,
+    const word& name,
+    const label n,
+    const Get& get
+)
 {
     IOField<Type> f(c.columnObject(name, IOobject::NO_READ), n);
     for (label p = 0; p < n; ++p)
@@ -125,11 +131,79 @@ Foam::fileName Foam::mpm::materialPointCloud::recordFile() const
     return time().path()/time().timeName()/"uniform"/"materialPointMesh";
 }
 
+
+void Foam::mpm::materialPointCloud::writeParcels(const labelList& cell) const
+{
+    Cloud<passiveParticle> parcels
+    (
+        grid_.mesh(),
+        name(),
+        IDLList<passiveParticle>()
+    );
+    forAll(cell, p)
+    {
+        passiveParticle* parcel = new passiveParticle
+        (
+            grid_.mesh(),
+            position(p, cell[p]),
+            cell[p]
+        );
+        parcel->origProc() = 0;
+        parcel->origId() = label(id_[0][p]);
+        parcels.addParticle(parcel);
+    }
+    parcels.write();
+}
+
+
+void Foam::mpm::materialPointCloud::writeColumn
+(
+    const cloudColumn& c,
+    const labelList& cell
+) const
+{
+    switch (c.kind())
+    {
+        case column::scalars:
+            writeField<scalar>
+            (*this, c.name(), n_, [&](label p) { return c[0][p]; });
+            break;
+        case column::vectors:
+            writeField<vector>
+            (
+                *this, c.name(), n_,
+                [&](label p)
+                {
+                    vector v(vectorOf(c, p));
+                    if (c.rules().isPosition())
+                    {
+                        const point at(position(p, cell[p]));
+                        for (int d = grid_.nDim(); d < 3; ++d)
+                        {
+                            v[grid_.direction(d)] = at[grid_.direction(d)];
+                        }
+                    }
+                    return v;
+                }
+            );
+            break;
+        case column::tensors:
+            writeField<tensor>
+            (*this, c.name(), n_, [&](label p) { return tensorOf(c, p); });
+            break;
+        default:
+            writeField<symmTensor>
+            (
+                *this, c.name(), n_,
+                [&](label p) { return symm(tensorOf(c, p)); }
+            );
+    }
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::mpm::materialPointCloud::writePoints() const
 {
-    const int D = grid_.nDim();
     const noTraps guard;
 
     // An earlier run may have had points at this time
@@ -142,108 +216,20 @@ void Foam::mpm::materialPointCloud::writePoints() const
         rmDir(folder);
     }
 
-    // Positions for other tools
-    Cloud<passiveParticle> parcels
-    (
-        grid_.mesh(),
-        name(),
-        IDLList<passiveParticle>()
-    );
-    labelList cell(n_);
-    forAll(cells_, k)
-    {
-        for (label p = start_[k]; p < start_[k + 1]; ++p)
-        {
-            cell[p] = cells_[k];
-            passiveParticle* parcel = new passiveParticle
-            (
-                grid_.mesh(),
-                position(p, cells_[k]),
-                cells_[k]
-            );
-            parcel->origProc() = 0;
-            parcel->origId() = label(id_[0][p]);
-            parcels.addParticle(parcel);
-        }
-    }
-    parcels.write();
+    const labelList cell(cellsOfPoints(n_));
+    writeParcels(cell);
 
     const fullPrecision allDigits;
 
-    writeField<vector>
-    (*this, "x", n_, [&](label p) { return position(p, cell[p]); });
-    writeField<vector>
-    (*this, "U", n_, [&](label p) { return velocity(p); });
-    writeField<scalar>
-    (*this, "m", n_, [&](label p) { return mass_[0][p]; });
-    writeField<scalar>
-    (*this, "V", n_, [&](label p) { return volume_[0][p]; });
-    writeField<symmTensor>
-    (*this, "sigma", n_, [&](label p) { return sigma(p); });
+    for (const cloudColumn& c : columns_)
+    {
+        if (c.rules().inFiles() != columnRules::none)
+        {
+            writeColumn(c, cell);
+        }
+    }
     writeField<label>
     (*this, "id", n_, [&](label p) { return label(id_[0][p]); });
-
-    if (halfSize_)
-    {
-        writeField<vector>
-        (
-            *this, "halfSize", n_,
-            [&](label p)
-            {
-                vector v(Zero);
-                for (int d = 0; d < D; ++d)
-                {
-                    v[grid_.direction(d)] = (*halfSize_)[d][p];
-                }
-                return v;
-            }
-        );
-    }
-    if (reference_)
-    {
-        writeField<vector>
-        (
-            *this, "X", n_,
-            [&](label p)
-            {
-                point X(position(p, cell[p]));
-                for (int d = 0; d < D; ++d)
-                {
-                    X[grid_.direction(d)] = (*reference_)[d][p];
-                }
-                return X;
-            }
-        );
-    }
-    if (damage_)
-    {
-        writeField<scalar>
-        (*this, "damage", n_, [&](label p) { return (*damage_)[0][p]; });
-    }
-    if (temperature_)
-    {
-        writeField<scalar>
-        (*this, "T", n_, [&](label p) { return (*temperature_)[0][p]; });
-    }
-    for (const column* own : ownColumns())
-    {
-        const column& h = *own;
-        if (h.kind() == column::scalars)
-        {
-            writeField<scalar>
-            (*this, h.name(), n_, [&](label p) { return h[0][p]; });
-        }
-        else if (h.kind() == column::tensors)
-        {
-            writeField<tensor>
-            (*this, h.name(), n_, [&](label p) { return tensorOf(h, p); });
-        }
-        else
-        {
-            writeField<symmTensor>
-            (*this, h.name(), n_, [&](label p) { return symm(tensorOf(h, p)); });
-        }
-    }
 
     // For the eye: pressure, not by the name of the gas' field, whose colours
     // ParaView would share, and equivalent stress

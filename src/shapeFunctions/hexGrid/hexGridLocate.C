@@ -91,86 +91,96 @@ void Foam::mpm::hexGrid::localCoordinates
 }
 
 
+Foam::label Foam::mpm::hexGrid::locateInLattice
+(
+    const label from,
+    scalar* x
+) const
+{
+    label at[3] = {0, 0, 0};
+    scalar beyond[3] = {0, 0, 0};
+    for (int d = 0; d < nDim_; ++d)
+    {
+        const scalarList& X = planes_[d];
+        const label n = nCells_[d];
+
+        // Where to look: beyond the window of a processor that has not
+        // the whole period, ghosts repeat the planes
+        const bool whole = n == nAllCells_[d];
+        scalar y = x[d];
+        if (period_[d] > 0)
+        {
+            // Once is enough for a point that moves less than the domain
+            if (x[d] < lowest_[d])
+            {
+                x[d] += period_[d];
+                // Rounding may land on the closed end: that is the start
+                if (x[d] >= highest_[d])
+                {
+                    y = x[d] = lowest_[d];
+                }
+            }
+            else if (x[d] >= highest_[d])
+            {
+                x[d] = max(x[d] - period_[d], lowest_[d]);
+            }
+            y = whole ? x[d] : y;
+        }
+        if (!(y >= X[0] && y <= X[n + 2]))
+        {
+            return -1;
+        }
+        label i =
+            from >= 0
+          ? ijk(from, d)
+          : label
+            (
+                std::upper_bound(X.begin(), X.begin() + n + 3, y)
+              - X.begin()
+            ) - 1;
+        i = min(max(i, label(0)), n + 1);
+        while (i > 0 && y < X[i]) --i;
+        while (i < n + 1 && y >= X[i + 1]) ++i;
+        at[d] = i;
+        beyond[d] = y;
+    }
+
+    const label celli = cellAt(at);
+    if (celli >= 0)
+    {
+        return celli;
+    }
+
+    // On the upper plane of the mesh: no cell above, outermost and closed
+    for (int n = 1; n < (1 << nDim_); ++n)
+    {
+        label lower[3] = {at[0], at[1], at[2]};
+        bool possible = true;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            if ((n >> d) & 1)
+            {
+                possible =
+                    possible
+                 && at[d] > 0
+                 && beyond[d] == planes_[d][at[d]];
+                --lower[d];
+            }
+        }
+        if (possible && cellAt(lower) >= 0)
+        {
+            return cellAt(lower);
+        }
+    }
+    return -1;
+}
+
+
 Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
 {
     if (hasLattice())
     {
-        label at[3] = {0, 0, 0};
-        scalar beyond[3] = {0, 0, 0};
-        for (int d = 0; d < nDim_; ++d)
-        {
-            const scalarList& X = planes_[d];
-            const label n = nCells_[d];
-
-            // Where to look: beyond the window of a processor that has not
-            // the whole period, ghosts repeat the planes
-            const bool whole = n == nAllCells_[d];
-            scalar y = x[d];
-            if (period_[d] > 0)
-            {
-                // Once is enough for a point that moves less than the domain
-                if (x[d] < lowest_[d])
-                {
-                    x[d] += period_[d];
-                    // Rounding may land on the closed end: that is the start
-                    if (x[d] >= highest_[d])
-                    {
-                        y = x[d] = lowest_[d];
-                    }
-                }
-                else if (x[d] >= highest_[d])
-                {
-                    x[d] = max(x[d] - period_[d], lowest_[d]);
-                }
-                y = whole ? x[d] : y;
-            }
-            if (!(y >= X[0] && y <= X[n + 2]))
-            {
-                return -1;
-            }
-            label i =
-                from >= 0
-              ? ijk(from, d)
-              : label
-                (
-                    std::upper_bound(X.begin(), X.begin() + n + 3, y)
-                  - X.begin()
-                ) - 1;
-            i = min(max(i, label(0)), n + 1);
-            while (i > 0 && y < X[i]) --i;
-            while (i < n + 1 && y >= X[i + 1]) ++i;
-            at[d] = i;
-            beyond[d] = y;
-        }
-
-        const label celli = cellAt(at);
-        if (celli >= 0)
-        {
-            return celli;
-        }
-
-        // On the upper plane of the mesh: no cell above, outermost and closed
-        for (int n = 1; n < (1 << nDim_); ++n)
-        {
-            label lower[3] = {at[0], at[1], at[2]};
-            bool possible = true;
-            for (int d = 0; d < nDim_; ++d)
-            {
-                if ((n >> d) & 1)
-                {
-                    possible =
-                        possible
-                     && at[d] > 0
-                     && beyond[d] == planes_[d][at[d]];
-                    --lower[d];
-                }
-            }
-            if (possible && cellAt(lower) >= 0)
-            {
-                return cellAt(lower);
-            }
-        }
-        return -1;
+        return locateInLattice(from, x);
     }
 
     // General hexahedra: through the side that is violated most

@@ -189,24 +189,13 @@ void Foam::mpm::hexGrid::makeNodes()
 }
 
 
-void Foam::mpm::hexGrid::makeCells()
+Foam::mpm::hexGrid::coupledSides Foam::mpm::hexGrid::findCoupled()
 {
     const polyMesh& mesh = this->mesh();
-    const PackedBoolList isEmpty(emptyFaces(mesh));
-    hexMatcher hex;
-    prismMatcher prism;
-    labelHashSet onAxis;
-    const label nc = label(1) << nDim_;
-
-    cellNodes_.setSize(nc*mesh.nCells());
-    cellPoints_.setSize(nc*mesh.nCells());
-    cellCells_.setSize(2*nDim_*mesh.nCells(), -1);
-    walls_.setSize(mesh.nCells(), 0);
 
     // Cells behind cyclic faces
-    labelList coupled(mesh.nFaces() - mesh.nInternalFaces(), -1);
-    vectorField separation(coupled.size(), Zero);
-    bool cyclic = false;
+    const label n = mesh.nFaces() - mesh.nInternalFaces();
+    coupledSides c{labelList(n, label(-1)), vectorField(n, Zero), false};
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (isA<cyclicPolyPatch>(pp))
@@ -216,12 +205,12 @@ void Foam::mpm::hexGrid::makeCells()
             forAll(pp, i)
             {
                 const label facei = pp.start() + i - mesh.nInternalFaces();
-                coupled[facei] = nbr[i];
-                separation[facei] =
+                c.cell[facei] = nbr[i];
+                c.separation[facei] =
                     refCast<const cyclicPolyPatch>(pp).neighbPatch()
                    .faceCentres()[i]
                   - pp.faceCentres()[i];
-                cyclic = true;
+                c.cyclic = true;
             }
         }
     }
@@ -229,8 +218,8 @@ void Foam::mpm::hexGrid::makeCells()
     // Cells of other processors
     if (Pstream::parRun())
     {
-        labelList nbrCell(coupled.size(), -1);
-        vectorField nbrCentre(coupled.size(), Zero);
+        labelList nbrCell(n, -1);
+        vectorField nbrCentre(n, Zero);
         forAll(nbrCell, i)
         {
             nbrCell[i] = mesh.faceOwner()[mesh.nInternalFaces() + i];
@@ -249,24 +238,243 @@ void Foam::mpm::hexGrid::makeCells()
                 forAll(pp, i)
                 {
                     const label facei = pp.start() + i - mesh.nInternalFaces();
-                    coupled[facei] = ghost(proci, nbrCell[facei]);
+                    c.cell[facei] = ghost(proci, nbrCell[facei]);
                     if (shifted)
                     {
-                        separation[facei] =
+                        c.separation[facei] =
                             nbrCentre[facei] - pp.faceCentres()[i];
-                        cyclic = true;
+                        c.cyclic = true;
                     }
                 }
             }
         }
     }
+    return c;
+}
 
-    if (cyclic)
+
+void Foam::mpm::hexGrid::pairFaces
+(
+    const label celli,
+    const PackedBoolList& isEmpty,
+    const bool atAxis,
+    cellSides& s
+) const
+{
+    const polyMesh& mesh = this->mesh();
+    const faceList& faces = mesh.faces();
+    s.nPairs = 0;
+
+    // The six faces as three pairs without a common point. Of the prism at
+    // an axis only the triangles are a pair
+    const cell& cFaces = mesh.cells()[celli];
+    FixedList<bool, 6> used(false);
+    for (int i = 0; i < cFaces.size(); ++i)
+    {
+        if (used[i])
+        {
+            continue;
+        }
+        for (int j = i + 1; j < cFaces.size(); ++j)
+        {
+            bool touches = false;
+            for (const label p : faces[cFaces[i]])
+            {
+                touches = touches || faces[cFaces[j]].found(p);
+            }
+            if (!used[j] && !touches)
+            {
+                s.pair[s.nPairs][0] = cFaces[i];
+                s.pair[s.nPairs][1] = cFaces[j];
+                ++s.nPairs;
+                used[i] = used[j] = true;
+                break;
+            }
+        }
+    }
+
+    // The side that faces the axis
+    s.outer = -1;
+    for (int i = 0; atAxis && i < cFaces.size(); ++i)
+    {
+        if (!used[i] && !isEmpty.test(cFaces[i]))
+        {
+            s.outer = cFaces[i];
+        }
+    }
+}
+
+
+Foam::mpm::hexGrid::cellSides Foam::mpm::hexGrid::sidesOf
+(
+    const label celli,
+    const PackedBoolList& isEmpty,
+    const bool atAxis
+) const
+{
+    const polyMesh& mesh = this->mesh();
+    cellSides s;
+    pairFaces(celli, isEmpty, atAxis, s);
+
+    // Each computed direction takes the pair that lies most along it
+    FixedList<bool, 3> taken(false);
+    for (int d = 0; d < nDim_; ++d)
+    {
+        if (s.outer >= 0 && d == radial_)
+        {
+            s.side[d][0] = -1;
+            s.side[d][1] = s.outer;
+            continue;
+        }
+        int best = -1;
+        scalar along = -1;
+        for (int k = 0; k < s.nPairs; ++k)
+        {
+            if (taken[k] || isEmpty.test(s.pair[k][0]))
+            {
+                continue;
+            }
+            const vector v
+            (
+                mesh.faceCentres()[s.pair[k][1]]
+              - mesh.faceCentres()[s.pair[k][0]]
+            );
+            const scalar a = mag(v[dir_[d]])/max(mag(v), VSMALL);
+            if (a > along)
+            {
+                along = a;
+                best = k;
+            }
+        }
+        if (best < 0)
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at "
+                << mesh.cellCentres()[celli] << " has no pair of sides"
+                << " for direction " << d << "; check the empty or wedge"
+                << " patches."
+                << exit(FatalError);
+        }
+        taken[best] = true;
+        const scalar up =
+            mesh.faceCentres()[s.pair[best][1]][dir_[d]]
+          - mesh.faceCentres()[s.pair[best][0]][dir_[d]];
+        s.side[d][0] = s.pair[best][up > 0 ? 0 : 1];
+        s.side[d][1] = s.pair[best][up > 0 ? 1 : 0];
+    }
+    return s;
+}
+
+
+void Foam::mpm::hexGrid::setCorners
+(
+    const label celli,
+    const cellSides& s,
+    labelHashSet& onAxis
+)
+{
+    const polyMesh& mesh = this->mesh();
+    const faceList& faces = mesh.faces();
+    const label nc = label(1) << nDim_;
+
+    // A corner is the node of the points that its sides share
+    for (label n = 0; n < nc; ++n)
+    {
+        label corner = -1, own = -1;
+        for (const label p : mesh.cellPoints()[celli])
+        {
+            bool inAll = true;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                const label facei = s.side[d][(n >> d) & 1];
+                inAll =
+                    inAll
+                 && (
+                        facei >= 0
+                      ? faces[facei].found(p)
+                      : !faces[s.outer].found(p)
+                    );
+            }
+            if (inAll)
+            {
+                corner = pointToNode_[p];
+                own = p;
+            }
+        }
+        if (s.outer >= 0 && !((n >> radial_) & 1))
+        {
+            onAxis.insert(corner);
+        }
+        cellNodes_[nc*celli + n] = corner;
+        cellPoints_[nc*celli + n] = own;
+    }
+}
+
+
+void Foam::mpm::hexGrid::setNeighbours
+(
+    const label celli,
+    const cellSides& s,
+    const coupledSides& c
+)
+{
+    const polyMesh& mesh = this->mesh();
+
+    for (int d = 0; d < nDim_; ++d)
+    {
+        for (int i = 0; i < 2; ++i)
+        {
+            const label facei = s.side[d][i];
+            label nbr = -1;
+            if (facei < 0)
+            {
+                // Nothing beyond the axis
+            }
+            else if (mesh.isInternalFace(facei))
+            {
+                nbr =
+                    mesh.faceOwner()[facei] == celli
+                  ? mesh.faceNeighbour()[facei]
+                  : mesh.faceOwner()[facei];
+            }
+            else
+            {
+                nbr = c.cell[facei - mesh.nInternalFaces()];
+                if (nbr >= 0 && shift_.size())
+                {
+                    shift_[2*(nDim_*celli + d) + i] =
+                        c.separation[facei - mesh.nInternalFaces()];
+                }
+            }
+            cellCells_[2*(nDim_*celli + d) + i] = nbr;
+            if (nbr < 0)
+            {
+                walls_[celli] |= 1u << (2*d + i);
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::hexGrid::makeCells()
+{
+    const polyMesh& mesh = this->mesh();
+    const PackedBoolList isEmpty(emptyFaces(mesh));
+    hexMatcher hex;
+    prismMatcher prism;
+    labelHashSet onAxis;
+    const label nc = label(1) << nDim_;
+
+    cellNodes_.setSize(nc*mesh.nCells());
+    cellPoints_.setSize(nc*mesh.nCells());
+    cellCells_.setSize(2*nDim_*mesh.nCells(), -1);
+    walls_.setSize(mesh.nCells(), 0);
+
+    const coupledSides coupled(findCoupled());
+    if (coupled.cyclic)
     {
         shift_.setSize(2*nDim_*mesh.nCells(), vector(Zero));
     }
-
-    const faceList& faces = mesh.faces();
 
     forAll(mesh.cells(), celli)
     {
@@ -285,159 +493,9 @@ void Foam::mpm::hexGrid::makeCells()
                 << exit(FatalError);
         }
 
-        // The six faces as three pairs without a common point. Of the prism at
-        // an axis only the triangles are a pair
-        const cell& cFaces = mesh.cells()[celli];
-        label pair[3][2];
-        int nPairs = 0;
-        FixedList<bool, 6> used(false);
-        for (int i = 0; i < cFaces.size(); ++i)
-        {
-            if (used[i])
-            {
-                continue;
-            }
-            for (int j = i + 1; j < cFaces.size(); ++j)
-            {
-                bool touches = false;
-                for (const label p : faces[cFaces[i]])
-                {
-                    touches = touches || faces[cFaces[j]].found(p);
-                }
-                if (!used[j] && !touches)
-                {
-                    pair[nPairs][0] = cFaces[i];
-                    pair[nPairs][1] = cFaces[j];
-                    ++nPairs;
-                    used[i] = used[j] = true;
-                    break;
-                }
-            }
-        }
-
-        // The side that faces the axis
-        label outer = -1;
-        for (int i = 0; atAxis && i < cFaces.size(); ++i)
-        {
-            if (!used[i] && !isEmpty.test(cFaces[i]))
-            {
-                outer = cFaces[i];
-            }
-        }
-
-        // Each computed direction takes the pair that lies most along it
-        label side[3][2];
-        FixedList<bool, 3> taken(false);
-        for (int d = 0; d < nDim_; ++d)
-        {
-            if (outer >= 0 && d == radial_)
-            {
-                side[d][0] = -1;
-                side[d][1] = outer;
-                continue;
-            }
-            int best = -1;
-            scalar along = -1;
-            for (int k = 0; k < nPairs; ++k)
-            {
-                if (taken[k] || isEmpty.test(pair[k][0]))
-                {
-                    continue;
-                }
-                const vector v
-                (
-                    mesh.faceCentres()[pair[k][1]]
-                  - mesh.faceCentres()[pair[k][0]]
-                );
-                const scalar a = mag(v[dir_[d]])/max(mag(v), VSMALL);
-                if (a > along)
-                {
-                    along = a;
-                    best = k;
-                }
-            }
-            if (best < 0)
-            {
-                FatalErrorInFunction
-                    << "Cell " << celli << " at "
-                    << mesh.cellCentres()[celli] << " has no pair of sides"
-                    << " for direction " << d << "; check the empty or wedge"
-                    << " patches."
-                    << exit(FatalError);
-            }
-            taken[best] = true;
-            const scalar up =
-                mesh.faceCentres()[pair[best][1]][dir_[d]]
-              - mesh.faceCentres()[pair[best][0]][dir_[d]];
-            side[d][0] = pair[best][up > 0 ? 0 : 1];
-            side[d][1] = pair[best][up > 0 ? 1 : 0];
-        }
-
-        // A corner is the node of the points that its sides share
-        for (label n = 0; n < nc; ++n)
-        {
-            label corner = -1, own = -1;
-            for (const label p : mesh.cellPoints()[celli])
-            {
-                bool inAll = true;
-                for (int d = 0; d < nDim_; ++d)
-                {
-                    const label facei = side[d][(n >> d) & 1];
-                    inAll =
-                        inAll
-                     && (
-                            facei >= 0
-                          ? faces[facei].found(p)
-                          : !faces[outer].found(p)
-                        );
-                }
-                if (inAll)
-                {
-                    corner = pointToNode_[p];
-                    own = p;
-                }
-            }
-            if (outer >= 0 && !((n >> radial_) & 1))
-            {
-                onAxis.insert(corner);
-            }
-            cellNodes_[nc*celli + n] = corner;
-            cellPoints_[nc*celli + n] = own;
-        }
-
-        for (int d = 0; d < nDim_; ++d)
-        {
-            for (int s = 0; s < 2; ++s)
-            {
-                const label facei = side[d][s];
-                label nbr = -1;
-                if (facei < 0)
-                {
-                    // Nothing beyond the axis
-                }
-                else if (mesh.isInternalFace(facei))
-                {
-                    nbr =
-                        mesh.faceOwner()[facei] == celli
-                      ? mesh.faceNeighbour()[facei]
-                      : mesh.faceOwner()[facei];
-                }
-                else
-                {
-                    nbr = coupled[facei - mesh.nInternalFaces()];
-                    if (nbr >= 0 && shift_.size())
-                    {
-                        shift_[2*(nDim_*celli + d) + s] =
-                            separation[facei - mesh.nInternalFaces()];
-                    }
-                }
-                cellCells_[2*(nDim_*celli + d) + s] = nbr;
-                if (nbr < 0)
-                {
-                    walls_[celli] |= 1u << (2*d + s);
-                }
-            }
-        }
+        const cellSides sides(sidesOf(celli, isEmpty, atAxis));
+        setCorners(celli, sides, onAxis);
+        setNeighbours(celli, sides, coupled);
     }
     axisNodes_ = onAxis.sortedToc();
 }
