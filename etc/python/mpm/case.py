@@ -19,7 +19,7 @@ import numpy as np
 
 from mpm.files import Points, fileHeader, foamText, readInternal
 
-NUMBER = r"([-+\d.e]+)"
+NUMBER = r"([-+\d.]+(?:e[-+]?\d+)?|-?nan|-?inf)"
 
 
 class RunFailed(Exception):
@@ -106,6 +106,10 @@ class Case:
         """Rows of the numbers N of a regular expression wherever the log has it."""
         return np.array(re.findall(pattern.replace("N", NUMBER), self.log(application),
                                    flags=re.M), float)
+
+    def fixups(self):
+        """Number of fix-ups of the gas in the run."""
+        return self.numbers("outflow limited N, theta kept N, isentropic N ")[-1].sum()
 
     def entry(self, path, name):
         """The first number of this name in a dictionary."""

@@ -11,19 +11,25 @@ def variant(name):
     return Case("." if name == "." else os.path.join("variants", name))
 
 
-def runVariants(changes, start, startValues=None):
-    """Run variants. changes: name and what to do to the copy, a function of the case or
-    rows of file, pattern and text; start: files of 0 that a copy needs; startValues: called
-    for the case when its points are there. The script ends where one fails."""
-    for name, change in changes.items():
+def changeFiles(case, *rows):
+    """Rows of file, pattern and text (Case.change)."""
+    for row in rows:
+        case.change(*row)
+
+
+def runVariants(variants, start, change=changeFiles, startValues=None):
+    """Run variants, each with change(case, *arguments).
+
+    variants       name: arguments
+    start          names of the files of 0 that a copy needs
+    startValues    called for the case when setMaterialPoints has made its points
+
+    The script ends where one fails."""
+    for name, arguments in variants.items():
         case = variant(name)
         try:
             case.copy(start)
-            if callable(change):
-                change(case)
-            else:
-                for row in change:
-                    case.change(*row)
+            change(case, *arguments)
             print(f"Running {case.path}", flush=True)
             case.run("blockMesh")
             case.run("setMaterialPoints")
