@@ -35,7 +35,7 @@ case = Case()
 t, stress = case.series("midPlane", "sigma_yy.dat").T
 ts, surface = case.series("freeSurface", "U_y.dat").T
 
-figure, axes = plt.subplots(2, 1, figsize=(7, 7), sharex=True, constrained_layout=False)
+figure, axes = plt.subplots(2, 1, figsize=(7, 7), sharex=True)
 fine = np.linspace(0, t[-1], 3000)
 axes[0].plot(fine*1e6, exact(np.full_like(fine, H), fine)*1e-6, "k-", lw=0.8,
              label="exact, without failure")
@@ -51,7 +51,6 @@ axes[1].plot(ts*1e6, -surface, "C0-", label="materialPointFoam")
 axes[1].set_xlabel("time [us]")
 axes[1].set_ylabel("free-surface velocity [m/s]")
 axes[1].legend()
-figure.tight_layout()
 figure.savefig("stress.png")
 
 half = STRESS/2
