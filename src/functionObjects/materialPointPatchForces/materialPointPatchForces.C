@@ -162,7 +162,7 @@ void Foam::functionObjects::materialPointPatchForces::prepare
         {
             FatalIOErrorInFunction(dict_)
                 << "Remove " << key << ": " << type() << " must see each step;"
-                << " writeControl and writeInterval say when it writes."
+                << " writeControl and writeInterval set when it writes."
                 << exit(FatalIOError);
         }
     }

@@ -64,7 +64,7 @@ void Foam::mpm::hexGrid::makeLattice()
                     OStringStream s;
                     s   << "cell " << celli << " at "
                         << mesh.cellCentres()[celli]
-                        << " is no box along the axes";
+                        << " is not a box along the axes";
                     noLattice_ = s.str();
                 }
             }
