@@ -164,7 +164,7 @@ void Foam::mpm::freeBody::measure(const materialPointCloud& cloud)
     reduce(mx, sumOp<vector>());
     const point centre(mx/m);
 
-    // Of the points as boxes
+    // Inertia of the points as boxes
     symmTensor I(Zero);
     forAll(cloud.cells(), k)
     {

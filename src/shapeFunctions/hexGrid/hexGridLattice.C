@@ -240,7 +240,7 @@ void Foam::mpm::hexGrid::makeLattice()
         return;
     }
 
-    // What lies beside them: ghosts, and own cells across cyclic sides
+    // Their neighbours: ghosts, and own cells across cyclic sides
     const std::unordered_map<int64_t, label> ghosts(latticeGhosts());
     const int nAround = nDim_ == 1 ? 3 : nDim_ == 2 ? 9 : 27;
 
