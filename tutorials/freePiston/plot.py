@@ -47,7 +47,7 @@ for name, label in CASES:
     points = case.numbers("^Energy: kinetic .* total N")
     all_ = gas + points
     kinetic = 0.5*RHO*B*AREA*MEAN**2
-    steps = case.numbers("^deltaT = N").size
+    steps = case.nSteps()
     first = firstOrderLoss(case.entry("system/blockMeshDict", "n"), t[-1]/steps, 4*T)
     print(f"{label:26s} period {100*(period(t, u)/T - 1):+.4f} %, kinetic energy lost in four"
           f" periods {100*(1 - left(t, u)**2):5.2f} % (first order {100*first:5.2f}), energy of all"
