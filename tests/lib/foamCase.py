@@ -6,17 +6,12 @@
     table = case.series("gauge", "sigma_yy.dat")
     velocity = case.points("0", "target")["U"]
 
-Values of dictionaries: text goes in as it is, numbers with all digits, True and
-False as yes and no, lists in parentheses, dictionaries in braces.
+etc/python/mpm has what tutorials use too: Case with the reading, and the files.
 """
 
 import os
-import re
-import resource
 import shutil
-import subprocess
 import sys
-import time
 
 import numpy as np
 
@@ -24,48 +19,25 @@ from report import Report
 
 TESTS = os.path.abspath(os.path.join(os.path.dirname(__file__), ".."))
 PROJECT = os.path.dirname(TESTS)
+sys.path.insert(0, os.path.join(PROJECT, "etc", "python"))
+from mpm.case import Case, RunFailed  # noqa: E402
+from mpm.files import (Points, fileHeader, foamText, readField,  # noqa: E402,F401
+                       readInternal, writeField)
+
 RUN = os.path.join(TESTS, "run")
 
 #: Also the long series
 VERIFY = os.environ.get("MPM_VERIFY", "") not in ("", "0")
 
 
-class RunFailed(Exception):
-    """An application ended with an error or did not end in time."""
-
-
-def foamText(value, indent=0):
-    """A value as OpenFOAM's dictionaries have it."""
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, (float, np.floating)):
-        return repr(float(value))
-    if isinstance(value, dict):
-        pad = " "*indent
-        lines = []
-        for key, entry in value.items():
-            if isinstance(entry, dict):
-                lines.append(f"{pad}{key}\n{pad}{{\n"
-                             f"{foamText(entry, indent + 4)}{pad}}}\n")
-            else:
-                lines.append(f"{pad}{key} {foamText(entry)};\n")
-        return "".join(lines)
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return "(" + " ".join(foamText(v) for v in value) + ")"
-    return str(value)
-
-
-def fileHeader(objectName, kind="dictionary"):
-    return ("FoamFile\n{\n    version 2.0;\n    format ascii;\n"
-            f"    class {kind};\n    object {objectName};\n}}\n\n")
-
-
-class FoamCase:
+class FoamCase(Case):
     """One case folder, tests/run/<case>/<name>, made anew."""
 
+    limit = 120
+
     def __init__(self, case, name, template=None):
+        super().__init__(os.path.join(RUN, case, name))
         self.name = name
-        self.path = os.path.join(RUN, case, name)
         shutil.rmtree(self.path, ignore_errors=True)
         os.makedirs(os.path.dirname(self.path), exist_ok=True)
         if template:
@@ -73,63 +45,6 @@ class FoamCase:
                 "log.*", "postProcessing", "polyMesh", "processor*", "VTK"))
         else:
             os.makedirs(self.path)
-
-    def file(self, *parts):
-        return os.path.join(self.path, *parts)
-
-    def write(self, path, entries, kind="dictionary"):
-        """A dictionary file in place of what was there."""
-        os.makedirs(os.path.dirname(self.file(path)), exist_ok=True)
-        with open(self.file(path), "w") as f:
-            f.write(fileHeader(os.path.basename(path), kind) + foamText(entries))
-
-    def change(self, path, pattern, text, age=0):
-        """Replace a regular expression, which must be there, in a file: at once, for runs
-        that read it meanwhile. Seconds of age."""
-        with open(self.file(path)) as f:
-            old = f.read()
-        new, count = re.subn(pattern, text, old, flags=re.M)
-        if not count:
-            raise RunFailed(f"{pattern} not found in {self.file(path)}")
-        with open(self.file(path) + ".part", "w") as f:
-            f.write(new)
-        if age:
-            os.utime(f.name, (time.time() - age,)*2)
-        shutil.copymode(self.file(path), f.name)
-        os.replace(f.name, self.file(path))
-
-    def run(self, *command, limit=120, fails=False):
-        """Run an application in the case; its output goes to log.<name>.
-        Returns the seconds of one core that it took."""
-        log = self.file("log." + os.path.basename(command[0]))
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        with open(log, "w") as out:
-            try:
-                code = subprocess.run(
-                    command, cwd=self.path, stdout=out, stderr=subprocess.STDOUT,
-                    stdin=subprocess.DEVNULL, timeout=limit,
-                    env={**os.environ, "PWD": self.path}).returncode
-            except subprocess.TimeoutExpired:
-                raise RunFailed(f"{command[0]} did not end in {limit} s: {log}")
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        if bool(code) != fails:
-            raise RunFailed(f"{' '.join(command)}: exit status {code}: "
-                            + self.reason(log))
-        return (after.ru_utime + after.ru_stime
-                - before.ru_utime - before.ru_stime)
-
-    @staticmethod
-    def reason(log):
-        """One line: OpenFOAM's error or the last words, and the log's name."""
-        with open(log, errors="replace") as f:
-            text = f.read()
-        error = re.search(r"FATAL (?:IO )?ERROR:\s*(.*?)\n\s*\n", text, flags=re.S)
-        words = (error[1] if error else text[-300:]).split()
-        return " ".join(words)[:300] + f" ({log})"
-
-    def log(self, application="materialPointFoam"):
-        with open(self.file("log." + application), errors="replace") as f:
-            return f.read()
 
     def largestDifference(self, other, time, phases, columns):
         """Largest difference of any column by id over the column's maximum;
@@ -146,54 +61,6 @@ class FoamCase:
                     worst = max(worst, float(np.max(np.abs(u - v)))/size)
         return worst
 
-    def nSteps(self):
-        """Steps of a run that has ended, of another those that its log has."""
-        log = self.log()
-        end = re.search(r"^Steps: (\d+)$", log, flags=re.M)
-        return int(end[1]) if end else len(re.findall(r"^Time = ", log, flags=re.M))
-
-    def solverSeconds(self):
-        """CPU seconds from the first to the last step: without start-up."""
-        times = re.findall(r"^ExecutionTime = ([0-9.eE+-]+) s", self.log(), flags=re.M)
-        return float(times[-1]) - float(times[0]) if len(times) > 1 else 0.0
-
-    def times(self):
-        """Names of the time folders in order."""
-        names = []
-        for name in os.listdir(self.path):
-            try:
-                names.append((float(name), name))
-            except ValueError:
-                pass
-        return [name for _, name in sorted(names)]
-
-    def timeName(self, value, tolerance=1e-6):
-        """The time folder of a value."""
-        for name in self.times():
-            if abs(float(name) - value) <= tolerance*abs(value):
-                return name
-        raise RunFailed(f"no time {value} in {self.path}: {self.times()}")
-
-    def series(self, functionObject, fileName, time="0"):
-        """A table of postProcessing, one row per time."""
-        return np.loadtxt(self.file("postProcessing", functionObject, time, fileName),
-                          ndmin=2)
-
-    def points(self, time, phase):
-        """The cloud of a time: of the case or, where it has none, of its
-        processors one after the other."""
-        path = self.file(time, "lagrangian", phase)
-        if os.path.exists(path):
-            return Points([path])
-        return Points([p for p in (
-            os.path.join(d, time, "lagrangian", phase) for d in self.processors())
-            if os.path.exists(os.path.join(p, "id"))])
-
-    def processors(self):
-        """The processor folders in the order of their numbers."""
-        names = [d for d in os.listdir(self.path) if re.fullmatch(r"processor\d+", d)]
-        return [self.file(d) for d in sorted(names, key=lambda d: int(d[9:]))]
-
     def decompose(self, n, weightField=None):
         """decomposePar into (nx, ny, nz) pieces of the method hierarchical."""
         self.write("system/decomposeParDict", {
@@ -202,7 +69,7 @@ class FoamCase:
             "hierarchicalCoeffs": {"n": n, "delta": 0.001, "order": "xyz"}})
         self.run("decomposePar", "-force")
 
-    def runParallel(self, application="materialPointFoam", *options, limit=120):
+    def runParallel(self, application="materialPointFoam", *options, limit=None):
         """An application on all processors of the case."""
         try:
             return self.run(*mpirun(len(self.processors())), application, "-parallel",
@@ -214,86 +81,6 @@ class FoamCase:
 def mpirun(nProcs):
     """Start of a command on so many processors, also as root and on fewer cores."""
     return ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(nProcs))
-
-
-class Points:
-    """Columns of a cloud, read when asked for: points["sigma"]."""
-
-    def __init__(self, paths):
-        self.paths = paths
-
-    def __getitem__(self, name):
-        return np.concatenate([readField(os.path.join(p, name)) for p in self.paths])
-
-    def __contains__(self, name):
-        return bool(self.paths) and os.path.exists(os.path.join(self.paths[0], name))
-
-    def byId(self, name):
-        """The column in the order of the points' ids."""
-        return self[name][np.argsort(self["id"])]
-
-
-_KINDS = {"scalarField": ("f8", 1), "vectorField": ("f8", 3),
-          "symmTensorField": ("f8", 6), "tensorField": ("f8", 9),
-          "labelField": ("i4", 1)}
-
-
-def readField(path):
-    """A field of a cloud, ascii or binary, as an array."""
-    with open(path, "rb") as f:
-        raw = f.read()
-    head = re.search(rb"FoamFile\s*\{(.*?)\}", raw, flags=re.S)
-    kind, size = _KINDS[re.search(rb"class\s+(\w+)\s*;", head[1])[1].decode()]
-    binary = re.search(rb"format\s+(\w+)\s*;", head[1])[1] == b"binary"
-    body = re.sub(rb"\A(\s*//[^\n]*\n)*\s*", b"", raw[head.end():], count=1)
-    count = re.match(rb"(\d+)\s*", body)
-    n, body = int(count[1]), body[count.end():]
-    if n == 0:
-        values = np.zeros(0, kind)
-    elif body[:1] == b"{":
-        one = np.array(body[1:body.index(b"}")].translate(None, b"()").split(), kind)
-        values = np.tile(one, n)
-    elif binary:
-        values = np.frombuffer(body, kind, n*size, 1)
-    else:
-        text = body[:body.index(b"// ***")] if b"// ***" in body else body
-        values = np.array(text.translate(None, b"()").split(), kind)
-    return values.reshape(n, size) if size > 1 else values
-
-
-_TYPES = {"scalar": 1, "vector": 3, "symmTensor": 6, "tensor": 9}
-
-
-def readInternal(path):
-    """Inner values of a field on cells or mesh points; they must not be uniform
-    unless there is one value."""
-    with open(path, "rb") as f:
-        raw = f.read()
-    binary = re.search(rb"format\s+(\w+)\s*;", raw)[1] == b"binary"
-    head = re.search(rb"internalField\s+(?:uniform\s+([^;]*);"
-                     rb"|nonuniform\s+List<(\w+)>\s*(\d+)\s*\()", raw)
-    if head[1] is not None:
-        return np.array([head[1].translate(None, b"()").split()], float)
-    n, size = int(head[3]), _TYPES[head[2].decode()]
-    body = raw[head.end():]
-    if binary:
-        values = np.frombuffer(body, "f8", n*size)
-    else:
-        values = np.array(body[:body.index(b";")].translate(None, b"()").split(), float)
-    return values.reshape(n, size) if size > 1 else values
-
-
-def writeField(path, values):
-    """A field of a cloud in ascii with all digits."""
-    values = np.asarray(values)
-    kind = {1: "scalarField", 3: "vectorField", 6: "symmTensorField"}[
-        1 if values.ndim == 1 else values.shape[1]]
-    with open(path, "w") as f:
-        f.write(fileHeader(os.path.basename(path), kind))
-        f.write(f"{len(values)}\n(\n")
-        for v in values:
-            f.write(foamText(v if values.ndim > 1 else float(v)) + "\n")
-        f.write(")\n")
 
 
 _SIDES = {"x-": (0, 4, 7, 3), "x+": (1, 2, 6, 5), "y-": (0, 1, 5, 4),

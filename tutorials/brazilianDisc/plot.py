@@ -1,11 +1,10 @@
 """Figures of README.md's table, and pictures: load over time, crack."""
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
 import results
+from mpm.case import Case
+from mpm.pictures import plt
 from results import EXACT
 
 t, top, bottom, kinetic, strain, residual = results.loads()
@@ -24,26 +23,25 @@ print(f"kinetic over stored energy at first damage: "
 print(f"residual of the energy budget: {100*residual[i]/strain[i]:+.2f} % of the stored energy "
       f"at the peak, at most {100*abs(residual).max()/strain.max():.2f} % in all")
 
-figure, ax = plt.subplots(figsize=(7, 4), constrained_layout=True)
+figure, ax = plt.subplots(figsize=(7, 4))
 ax.plot(t, top, lw=1, label="upper jaw")
 ax.plot(t, bottom, lw=1, label="lower jaw")
 ax.axhline(EXACT, color="k", ls=":", lw=1, label="pi R sigma_t")
 ax.axvline(time, color="0.6", lw=0.8)
 ax.set_xlabel("time [s]")
 ax.set_ylabel("load [N/m]")
-ax.legend(fontsize=8)
-figure.savefig("load.png", dpi=130)
+ax.legend()
+figure.savefig("load.png")
 
-names = [x for x in results.times() if float(x) > 0]
-figure, axes = plt.subplots(1, 3, figsize=(14, 4.6), constrained_layout=True, sharey=True)
-last = names[-1]
+case = Case()
+last = case.times("lagrangian")[-1]
+figure, axes = plt.subplots(1, 3, figsize=(14, 4.6), sharey=True)
 for ax, want in zip(axes, (time, t[i] + 0.01, float(last))):
-    name = min(names, key=lambda x: abs(float(x) - want))
+    name = case.nearest(want, "lagrangian")
     for phase in ("caps", "upper", "lower"):
-        ax.scatter(*results.points(".", name, phase, "x")[:, :2].T, s=3, color="0.7", lw=0)
-    x = results.points(".", name, "disc", "x")
-    damage = results.points(".", name, "disc", "damage")
-    stress = results.points(".", name, "disc", "sigma")[:, 0]
+        ax.scatter(*case.points(name, phase)["x"][:, :2].T, s=3, color="0.7", lw=0)
+    disc = case.points(name, "disc")
+    x, damage, stress = disc["x"], disc["damage"], disc["sigma"][:, 0]
     image = ax.scatter(*x[:, :2].T, s=3, c=stress, cmap="RdBu_r", vmin=-700, vmax=700, lw=0)
     ax.scatter(*x[damage > 0][:, :2].T, s=3, c=damage[damage > 0], cmap="Greys", vmin=-0.5,
                vmax=1, lw=0)

@@ -1,37 +1,20 @@
 """Reads points and loads of a run of this case."""
 
-import os
 import re
-import sys
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
-from foamCase import readField
+from mpm.case import Case
 
 EXACT = np.pi*0.5*700       # pi R sigma_t [N/m]
-
-
-def times(case="."):
-    """Names of the time folders with points, in order."""
-    names = [n for n in os.listdir(case) if re.fullmatch(r"\d[\d.]*(e-\d+)?", n)
-             and os.path.isdir(os.path.join(case, n, "lagrangian"))]
-    return sorted(names, key=float)
-
-
-def points(case, time, phase, name):
-    """A column of the points."""
-    return readField(os.path.join(case, time, "lagrangian", phase, name))
 
 
 def loads(case="."):
     """Times of the reports, force [N/m] of the upper and on the lower jaw: mean since
     the report before; kinetic and stored energy [J/m]; residual and
     remap of the energy [J/m]."""
-    with open(os.path.join(case, "log.materialPointFoam")) as f:
-        steps = re.split(r"^Time = ", f.read(), flags=re.M)[1:]
     rows = []
-    for text in steps:
+    for text in re.split(r"^Time = ", Case(case).log(), flags=re.M)[1:]:
         impulse = dict(re.findall(r"^Contact (\w+) .*impulse \(\S+ (\S+) ", text, re.M))
         energy = re.search(r"^Energy: kinetic (\S+), strain (\S+),", text, re.M)
         rest = re.findall(r"(?:residual|remap) ([^\s,]+)", text)
@@ -47,10 +30,11 @@ def loads(case="."):
 def firstDamage(case="."):
     """Time, and place of the damaged points' centre (weighted by damage), of the first
     written time that has damage; number of points, their largest distance from (0, 0)."""
-    for time in times(case):
-        damage = points(case, time, "disc", "damage")
+    for time in Case(case).times("lagrangian"):
+        disc = Case(case).points(time, "disc")
+        damage = disc["damage"]
         if damage.max() > 0:
-            x = points(case, time, "disc", "x")[:, :2]
+            x = disc["x"][:, :2]
             return (float(time), damage @ x/damage.sum(), int((damage > 0).sum()),
                     np.hypot(*x[damage > 0].T).max())
     return None

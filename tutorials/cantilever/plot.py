@@ -11,14 +11,12 @@ begins), E' = E/(1 - nu^2) for plane strain. Solved by shooting with a
 fourth-order Runge-Kutta method.
 """
 
-import glob
-import os
 import re
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+from mpm.case import Case
+from mpm.pictures import plt
 
 L, HEIGHT, G = 1.0, 0.1, 10.0
 BEGIN, MASS_VOLUME = 0.95, 0.01
@@ -65,8 +63,9 @@ def elastica(k, w, n=400):
     return y[:, 2]*L, y[:, 3]*L
 
 
+case = Case()
 # time, smallest 3, largest 3, centre of mass 3, ...
-rows = np.loadtxt(sorted(glob.glob("postProcessing/tip/*/weight.dat"))[0])
+rows = case.series("tip", "weight.dat")
 t, x, y = rows[:, 0], rows[:, 7], rows[:, 8]
 late = t > t[-1] - 1.0
 down, short = -y[late].mean(), L - x[late].mean()
@@ -84,22 +83,10 @@ for name, value, reference in (("deflection", down, -loaded[1][-1]),
           f"{reference:.5f} m, {100*(value/reference - 1):+.2f} %")
 print(f"swing that is left in the last second: +-{100*swing/down:.2f} % of the deflection")
 
-
-def column(path):
-    """Rows of numbers of a column of the points, ascii"""
-    text = open(path).read()
-    text = text[text.index("}") + 1:]
-    return np.array([[float(w) for w in m.split()]
-                     for m in re.findall(r"\(\s*([-+.0-9eE\s]+)\)", text)
-                     if len(m.split()) > 2])
-
-
-figure, axes = plt.subplots(1, 2, figsize=(12, 5), constrained_layout=True)
-last = max((d for d in os.listdir(".") if re.fullmatch(r"[0-9.]+", d)
-            and os.path.isdir(f"{d}/lagrangian")), key=float)
+figure, axes = plt.subplots(1, 2, figsize=(12, 5))
+last = case.times("lagrangian")[-1]
 for phase in ("beam", "weight"):
-    places = column(f"{last}/lagrangian/{phase}/x")
-    sigma = column(f"{last}/lagrangian/{phase}/sigma")
+    places, sigma = (case.points(last, phase)[name] for name in ("x", "sigma"))
     image = axes[0].scatter(places[:, 0], places[:, 1], c=sigma[:, 0], s=7,
                             cmap="RdBu_r", vmin=-2000, vmax=2000, linewidths=0)
     if phase == "weight":
@@ -111,7 +98,7 @@ axes[0].set_aspect("equal")
 axes[0].set_xlim(0, 1.2)
 axes[0].set_xlabel("x [m]")
 axes[0].set_ylabel("y [m]")
-axes[0].legend(fontsize=8, loc="lower left")
+axes[0].legend(loc="lower left")
 axes[0].set_title(f"t = {last} s", fontsize=9)
 figure.colorbar(image, ax=axes[0], label="sigma_xx [Pa]", shrink=0.7)
 axes[1].plot(t, -y, "C0", label="centre of the weight")
@@ -119,5 +106,5 @@ axes[1].axhline(-loaded[1][-1], color="k", lw=1, label="elastica with own weight
 axes[1].axhline(-bare[1][-1], color="k", ls=":", lw=1, label="elastica, end load alone")
 axes[1].set_xlabel("time [s]")
 axes[1].set_ylabel("deflection of the end [m]")
-axes[1].legend(fontsize=8)
-figure.savefig("cantilever.png", dpi=130)
+axes[1].legend()
+figure.savefig("cantilever.png")

@@ -6,26 +6,13 @@ nor takes heat, Mach 0.01) grad p = -mu/k G/rho has the solution
     p^2 = p_2^2 + 2 mu G R T/k (x_2 - x)
 """
 
-import re
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+from mpm.case import Case
+from mpm.pictures import plt
 
 K, MU, R, T = 4e-10, 1.8e-5, 287.0, 300.0
 LENGTH, AREA = 0.2, 1e-4
-
-
-def field(time, name):
-    with open(f"{time}/{name}") as f:
-        text = f.read()
-    inner = text[re.search("internalField|value", text[text.index("dimensions"):]).start()
-                 + text.index("dimensions"):]
-    count = re.search(r"List<\w+>\s*(\d+)\s*\(", inner)
-    body = inner[count.end():]
-    values = body[:re.search(r"\)\s*;", body).start()].translate(str.maketrans("()", "  "))
-    return np.array(values.split(), float).reshape(int(count[1]), -1).squeeze()
 
 
 def exact(x, x2, p2, G):
@@ -33,9 +20,8 @@ def exact(x, x2, p2, G):
 
 
 def results():
-    with open("log.materialPointFoam") as f:
-        log = f.read()
-    p, u = field("0.15", "p"), field("0.15", "U.air")[:, 0]
+    case = Case()
+    p, u = case.field("0.15", "p"), case.field("0.15", "U.air")[:, 0]
     n = len(p)
     x = -0.1 + 0.4*(np.arange(n) + 0.5)/n
 
@@ -45,9 +31,9 @@ def results():
     flux, behind = G[x < -0.02].mean(), G[x > LENGTH + 0.02].mean()
     inside = np.nonzero((x > 0.4/n) & (x < LENGTH - 0.4/n))[0]
     a, b = inside[0], inside[-1]
-    force = float(re.findall(r"Load on block: force \(([^ ]+)", log)[-1])
+    force = case.numbers(r"Load on block: force \(N")[-1]
     pressures = (p[0] - p[-1])*AREA
-    return {"x": x, "p": p, "a": a, "b": b, "flux": flux, "fluxBehind": behind,
+    return {"x": x, "p": p, "u": u, "a": a, "b": b, "flux": flux, "fluxBehind": behind,
             "drop": p[a] - p[b], "expected": exact(x[a], x[b], p[b], flux) - p[b],
             "linear": MU/K*flux*R*T/p[b]*(x[b] - x[a]), "force": force,
             "pressures": pressures,
@@ -68,8 +54,7 @@ if __name__ == "__main__":
     print(f"load on the block {r['force']:.6f} N; pressures {r['pressures']:.6f} N, less the"
           f" gas' change of momentum {r['exactForce']:.6f} N")
 
-    figure, axes = plt.subplots(2, 1, figsize=(8, 6.5), sharex=True,
-                                constrained_layout=True)
+    figure, axes = plt.subplots(2, 1, figsize=(8, 6.5), sharex=True)
     for ax in axes:
         ax.axvspan(0, LENGTH, color="0.9")
     fine = np.linspace(x[a], x[b], 200)
@@ -79,9 +64,9 @@ if __name__ == "__main__":
     axes[0].plot(fine, (p[b] + linear*(x[b] - fine)/(x[b] - x[a]))*1e-3, "k:",
                  label="Darcy, constant density")
     axes[0].set_ylabel("p [kPa]")
-    axes[0].legend()
-    axes[1].plot(x, field("0.15", "U.air")[:, 0], "C0.")
+    axes[0].legend(fontsize="medium")
+    axes[1].plot(x, r["u"], "C0.")
     axes[1].set_ylim(0, None)
     axes[1].set_ylabel("velocity of the air [m/s]")
     axes[1].set_xlabel("x [m]; the block is grey")
-    figure.savefig("darcy.png", dpi=130)
+    figure.savefig("darcy.png")

@@ -1,29 +1,16 @@
 """Figures of README.md's table, and the picture: pressure beside the exact shock tubes
 of the frozen flow and of the flow in equilibrium, speed of the shock over time."""
 
-import os
-import re
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+from mpm.case import Case
+from mpm.pictures import plt
 
 L, N, X0, P_LEFT, P_RIGHT, RHO_RIGHT = 3.4, 1700, 1.53, 10.13e5, 1.013e5, 1.23
 GAS = 1.4
 
 #: gamma and density of what the shock runs into
 FROZEN, EQUILIBRIUM = (1.4, RHO_RIGHT), (1.2, 2*RHO_RIGHT)
-
-
-def field(path):
-    """Inner values of an ascii field on cells: n, or n x 3."""
-    with open(path) as f:
-        text = f.read()
-    head = re.search(r"internalField\s+nonuniform List<(\w+)>\s*(\d+)\s*\(", text)
-    end = re.compile(r"\)\s*;").search(text, head.end()).start()
-    values = np.array(text[head.end():end].translate({40: None, 41: None}).split(), float)
-    return values.reshape(-1, 3) if head[1] == "vector" else values
 
 
 def starState(gamma, rho):
@@ -58,9 +45,9 @@ for name, star in (("frozen", frozen), ("equilibrium", equilibrium)):
     print(f"exact, {name}: p {star[0]:.0f} Pa, u {star[1]:.2f} m/s, shock {star[2]:.2f} m/s")
 
 x = (np.arange(N) + 0.5)*L/N
-times = sorted((t for t in os.listdir(".") if re.fullmatch(r"[0-9][0-9.e-]*", t)
-                and float(t) > 0), key=float)
-pressure = {t: field(os.path.join(t, "p")) for t in times}
+case = Case()
+times = case.times()[1:]
+pressure = {t: case.field(t, "p") for t in times}
 
 
 def shock(p):
@@ -80,14 +67,14 @@ firstSpeed = (place[0] - X0)/t[0]
 print(f"speed of the shock, first {t[0]*1e6:.0f} us: {firstSpeed:.2f} m/s"
       f" ({100*(firstSpeed/frozen[2] - 1):+.2f} % of frozen); last quarter: {lateSpeed:.2f} m/s"
       f" ({100*(lateSpeed/equilibrium[2] - 1):+.2f} % of equilibrium)")
-p, u = pressure[times[-1]], field(os.path.join(times[-1], "U.air"))[:, 0]
+p, u = pressure[times[-1]], case.field(times[-1], "U.air")[:, 0]
 at = (x > X0 + 1.15*equilibrium[1]*t[-1]) & (x < place[-1] - 0.25)
 for name, values, exact in (("pressure [Pa]", p, equilibrium[0]),
                             ("velocity [m/s]", u, equilibrium[1])):
     print(f"late {name} behind the shock: {values[at].mean():.6g}, exact {exact:.6g}"
           f" ({100*(values[at].mean()/exact - 1):+.2f} %)")
 
-figure, axes = plt.subplots(1, 3, figsize=(14, 4), constrained_layout=True)
+figure, axes = plt.subplots(1, 3, figsize=(14, 4))
 early = times[np.argmin(abs(t - 3.8e-4))]
 for ax, name in zip(axes, (early, times[-1])):
     ax.plot(x, pressure[name]*1e-5, "C0", label="this case")
@@ -96,14 +83,14 @@ for ax, name in zip(axes, (early, times[-1])):
             label="exact, equilibrium")
     ax.set_title(f"pressure [bar], {float(name)*1e3:.2f} ms")
     ax.set_xlabel("x [m]")
-    ax.legend(fontsize=8)
+    ax.legend()
 axes[0].set_xlim(1.3, 1.9)
 axes[2].plot(between*1e3, speed, "C0", label="this case")
 axes[2].axhline(frozen[2], color="k", ls=":", label="exact, frozen")
 axes[2].axhline(equilibrium[2], color="k", ls="--", label="exact, equilibrium")
 axes[2].set_title("speed of the shock [m/s]")
 axes[2].set_xlabel("time [ms]")
-axes[2].legend(fontsize=8)
+axes[2].legend()
 for ax in axes:
     ax.grid(alpha=0.3)
-figure.savefig("dustyShockTube.png", dpi=130)
+figure.savefig("dustyShockTube.png")

@@ -8,12 +8,10 @@ U: superficial velocity in the middle of the bed; where both are equal it is tha
 minimum fluidisation.
 """
 
-import re
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+from mpm.case import Case
+from mpm.pictures import plt
 
 MU, D, RHO_S, G, SHARE, H, R, T = 1.8e-5, 1e-3, 2500.0, 9.81, 0.55, 0.4, 287.0, 300.0
 AREA, E = 1e-4, 1 - 0.55
@@ -28,25 +26,18 @@ def minimum(rho):
     return (-b + np.sqrt(b*b + 4*a*SHARE*(RHO_S - rho)*G))/(2*a)
 
 
-def table(folder, name):
-    with open(f"postProcessing/{folder}/0/{name}") as f:
-        return np.array([line.split() for line in f if not line.startswith("#")], float)
-
-
 def results():
     """Time, superficial velocity in the bed, gas density there, pressure drop, force
     on the grid, centre of the bed."""
-    p = table("pressure", "p")
+    case = Case()
+    p = case.series("pressure", "p")
     t = p[:, 0]
     rho = 0.5*(p[:, 1] + p[:, 2])/(R*T)
     U = np.interp(t, (0, 0.05, 0.3), (0, 0.645, 0.79))*p[:, 1]/(R*T)/rho
     # Less what the air itself weighs, between the probes
     drop = p[:, 1] - p[:, 2] - rho*G*0.595
-    with open("log.materialPointFoam") as f:
-        log = f.read()
-    force = np.array(re.findall(r"Load on grid: force \(([^ ]+)", log), float)[:len(t)]
-    bed = table("place", "bed.dat")
-    return t, U, rho, drop, force, bed
+    force = case.numbers(r"Load on grid: force \(N")[:len(t)]
+    return t, U, rho, drop, force, case.series("place", "bed.dat")
 
 
 def smooth(t, y, width):
@@ -82,17 +73,15 @@ if __name__ == "__main__":
           f" {r['reached']:.4f} m/s ({100*(r['reached']/Umf - 1):+.2f} %)")
     print(f"  nothing lies on the grid from {r['lifted']:.4f} m/s"
           f" ({100*(r['lifted']/Umf - 1):+.2f} %; mean of 20 ms)")
-    weight = -SHARE*RHO_S*H*AREA*G
 
     weight = -SHARE*RHO_S*H*AREA*G
-    figure, axes = plt.subplots(3, 1, figsize=(8, 8.5), sharex=True,
-                                constrained_layout=True)
+    figure, axes = plt.subplots(3, 1, figsize=(8, 8.5), sharex=True)
     axes[0].plot(t, drop, "C0-", label="this case")
     axes[0].plot(t, ergun(U, rho), "k--", lw=1, label="Ergun, bed that does not move")
     axes[0].plot(t, plateau, "k:", label="weight of the bed")
     axes[0].set_ylim(0, 1.25*plateau[0])
     axes[0].set_ylabel("pressure drop [Pa]")
-    axes[0].legend()
+    axes[0].legend(fontsize="medium")
     axes[1].plot(t, force/weight, "C0-")
     axes[1].axhline(0, color="k", lw=0.5)
     axes[1].set_ylim(-0.2, 2)
@@ -107,4 +96,4 @@ if __name__ == "__main__":
     above.set_ylabel("superficial velocity [m/s], orange\ndotted: minimum fluidisation")
     for ax in axes:
         ax.axvline(t[np.argmax(U >= Umf)], color="0.5", lw=0.8)
-    figure.savefig("fluidised.png", dpi=130)
+    figure.savefig("fluidised.png")

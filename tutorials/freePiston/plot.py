@@ -1,30 +1,19 @@
 """Period, mass and energies of the slab against the exact motion (mode.py)."""
 
-import os
-import re
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
+from mpm.pictures import plt
+from mpm.variants import variant
 from mode import B, C0, L, RHO, RHO0, SPEED, T, W, firstOrderLoss, shape
 
-NUMBER = r"([-+\d.e]+)"
 AREA = 1e-4
 x = (np.arange(1000) + 0.5)/1000
 MEAN = SPEED*shape(x)[abs(x - 0.5) < B/2].mean()     # of the slab
 
 
-def log(case, pattern):
-    with open(os.path.join(case, "log.materialPointFoam")) as f:
-        return np.array(re.findall(pattern.replace("N", NUMBER), f.read(), re.M), float)
-
-
 def motion(case):
     """Time and mean velocity of the slab."""
-    table = np.loadtxt(os.path.join(case, "postProcessing/balance/0/total.dat"))
-    table = table[np.unique(table[:, 0], return_index=True)[1]]
+    table = case.series("balance", "total.dat", once=True)
     return table[:, 0], table[:, 3]/(RHO*B*AREA)
 
 
@@ -43,7 +32,7 @@ def left(t, u):
 
 
 CASES = [(".", "stick, 100 cells")] + [
-    (f"variants/{d}", label) for d, label in (
+    (d, label) for d, label in (
         ("stick50", "stick, 50 cells"), ("stick200", "stick, 200 cells"),
         ("none50", "no drag, 50 cells"), ("none100", "no drag, 100 cells"),
         ("none200", "no drag, 200 cells"), ("weak100", "constant 1e4, 100 cells"),
@@ -52,28 +41,27 @@ CASES = [(".", "stick, 100 cells")] + [
         ("stick100noFaceDrag", "stick, faceDrag none"), ("none100vanLeer", "no drag, van Leer"),
         ("none100pores", "the same, poreFloor 0.001"), ("stick100vanLeer", "stick, van Leer"))]
 print(f"exact period {T:.6e} s")
-for case, label in CASES:
+for name, label in CASES:
+    case = variant(name)
     t, u = motion(case)
-    mass, gas = log(case, "^Gas air: mass N.*energy N").T
-    points = log(case, "^Energy: kinetic .* total N").ravel()
+    mass, gas = case.numbers("^Gas air: mass N.*energy N").T
+    points = case.numbers("^Energy: kinetic .* total N")
     all_ = gas + points
     kinetic = 0.5*RHO*B*AREA*MEAN**2
-    steps = log(case, "^Steps: N")[-1]
-    with open(os.path.join(case, "system/blockMeshDict")) as f:
-        n = int(re.search(r"^n\s+(\d+);", f.read(), re.M)[1])
-    first = firstOrderLoss(n, t[-1]/steps, 4*T)
+    steps = case.nSteps()
+    first = firstOrderLoss(case.entry("system/blockMeshDict", "n"), t[-1]/steps, 4*T)
     print(f"{label:26s} period {100*(period(t, u)/T - 1):+.4f} %, kinetic energy lost in four"
           f" periods {100*(1 - left(t, u)**2):5.2f} % (first order {100*first:5.2f}), energy of all"
           f" {(all_[-1] - all_[0])/kinetic:+.1e} of it, mass {abs(mass/mass[0] - 1).max():.0e}")
 
-figure, axes = plt.subplots(2, 1, figsize=(8.5, 6.5), sharex=True, constrained_layout=True)
-for case, style, label in ((".", "C0-", "stick"), ("variants/none100", "C3-", "no drag")):
-    t, u = motion(case)
+figure, axes = plt.subplots(2, 1, figsize=(8.5, 6.5), sharex=True)
+for name, style, label in ((".", "C0-", "stick"), ("none100", "C3-", "no drag")):
+    t, u = motion(variant(name))
     axes[0].plot(t/T, u, style, lw=1, label=f"{label}, 100 cells")
 axes[0].plot(t/T, MEAN*np.cos(W*t), "k:", lw=1, label="exact")
 axes[0].set_ylabel("velocity of the slab [m/s]")
-axes[0].legend(fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1), ncol=4)
-probe = np.loadtxt("postProcessing/walls/0/p")
+axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=4)
+probe = variant(".").series("walls", "p")
 axes[1].plot(probe[:, 0]/T, (probe[:, 1] - 1e5)*1e-3, "C0-", lw=1, label="left wall")
 axes[1].plot(probe[:, 0]/T, (probe[:, 2] - 1e5)*1e-3, "C1-", lw=1, label="right wall")
 wall = RHO0*C0*SPEED/np.sin(W*L/C0)*np.sin(W*probe[:, 0])
@@ -81,5 +69,5 @@ axes[1].plot(probe[:, 0]/T, -wall*1e-3, "k:", lw=1, label="exact")
 axes[1].plot(probe[:, 0]/T, wall*1e-3, "k:", lw=1)
 axes[1].set_ylabel("pressure at the walls\nover 1 bar [kPa]")
 axes[1].set_xlabel("time / exact period")
-axes[1].legend(fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1), ncol=4)
-figure.savefig("piston.png", dpi=130)
+axes[1].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=4)
+figure.savefig("piston.png")

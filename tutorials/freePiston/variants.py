@@ -1,10 +1,7 @@
 """The same on other meshes, without drag, with other forms of it, in variants/."""
 
-import os
-import re
-import shutil
-import subprocess
-import sys
+import initialVelocity
+from mpm.variants import runVariants
 
 #: cells, drag, faceDrag, scheme of the gas(, poreFloor)
 VARIANTS = {
@@ -22,44 +19,18 @@ VARIANTS = {
     "middle100": (100, "type constant; value 1e6;", "impedance", "upwind")}
 
 
-def replace(path, pattern, text):
-    with open(path) as f:
-        old = f.read()
-    new, count = re.subn(pattern, text, old, flags=re.M)
-    if not count:
-        sys.exit(f"variants.py: '{pattern}' is not in {path}")
-    with open(path, "w") as f:
-        f.write(new)
-
-
-def run(case, *command):
-    with open(os.path.join(case, "log." + os.path.basename(command[0])), "w") as log:
-        if subprocess.run(command, cwd=case, stdout=log, stderr=subprocess.STDOUT).returncode:
-            sys.exit(f"variants.py: {command[0]} failed, see {log.name}")
-
-
-for name, (cells, drag, face, scheme, *pores) in VARIANTS.items():
-    case = os.path.join("variants", name)
-    shutil.rmtree(case, ignore_errors=True)
-    os.makedirs(os.path.join(case, "0"))
-    for folder in ("constant", "system"):
-        shutil.copytree(folder, os.path.join(case, folder),
-                        ignore=shutil.ignore_patterns("polyMesh"))
-    for field in ("p", "T.air", "U.slab"):
-        shutil.copy(os.path.join("0", field), os.path.join(case, "0"))
-    replace(os.path.join(case, "system/blockMeshDict"), r"^n .*", f"n           {cells};")
-    replace(os.path.join(case, "constant/phaseProperties"), r"drag .*", f"drag {{ {drag} }}")
-    replace(os.path.join(case, "constant/phaseProperties"), r"faceDrag .*",
-            f"faceDrag {face};")
-    if pores:
-        replace(os.path.join(case, "constant/phaseProperties"), r"poreFloor .*",
-                f"poreFloor {pores[0]};")
+def change(case, cells, drag, face, scheme, poreFloor=None):
+    """Numbers of a variant into a copy of the case."""
+    phases = "constant/phaseProperties"
+    case.change("system/blockMeshDict", r"^n .*", f"n           {cells};")
+    case.change(phases, r"drag .*", f"drag {{ {drag} }}")
+    case.change(phases, r"faceDrag .*", f"faceDrag {face};")
+    if poreFloor:
+        case.change(phases, r"poreFloor .*", f"poreFloor {poreFloor};")
     if scheme != "upwind":
         for field, vector in (("rho", ""), ("U", "V"), ("p", "")):
-            replace(os.path.join(case, "system/fvSchemes"), rf"reconstruct\({field}\).*",
-                    f"reconstruct({field}) {scheme}{vector};")
-    print(f"Running {case}", flush=True)
-    run(case, "blockMesh")
-    run(case, "setMaterialPoints")
-    subprocess.run([sys.executable, "initialVelocity.py", case], check=True)
-    run(case, "materialPointFoam")
+            case.change("system/fvSchemes", rf"reconstruct\({field}\).*",
+                        f"reconstruct({field}) {scheme}{vector};")
+
+
+runVariants(VARIANTS, ("p", "T.air", "U.slab"), change, initialVelocity.start)

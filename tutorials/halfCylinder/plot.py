@@ -3,18 +3,13 @@ series the cracks at the end."""
 
 import os
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
 import results
+from mpm.pictures import plt
+from mpm.variants import variant
 
 SERIES = ("coarse", ".", "fine", "seed1", "seed2", "coarseAir", "coarse3D")
-
-
-def place(name):
-    return "." if name == "." else os.path.join("variants", name)
 
 
 def label(name):
@@ -38,40 +33,38 @@ def draw(ax, case, time, title):
     return image
 
 
-present = [name for name in SERIES if os.path.isdir(place(name))
-           and results.times(place(name))[-1:] > ["0"]]
+present = [name for name in SERIES if os.path.isdir(variant(name).path)
+           and results.times(variant(name).path)[-1:] > ["0"]]
 print(f"{'case':10s} {'points':>7s}  damaged  failed  left/right     length  peak force  "
       "residual  in cracks  CPU [s]")
 for name in present:
-    case = place(name)
+    case = variant(name).path
     part, ratio, length = results.cracks(case)
     e, start = results.energy(case)
     _, force = results.floor(case)
-    with open(os.path.join(case, "log.materialPointFoam")) as f:
-        seconds = [line.split()[2] for line in f if line.startswith("ExecutionTime")][-1]
+    seconds = variant(name).numbers("^ExecutionTime = N s")[-1]
     print(f"{label(name):10s} {len(results.points(case, '0', 'm')):7d}  "
           f"{100*part['damaged']:5.1f} %  {100*part['failed']:4.1f} %  "
           f"{ratio['damaged']:.3f} {ratio['failed']:.3f}  {1e3*length:5.0f} mm  "
           f"{force.max()*1e-3:7.1f} kN  {100*abs(e['residual'] + e['remap']).max()/start:6.2f} %  "
-          f"{-100*e['failure'][-1]/start:6.1f} %  {float(seconds):6.1f}")
+          f"{-100*e['failure'][-1]/start:6.1f} %  {seconds:6.1f}")
 
-names = results.times()
-figure, axes = plt.subplots(2, 3, figsize=(13, 5.4), constrained_layout=True)
+figure, axes = plt.subplots(2, 3, figsize=(13, 5.4))
 for ax, want in zip(axes.flat, (2e-5, 6e-5, 1e-4, 1.4e-4, 2e-4, 4e-4)):
-    name = min(names, key=lambda n: abs(float(n) - want))
+    name = variant(".").nearest(want, "lagrangian")
     image = draw(ax, ".", name, f"{1e6*float(name):.0f} us")
 figure.colorbar(image, ax=axes, label="part of Gf that is spent")
 figure.savefig("crack.png", dpi=120)
 
 e, start = results.energy()
-figure, axes = plt.subplots(1, 2, figsize=(11, 4), constrained_layout=True)
+figure, axes = plt.subplots(1, 2, figsize=(11, 4))
 t = 1e6*e["Time"]
 for name, what in (("kinetic", "kinetic"), ("strain", "strain"), ("failure", "failure"),
                    ("transfer", "transfer"), ("remap", "remap"),
                    ("residual", "residual")):
     axes[0].plot(t, e[name]/start, label=what)
 axes[0].set_ylabel("energy over that at impact")
-axes[0].legend(fontsize=8)
+axes[0].legend()
 t, force = results.floor()
 axes[1].plot(1e6*t, 1e-3*force)
 axes[1].set_ylabel("force of the floor [kN]")
@@ -80,11 +73,11 @@ for ax in axes:
 figure.savefig("energy.png", dpi=120)
 
 if len(present) > 1:
-    figure, axes = plt.subplots(3, 3, figsize=(13, 8.4), constrained_layout=True)
+    figure, axes = plt.subplots(3, 3, figsize=(13, 8.4))
     for ax in axes.flat[len(present):]:
         ax.axis("off")
     for ax, name in zip(axes.flat, present):
-        case = place(name)
+        case = variant(name).path
         image = draw(ax, case, results.times(case)[-1], label(name))
     figure.colorbar(image, ax=axes, label="part of Gf that is spent")
     figure.savefig("series.png", dpi=120)

@@ -1,13 +1,10 @@
 """Reads points and energies of a run of this case."""
 
-import os
 import re
-import sys
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
-from foamCase import readField
+from mpm.case import Case
 
 #: Radius [m]
 R = 0.05
@@ -15,30 +12,23 @@ R = 0.05
 
 def times(case="."):
     """Names of the time folders with points, in order."""
-    names = [n for n in os.listdir(case) if re.fullmatch(r"\d[\d.]*(e-\d+)?", n)
-             and os.path.isdir(os.path.join(case, n, "lagrangian"))]
-    return sorted(names, key=float)
+    return Case(case).times("lagrangian")
 
 
 def points(case, time, name):
     """A column of the points."""
-    return readField(os.path.join(case, time, "lagrangian/body", name))
-
-
-def entry(case, file, name):
-    """A number of a dictionary."""
-    with open(os.path.join(case, file)) as f:
-        return float(re.search(rf"^\s*{name}\s+([\d.eE+-]+)", f.read(), re.M)[1])
+    return Case(case).points(time, "body")[name]
 
 
 def cellWidth(case="."):
-    return R/entry(case, "system/blockMeshDict", "n")
+    return R/Case(case).entry("system/blockMeshDict", "n")
 
 
 def spent(case, time):
     """Part of the fracture energy that each point has spent: of a crack along the cells;
     maxPrincipalStress.H has the equation of the damage."""
-    E, f, Gf = (entry(case, "constant/phaseProperties", k) for k in ("E", "strength", "Gf"))
+    E, f, Gf = (Case(case).entry("constant/phaseProperties", k)
+                for k in ("E", "strength", "Gf"))
     r = 2*E*Gf/(f**2*cellWidth(case))
     d = points(case, time, "damage")
     return d/(d + r*(1 - d))
@@ -61,18 +51,15 @@ def cracks(case=".", time=None):
 
 def energy(case="."):
     """Columns of the energy budget by name, and what the body had at the start."""
-    path = os.path.join(case, "postProcessing/energy/0/energy.dat")
-    with open(path) as f:
-        names = re.findall(r"(\w+)\[\w+\]", f.readlines()[1])
-    table = dict(zip(names, np.loadtxt(path).T))
+    columns = Case(case).series("energy", "energy.dat").T
+    with open(Case(case).file("postProcessing/energy/0/energy.dat")) as f:
+        table = dict(zip(re.findall(r"(\w+)\[\w+\]", f.readlines()[1]), columns))
     m = points(case, "0", "m")
     return table, 0.5*m.sum()*8.474**2
 
 
 def floor(case="."):
     """Times of the reports; force of the floor [N], mean since the report before."""
-    with open(os.path.join(case, "log.materialPointFoam")) as f:
-        rows = re.findall(r"^Time = (\S+)(?:(?!^Time).)*?^Contact floor .*?impulse "
-                          r"\(\S+ (\S+) ", f.read(), flags=re.M | re.S)
-    t, J = np.array(rows, float).T
+    t, J = Case(case).numbers(r"(?s)^Time = N(?:(?!^Time).)*?^Contact floor .*?impulse "
+                              r"\(\S+ N ").T
     return t[1:], -np.diff(J)/np.diff(t)

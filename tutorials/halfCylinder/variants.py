@@ -1,15 +1,9 @@
 """The case at other resolutions, with scatter of the strength, in air and in 3D, in
 variants/: python3 variants.py [name ...], all without a name."""
 
-import os
-import re
-import shutil
-import subprocess
 import sys
 
-FILES = ("constant/phaseProperties", "system/blockMeshDict", "system/controlDict",
-         "system/fvSchemes", "system/fvSolution", "system/setMaterialPointsDict",
-         "constant/triSurface/halfCylinder.stl", "0/U.body")
+from mpm.variants import changeFiles, runVariants
 
 
 def cells(n, nz=1):
@@ -37,7 +31,7 @@ AIR = [("constant/phaseProperties", r"^phases .*?;", "phases (air body);\n\nair 
         r"\1 samples 4; stress ambient; pressure 1e5;"),
        ("system/fvSolution", r"USAVG", "MUSL"),
        ("system/controlDict", r"^(maxCo .*?;)", r"\1\nmaxCoGas 0.4;"),
-       ("system/fvSchemes", r"^(ddtSchemes|laplacianSchemes|snGradSchemes|"
+       ("system/fvSchemes", r"(?s)^(ddtSchemes|laplacianSchemes|snGradSchemes|"
         r"interpolationSchemes)\s.*?\}$", ""),
        ("system/fvSchemes", r"^gradSchemes", """ddtSchemes          { default Euler; }
 laplacianSchemes    { default Gauss linear corrected; }
@@ -60,35 +54,18 @@ GAS = {"p": ("volScalarField", "[1 -1 -2 0 0 0 0]", "1e5", "zeroGradient"),
        "U.air": ("volVectorField", "[0 1 -1 0 0 0 0]", "(0 0 0)", "slip")}
 
 
-def replace(path, pattern, text):
-    with open(path) as f:
-        old = f.read()
-    new, count = re.subn(pattern, text, old, flags=re.S | re.M)
-    if not count:
-        sys.exit(f"variants.py: '{pattern}' is not in {path}")
-    with open(path, "w") as f:
-        f.write(new)
-
-
 def gasFields(case):
     """Air at rest; the floor is a wall, the other sides are open."""
     for name, (kind, dimensions, value, wall) in GAS.items():
-        with open(os.path.join(case, "0", name), "w") as f:
-            f.write(f"FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
-                    f"dimensions {dimensions};\ninternalField uniform {value};\n"
-                    f"boundaryField\n{{\n    floor {{ type {wall}; }}\n"
-                    f"    outside {{ type zeroGradient; }}\n"
-                    f"    frontAndBack {{ type empty; }}\n}}\n")
+        case.write("0/" + name, {
+            "dimensions": dimensions, "internalField": f"uniform {value}",
+            "boundaryField": {"floor": {"type": wall}, "outside": {"type": "zeroGradient"},
+                              "frontAndBack": {"type": "empty"}}}, kind)
 
 
-def make(case, changes, source="."):
-    shutil.rmtree(case, ignore_errors=True)
-    for file in FILES:
-        os.makedirs(os.path.dirname(os.path.join(case, file)), exist_ok=True)
-        shutil.copy(os.path.join(source, file), os.path.join(case, file))
-    for file, pattern, text in changes:
-        replace(os.path.join(case, file), pattern, text)
-    if AIR[0] in changes:
+def change(case, *rows):
+    changeFiles(case, *rows)
+    if AIR[0] in rows:
         gasFields(case)
 
 
@@ -97,16 +74,7 @@ def main():
     if unknown:
         sys.exit(f"variants.py: no variant {' '.join(sorted(unknown))}; there are "
                  + " ".join(VARIANTS))
-    for name in sys.argv[1:] or VARIANTS:
-        case = os.path.join("variants", name)
-        make(case, VARIANTS[name])
-        for application in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
-            print(f"Running {application} in {case}", flush=True)
-            with open(os.path.join(case, "log." + application), "w") as log:
-                code = subprocess.run([application], cwd=case, stdout=log,
-                                      stderr=subprocess.STDOUT).returncode
-            if code:
-                sys.exit(f"variants.py: {application} failed, see {log.name}")
+    runVariants({name: VARIANTS[name] for name in sys.argv[1:] or VARIANTS}, ("U.body",), change)
 
 
 if __name__ == "__main__":

@@ -1,36 +1,22 @@
 """Contact pressure of the cylinder beside Hertz's, and its figures."""
 
-import os
-import re
-import sys
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
-from foamCase import readField
+from mpm.case import Case
+from mpm.pictures import plt
 
 R, E, NU, H, THICKNESS = 0.16, 1e8, 0.3, 1e-3, 1e-3
 
-log = open("log.materialPointFoam").read()
-t = np.array([float(w) for w in re.findall(r"^Time = (\S+)", log, re.M)])
-rows = re.findall(r"^Time = (\S+)(?:(?!^Time).)*?^Contact plane .*?force \((\S+) (\S+) ",
-                  log, re.M | re.S)
-time, force = np.array([(float(a), -2*float(c)/THICKNESS) for a, b, c in rows]).T
+case = Case()
+time, force = case.numbers(r"(?s)^Time = N(?:(?!^Time).)*?^Contact plane .*?force \(\S+ N ").T
+force *= -2/THICKNESS
 late = time > 0.9*time[-1]
 F, scatter = force[late].mean(), np.ptp(force[late])
 
-last = max((d for d in os.listdir(".") if re.fullmatch(r"[0-9.e-]+", d)
-            and os.path.isdir(f"{d}/lagrangian")), key=float)
-x = readField(f"{last}/lagrangian/cylinder/x")
-sigma = readField(f"{last}/lagrangian/cylinder/sigma")
+start, end = (case.points(t, "cylinder") for t in ("0", case.times("lagrangian")[-1]))
+x, sigma, volume = (end.byId(name) for name in ("x", "sigma", "V"))
 # Points less than half a cell from the surface, means of those in a cell's width
-ids = readField(f"{last}/lagrangian/cylinder/id")
-first = readField("0/lagrangian/cylinder/x")[np.argsort(readField("0/lagrangian/cylinder/id"))]
-volume = readField(f"{last}/lagrangian/cylinder/V")
-x, sigma, volume = (v[np.argsort(ids)] for v in (x, sigma, volume))
+first = start.byId("x")
 low = np.flatnonzero(first[:, 1] - first[:, 0]**2/(2*R) < 0.5*H)
 column = (first[low, 0]/H).astype(int)
 r, p = (np.bincount(column, volume[low]*v)/np.bincount(column, volume[low])
@@ -50,14 +36,14 @@ for name, exact, value, scale, unit in (("half-width", a, width, 1e3, "mm"),
 print(f"largest pressure of a cell {p.max()/1e6:.4f} MPa"
       f" ({100*(p.max()/p0 - 1):+.2f} %); cells in the half-width {a/H:.1f}")
 
-figure, axes = plt.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
+figure, axes = plt.subplots(1, 2, figsize=(10, 4.2))
 axes[0].plot(r/a, p/p0, ".", label="points at the surface, means in a cell's width")
 s = np.linspace(0, 1, 200)
 axes[0].plot(s, np.sqrt(1 - s*s), "k", lw=0.8, label="Hertz")
 axes[0].set(xlabel="x/a", ylabel="p/p0", xlim=(0, 2))
-axes[0].legend(fontsize=8)
+axes[0].legend()
 near = (x[:, 0] < 3*a) & (x[:, 1] < 3*a)
 image = axes[1].scatter(x[near, 0]*1e3, x[near, 1]*1e3, c=-sigma[near, 3]/1e6, s=6, cmap="viridis")
 axes[1].set(aspect="equal", xlabel="x [mm]", ylabel="y [mm]")
 figure.colorbar(image, ax=axes[1], label="-sigma_yy [MPa]")
-figure.savefig("hertz.png", dpi=130)
+figure.savefig("hertz.png")

@@ -1,25 +1,13 @@
 """Figures of README.md's table, and pictures: profiles beside the curves of Houim and
 Oran (2016)."""
 
-import re
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+from mpm.case import Case
+from mpm.pictures import plt
 
 ATM = 101298.0
 RHO_DILUTE = 1.293                 # density of the gas on the right [kg/m3]
-
-
-def field(path):
-    """Inner values of an ascii field on cells: n, or n x 3."""
-    with open(path) as f:
-        text = f.read()
-    head = re.search(r"internalField\s+nonuniform List<(\w+)>\s*(\d+)\s*\(", text)
-    end = re.compile(r"\)\s*;").search(text, head.end()).start()
-    values = np.array(text[head.end():end].translate({40: None, 41: None}).split(), float)
-    return values.reshape(-1, 3) if head[1] == "vector" else values
 
 
 def curve(name):
@@ -49,11 +37,12 @@ def row(what, published, own):
 
 
 # Dilute
-n, L, time = 400, 0.258, "dilute/0.0001842/"
+n, L = 400, 0.258
+case, time = Case("dilute"), "0.0001842"
 x = (np.arange(n) + 0.5)*L/n
-p = field(time + "p")/ATM
-gas = field(time + "theta.air")*field(time + "rho.air")/RHO_DILUTE
-dust = (1 - field(time + "theta.air"))*2500/RHO_DILUTE
+p = case.field(time, "p")/ATM
+gas = case.field(time, "theta.air")*case.field(time, "rho.air")/RHO_DILUTE
+dust = (1 - case.field(time, "theta.air"))*2500/RHO_DILUTE
 pP, rhoP = curve("dilute_p"), curve("dilute_rho")
 
 # The expansion fan is in gas alone: u - c = (x - x0)/t, u + 5 c = 5 c0
@@ -76,26 +65,27 @@ row("dilute, place of the contact [m]", front(gasP[0][at], gasP[1][at], 3.5),
 row("dilute, density of the gas at 0.135 to 0.155 m", mean(*gasP, 0.135, 0.155),
     mean(x, gas, 0.135, 0.155))
 
-figure, axes = plt.subplots(1, 2, figsize=(10, 3.8), constrained_layout=True)
+figure, axes = plt.subplots(1, 2, figsize=(10, 3.8))
 panel(axes[0], "pressure [atm]", pP, x, p)
 panel(axes[1], "density over that of the gas on the right", rhoP, x, gas, "gas")
 axes[1].plot(x, dust, "C3", label="dust, mass per volume")
 for ax in axes:
     ax.set_xlabel("x [m]")
-    ax.legend(fontsize=8)
+    ax.legend()
 figure.suptitle("Few grains of 10 um, 10 atm on 1 atm, 184 us")
-figure.savefig("dilute.png", dpi=130)
+figure.savefig("dilute.png")
 
 # Dense
-n, L, time = 576, 0.12, "dense/0.0001/"
+n, L = 576, 0.12
+case, time = Case("dense"), "0.0001"
 x = (np.arange(n) + 0.5)*L/n
-theta = field(time + "theta.air")
-p = field(time + "p")/ATM
-gas = theta*field(time + "rho.air")
+theta = case.field(time, "theta.air")
+p = case.field(time, "p")/ATM
+gas = theta*case.field(time, "rho.air")
 dust = (1 - theta)*1470
-there = field(time + "alpha.dust") > 0
-uG, uS = field(time + "U.air")[:, 0], field(time + "Umean.dust")[:, 0]
-TG, TS = field(time + "T.air"), field(time + "Tmean.dust")
+there = case.field(time, "alpha.dust") > 0
+uG, uS = case.field(time, "U.air")[:, 0], case.field(time, "Umean.dust")[:, 0]
+TG, TS = case.field(time, "T.air"), case.field(time, "Tmean.dust")
 published = {q: curve("dense_" + q) for q in ("p_g", "rho_g", "rho_p", "U_g", "U_p", "T_g", "T_p")}
 u = published["U_p"]
 at = (u[1] > 8) & (u[1] < 40)
@@ -116,7 +106,7 @@ half = (published["p_g"][1] > 33) & (published["p_g"][1] < 41)
 row("dense, half of the pressure at [m]", np.median(published["p_g"][0][half]),
     front(x, p, 37))
 
-figure, axes = plt.subplots(2, 2, figsize=(10, 7), constrained_layout=True)
+figure, axes = plt.subplots(2, 2, figsize=(10, 7))
 panel(axes[0, 0], "pressure of the gas [atm]", published["p_g"], x, p)
 panel(axes[0, 1], "mass per volume [kg/m3]", published["rho_p"], x, dust, "grains", "C3")
 panel(axes[0, 1], "mass per volume [kg/m3]", published["rho_g"], x, gas, "gas")
@@ -133,4 +123,4 @@ for ax in axes.flat:
 axes[1, 0].set_ylim(-5, 110)
 axes[1, 1].set_ylim(265, 325)
 figure.suptitle("Bed of 0.4 by volume, grains of 5 um, 100 atm on 1 atm, 100 us")
-figure.savefig("dense.png", dpi=130)
+figure.savefig("dense.png")

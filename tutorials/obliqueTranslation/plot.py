@@ -1,35 +1,26 @@
 """Points at the start and at the end; how far the free flight is from exact."""
 
-import glob
-import os
-import re
-import sys
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
-from foamCase import readField
+from mpm.case import Case
+from mpm.pictures import plt
 
 H = 0.01
 
 #: case: velocity, cells in a direction
 CASES = {"disk": ((18.0, 11.5, 0.0), 32), "ball": ((12.0, 9.5, -7.3), 24)}
 
+
 def cloud(case, time):
     """Places and velocities in the order of the points' ids."""
-    path = f"{case}/{time}/lagrangian/{case}/"
-    order = np.argsort(readField(path + "id"))
-    return readField(path + "x")[order], readField(path + "U")[order]
+    points = Case(case).points(time, case)
+    return points.byId("x"), points.byId("U")
 
 
-figure, axes = plt.subplots(1, 2, figsize=(12, 5.6), constrained_layout=True)
+figure, axes = plt.subplots(1, 2, figsize=(12, 5.6))
 for ax, (case, (velocity, n)) in zip(axes, CASES.items()):
     velocity = np.array(velocity)
-    times = sorted((d for d in os.listdir(case) if re.fullmatch(r"[0-9.]+", d)
-                    and os.path.isdir(f"{case}/{d}/lagrangian")), key=float)
+    times = Case(case).times("lagrangian")
     for name in times:
         x, u = cloud(case, name)
         ax.scatter(x[:, 0]*100, x[:, 1]*100, s=2, linewidths=0,
@@ -48,10 +39,9 @@ for ax, (case, (velocity, n)) in zip(axes, CASES.items()):
     ax.set_title(f"{case}; black: x + t v", fontsize=9)
     ax.set_xlabel("x [cm]")
     ax.set_ylabel("y [cm]")
-    ax.legend(fontsize=8, loc="lower right")
+    ax.legend(loc="lower right")
 
-    rows = np.loadtxt(sorted(glob.glob(f"{case}/postProcessing/balance/*/{case}.dat"))[0])
-    rows = rows[np.unique(rows[:, 0], return_index=True)[1]]
+    rows = Case(case).series("balance", f"{case}.dat", once=True)
     mass, momentum = rows[:, 2], rows[:, 3:6]
     kinetic, strain, total = rows[:, 9:12].T
     speed = np.linalg.norm(velocity)
@@ -67,4 +57,4 @@ for ax, (case, (velocity, n)) in zip(axes, CASES.items()):
             ("total energy", np.max(abs(total/energy - 1))),
             ("mass", np.max(abs(mass/mass[0] - 1)))):
         print(f"    {label:42s} largest deviation {value:.1e}")
-figure.savefig("translation.png", dpi=130)
+figure.savefig("translation.png")

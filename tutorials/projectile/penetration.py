@@ -11,15 +11,12 @@ logarithmic strain e of the target in adiabatic flow (Hill 1950; the usual estim
     R = int_0^inf s(e)/(exp(3 e/2) - 1) de
 """
 
-import glob
 import os
 import re
-import sys
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
-from foamCase import Points
+from mpm.case import Case
 
 RHO_P, RHO_T, Y, LENGTH, SPEED = 17000.0, 7850.0, 1.5e9, 50e-3, 1250.0
 
@@ -84,18 +81,13 @@ def material(name):
     return {k: float(v) for k, v in re.findall(r"^\s*(\w+)\s+(-?[\d.]+(?:e-?\d+)?);", text, re.M)}
 
 
-def table(case, folder, name):
-    path = sorted(glob.glob(f"{case}/postProcessing/{folder}/*/{name}"))[0]
-    return np.loadtxt(path)
-
-
 class Path:
     """Nose, the foremost point of rod and debris, and tail over time."""
 
     def __init__(self, case="."):
-        rod, debris = (table(case, "extent", p + ".dat") for p in ("rod", "debris"))
+        rod, debris = (Case(case).series("extent", p + ".dat") for p in ("rod", "debris"))
         self.t, self.nose = rod[:, 0], np.maximum(rod[:, 4], debris[:, 4])
-        t, moved = table(case, "tail", "displacement_x.dat").T
+        t, moved = Case(case).series("tail", "displacement_x.dat").T
         self.tail = np.interp(self.t, t, moved) - LENGTH
 
     def at(self, time):
@@ -128,17 +120,12 @@ def effectiveR(speed):
 
 def times(case="."):
     """Names of the times that have points, in order."""
-    return sorted((d for d in os.listdir(case) if re.fullmatch(r"[0-9.]+(e-?\d+)?", d)
-                   and os.path.isdir(f"{case}/{d}/lagrangian/rod")), key=float)
-
-
-def points(case, time, phase):
-    return Points([f"{case}/{time}/lagrangian/{phase}"])
+    return Case(case).times("lagrangian/rod")
 
 
 def matter(case, time, phase, name):
     """A column of a phase by id, of the rod with its debris."""
-    clouds = [points(case, time, p) for p in ((phase, "debris") if phase == "rod" else (phase,))
+    clouds = [Case(case).points(time, p) for p in ((phase, "debris") if phase == "rod" else (phase,))
               if os.path.isdir(f"{case}/{time}/lagrangian/{p}")]
     ids = np.concatenate([c["id"] for c in clouds])
     return np.concatenate([c[name] for c in clouds])[np.argsort(ids)]

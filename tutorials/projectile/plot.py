@@ -3,12 +3,11 @@ temperature at four times; the figures of the README."""
 
 import os
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
 import penetration as p
+from mpm.case import Case
+from mpm.pictures import plt
 
 LIMITS = (4.5e9, 5.5e9)
 
@@ -55,7 +54,7 @@ exact = p.SPEED/(1 + np.sqrt(p.RHO_T/p.RHO_P))
 print(f"without strength: {weak:.1f} m/s at 10 to 40 us, exact {exact:.1f}"
       f" ({100*(weak/exact - 1):+.2f} %)")
 
-figure, ax = plt.subplots(figsize=(7.5, 6), constrained_layout=True)
+figure, ax = plt.subplots(figsize=(7.5, 6))
 times = p.tate(LIMITS[0], 80e-6)[0]*1e6
 nose = [p.tate(R, 80e-6)[1]*1e3 for R in LIMITS]
 tail = [p.tate(R, 80e-6)[2]*1e3 for R in LIMITS]
@@ -73,16 +72,16 @@ for i, (name, path) in enumerate(paths.items()):
 ax.set_xlabel("time [us]")
 ax.set_ylabel("nose and tail [mm]; face of the target 0")
 ax.invert_yaxis()
-ax.legend(fontsize=8)
-figure.savefig("penetration.png", dpi=130)
+ax.legend()
+figure.savefig("penetration.png")
 
-figure, axes = plt.subplots(1, 4, figsize=(14, 6), sharey=True, constrained_layout=True)
+figure, axes = plt.subplots(1, 4, figsize=(14, 6), sharey=True)
 for ax, want in zip(axes, (10e-6, 25e-6, 40e-6, 80e-6)):
-    name = min(p.times(), key=lambda d: abs(float(d) - want))
+    name = Case().nearest(want, "lagrangian/rod")
     for phase, colour in (("target", "0.75"), ("rod", "C1"), ("debris", "C3")):
         if not os.path.isdir(f"{name}/lagrangian/{phase}"):
             continue
-        cloud = p.points(".", name, phase)
+        cloud = Case().points(name, phase)
         x, T = cloud["x"]*1e3, cloud["T"]
         # Materials on the left half, temperature on the right
         ax.scatter(-x[:, 1], x[:, 0], s=1.2, c=colour, linewidths=0)
@@ -95,4 +94,4 @@ for ax, want in zip(axes, (10e-6, 25e-6, 40e-6, 80e-6)):
     ax.set_xlabel("r [mm]")
 axes[0].set_ylabel("x [mm]; left: rod orange, its debris red, target grey")
 figure.colorbar(image, ax=axes, label="T [K]")
-figure.savefig("materials.png", dpi=130)
+figure.savefig("materials.png")

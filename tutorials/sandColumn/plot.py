@@ -1,22 +1,15 @@
 """The heap at some times, its runout and height."""
 
-import os
-import re
-import sys
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
-from foamCase import readField
+from mpm.case import Case
+from mpm.pictures import plt
 
 L, HEIGHT, H = 0.1, 0.2, 0.005
 
-times = sorted((d for d in os.listdir(".") if re.fullmatch(r"[0-9.]+", d)
-                and os.path.isdir(f"{d}/lagrangian")), key=float)
-places = {t: readField(f"{t}/lagrangian/sand/x") for t in times}
+case = Case()
+times = case.times("lagrangian")
+places = {t: case.points(t, "sand").byId("x") for t in times}
 
 
 def front(x):
@@ -31,19 +24,18 @@ for t in times:
           f" {(x[:, 0].max() - L)/L:.2f}, height over L0"
           f" {(x[x[:, 0] < 2*H, 1].max() + 0.25*H)/L:.2f}")
 x = places[times[-1]]
-U = readField(f"{times[-1]}/lagrangian/sand/U")
+U = case.points(times[-1], "sand")["U"]
 print(f"speed at the end: mean {np.linalg.norm(U, axis=1).mean():.1e} m/s")
 
 shown = [t for t in times if t in ("0", "0.1", "0.2", "0.3", "0.5", times[-1])]
 figure, axes = plt.subplots(len(shown), 1, figsize=(7, 1.6*len(shown)), sharex=True,
-                            sharey=True, constrained_layout=True)
+                            sharey=True)
 layer = np.zeros(1)
 for axis, t in zip(axes, shown):
-    order = np.argsort(readField(f"{t}/lagrangian/sand/id"))
     if t == "0":
-        layer = np.floor(places[t][order, 1]/0.025) % 2
-    axis.scatter(*places[t][order, :2].T, c=layer, s=1, cmap="copper")
+        layer = np.floor(places[t][:, 1]/0.025) % 2
+    axis.scatter(*places[t][:, :2].T, c=layer, s=1, cmap="copper")
     axis.set(aspect="equal", ylabel="y [m]", title=f"{t} s")
     axis.axvspan(L*3.4, L*4.6, color="C0", alpha=0.15, lw=0)
 axes[-1].set(xlabel="x [m]; blue: where experiments end", xlim=(0, 0.6), ylim=(0, 0.22))
-figure.savefig("sandColumn.png", dpi=130)
+figure.savefig("sandColumn.png")

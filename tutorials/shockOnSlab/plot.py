@@ -1,11 +1,9 @@
 """Figures of README.md's table; pictures of slab, disc and wedge."""
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
-import fields
+from mpm.case import Case
+from mpm.pictures import plt
 
 GAMMA, R, P1, T1, MS = 1.4, 287, 1e5, 290, 2
 C1 = np.sqrt(GAMMA*R*T1)
@@ -25,29 +23,30 @@ def behindShock():
 P2, RHO2, U2, PR, W = behindShock()
 
 # --- slab: 1D
+slab = Case("slab")
 n, face = 400, 0.80075
 arrival = face/(MS*C1)
 x = (np.arange(n) + 0.5)/n
-last = fields.times("slab")[-1]
-p = fields.cells("slab", last, "p", n, 1)
+last = slab.times()[-1]
+p = slab.field(last, "p")
 back = W*(float(last) - arrival)         # way of the reflected shock
 window = (x > face - 0.8*back) & (x < face - 0.02)
 middle = np.nonzero(p > 0.5*(P2 + PR))[0][0]
 found = x[middle - 1] + (0.5*(P2 + PR) - p[middle - 1])/(p[middle] - p[middle - 1])/n
-largest = fields.log("slab", "^    p N to N,")[:, 1].max()
-Theta = fields.log("slab", "^Theta: min N, max N")
+largest = slab.numbers("^    p N to N,")[:, 1].max()
+Theta = slab.numbers("^Theta: min N, max N")
 print(f"slab: reflected pressure {p[window].mean()*1e-5:.4f} bar, exact {PR*1e-5:.4f}"
       f" ({100*(p[window].mean()/PR - 1):+.3f} %)")
 print(f"slab: largest pressure ever {100*(largest/PR - 1):+.2f} % of it")
 print(f"slab: speed of the reflected shock {(face - found)/(float(last) - arrival):.1f} m/s,"
       f" exact {W:.1f}")
-print(f"slab: fix-ups {fields.fixups('slab'):.0f}, Theta {Theta.min():.6f} to"
+print(f"slab: fix-ups {slab.fixups():.0f}, Theta {Theta.min():.6f} to"
       f" {Theta.max():.6f}")
-figure, axes = plt.subplots(1, 2, figsize=(12, 4.5), constrained_layout=True)
-for time, color in zip([t for t in fields.times("slab") if float(t) in
+figure, axes = plt.subplots(1, 2, figsize=(12, 4.5))
+for time, color in zip([t for t in slab.times() if float(t) in
                         (0.6e-3, 1.0e-3, 1.4e-3, 1.8e-3)], ("C0", "C1", "C2", "C3")):
     t = float(time)
-    line = fields.cells("slab", time, "p", n, 1)*1e-5
+    line = slab.field(time, "p")*1e-5
     gas = x < face
     axes[0].plot(x[gas], line[gas], color, lw=1.5, label=f"{t*1e3:.1f} ms")
     if t < arrival:
@@ -60,36 +59,34 @@ axes[0].axvspan(face, 1, color="0.85")
 axes[0].text(0.5*(face + 1), 8, "slab", ha="center")
 axes[0].set_xlabel("x [m]")
 axes[0].set_ylabel("pressure of the air [bar]; dotted: exact")
-axes[0].legend(fontsize=8)
-probe = np.loadtxt("slab/postProcessing/front/0/p")
+axes[0].legend()
+probe = slab.series("front", "p")
 for column, place in ((1, 0.65), (2, 0.75), (3, 0.798)):
     axes[1].plot(probe[:, 0]*1e3, probe[:, column]*1e-5, lw=1, label=f"x = {place} m")
 axes[1].axhline(PR*1e-5, color="k", ls=":", lw=1)
 axes[1].set_xlabel("time [ms]")
 axes[1].set_ylabel("pressure of the air [bar]")
-axes[1].legend(fontsize=8)
-figure.savefig("slab.png", dpi=130)
+axes[1].legend()
+figure.savefig("slab.png")
 
 # --- disc: 2D
-nx, ny = 160, 120
-p = fields.cells("cylinder", fields.times("cylinder")[-1], "p", nx, ny)
-v = fields.cells("cylinder", fields.times("cylinder")[-1], "U.air", nx, ny)
+disc, nx, ny = Case("cylinder"), 160, 120
+p, v = (disc.field(disc.times()[-1], name, nx, ny) for name in ("p", "U.air"))
 print(f"disc: |p - p mirrored|/p2 {np.abs(p - p[::-1]).max()/P2:.1e}, |v + v mirrored|/u2"
       f" {np.abs(v[..., 1] + v[::-1, :, 1]).max()/U2:.1e}")
-extremes = fields.log("cylinder", "^    p N to N,")
+extremes = disc.numbers("^    p N to N,")
 print(f"disc: least pressure {extremes[:, 0].min()/P1:.3f} p1, largest"
       f" {extremes[:, 1].max()/PR:.3f} of the pressure at a plane wall; fix-ups"
-      f" {fields.fixups('cylinder'):.0f}")
-nose = np.loadtxt("cylinder/postProcessing/nose/0/p")
+      f" {disc.fixups():.0f}")
+nose = disc.series("nose", "p")
 print(f"disc: 2.5 mm before the nose at most {nose[:, 1].max()*1e-5:.2f} bar")
 
-figure, axes = plt.subplots(2, 2, figsize=(11.5, 8.6), sharex=True, sharey=True,
-                            constrained_layout=True)
+figure, axes = plt.subplots(2, 2, figsize=(11.5, 8.6), sharex=True, sharey=True)
 edges = np.arange(nx + 1), np.arange(ny + 1)
 angle = np.linspace(0, 2*np.pi, 200)
 for ax, wanted in zip(axes.ravel(), (0.08e-3, 0.12e-3, 0.16e-3, 0.2e-3)):
-    time = min(fields.times("cylinder"), key=lambda t: abs(float(t) - wanted))
-    image = ax.pcolormesh(*edges, fields.cells("cylinder", time, "p", nx, ny)*1e-5,
+    time = disc.nearest(wanted)
+    image = ax.pcolormesh(*edges, disc.field(time, "p", nx, ny)*1e-5,
                           cmap="turbo", vmin=1, vmax=12, rasterized=True)
     ax.fill(60 + 20*np.cos(angle), 60 + 20*np.sin(angle), "0.7", ec="k", lw=0.6)
     ax.axvline(MS*C1*float(time)*1e3, color="w", ls=":", lw=1)
@@ -102,12 +99,12 @@ for ax in axes[:, 0]:
     ax.set_ylabel("y [mm]")
 figure.colorbar(image, ax=axes, label="pressure of the air [bar]; dotted: place of the free"
                 " shock", pad=0.01)
-figure.savefig("cylinder.png", dpi=130)
+figure.savefig("cylinder.png")
 
 # --- wedge: 2D
-nx, ny, tip = 100, 70, 0.2
+wedge, nx, ny, tip = Case("wedge"), 100, 70, 0.2
 angle, BETA, RATIO = np.radians(10), np.radians(39.31), 1.7066     # NACA 1135
-p = fields.cells("wedge", fields.times("wedge")[-1], "p", nx, ny)/P1
+p = wedge.field(wedge.times()[-1], "p", nx, ny)/P1
 x, y = (np.arange(nx) + 0.5)/nx, (np.arange(ny) + 0.5)*0.7/ny
 where, behind = [], []
 inside = [i for i in range(nx) if 0.45 < x[i] < 0.95]
@@ -122,8 +119,8 @@ found = np.degrees(np.arctan(np.polyfit(x[inside], where, 1)[0]))
 print(f"wedge: angle of the shock {found:.2f} degrees, exact {np.degrees(BETA):.2f}")
 print(f"wedge: p2/p1 {np.mean(behind):.4f} ({min(behind):.3f} to {max(behind):.3f}), exact"
       f" {RATIO} ({100*(np.mean(behind)/RATIO - 1):+.2f} %); fix-ups"
-      f" {fields.fixups('wedge'):.0f}")
-figure, ax = plt.subplots(figsize=(8, 5), constrained_layout=True)
+      f" {wedge.fixups():.0f}")
+figure, ax = plt.subplots(figsize=(8, 5))
 image = ax.pcolormesh(np.linspace(0, 1, nx + 1), np.linspace(0, 0.7, ny + 1), p,
                       cmap="turbo", vmin=1, vmax=1.8, rasterized=True)
 ax.fill([tip, 1, 1], [0, 0.8*np.tan(angle), 0], "0.7", ec="k", lw=0.6)
@@ -132,4 +129,4 @@ ax.set_ylim(0, 0.7)
 ax.set_xlabel("x [m]")
 ax.set_ylabel("y [m]")
 figure.colorbar(image, label="p/p1; dotted: exact shock")
-figure.savefig("wedge.png", dpi=130)
+figure.savefig("wedge.png")

@@ -1,15 +1,15 @@
 """Velocity of the blocks along the slope beside Coulomb's, and their acceleration."""
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+from mpm.case import Case
+from mpm.pictures import plt
 
 G, SLOPE, RAMP = 9.81, np.radians(30), 0.2
 
-figure, axis = plt.subplots(figsize=(7, 4.5), constrained_layout=True)
+figure, axis = plt.subplots(figsize=(7, 4.5))
 for k, (name, mu) in enumerate((("mu0", 0.0), ("mu3", 0.3), ("mu6", 0.6))):
-    record = np.loadtxt(f"postProcessing/balance/0/{name}.dat")
+    record = Case().series("balance", f"{name}.dat")
     record = record[record[:, 0] > 0]
     t, u = record[:, 0], record[:, 3]/record[:, 2]
     exact = max(0.0, G*(np.sin(SLOPE) - mu*np.cos(SLOPE)))
@@ -25,5 +25,5 @@ for k, (name, mu) in enumerate((("mu0", 0.0), ("mu3", 0.3), ("mu6", 0.6))):
     axis.plot(t, exact*np.where(t < RAMP, t**2/(2*RAMP), t - 0.5*RAMP), "k:", lw=1,
               label=None if k else "rigid block")
 axis.set(xlabel="time [s]", ylabel="velocity along the slope [m/s]")
-axis.legend(fontsize=8)
-figure.savefig("slidingBlock.png", dpi=130)
+axis.legend()
+figure.savefig("slidingBlock.png")

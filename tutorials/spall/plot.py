@@ -7,14 +7,13 @@ flyer's thickness) and leave tension of the same size behind them.
 """
 
 import glob
-import os
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
+
+from mpm.case import Case
+from mpm.pictures import plt
 
 RHO, E, V, H = 2700.0, 70e9, 100.0, 1.9e-3
 C = np.sqrt(E/RHO)
@@ -31,14 +30,10 @@ def exact(x, t):
     return 0.5*RHO*C*(velocity(x + C*t) - velocity(x - C*t))
 
 
-def record(name, file):
-    path = sorted(glob.glob(f"postProcessing/{name}/*/{file}"))[0]
-    return np.loadtxt(path)
-
-
 # Mid-plane and free surface over time
-t, stress = record("midPlane", "sigma_yy.dat").T
-ts, surface = record("freeSurface", "U_y.dat").T
+case = Case()
+t, stress = case.series("midPlane", "sigma_yy.dat").T
+ts, surface = case.series("freeSurface", "U_y.dat").T
 
 figure, axes = plt.subplots(2, 1, figsize=(7, 7), sharex=True)
 fine = np.linspace(0, t[-1], 3000)
@@ -48,16 +43,15 @@ axes[0].plot(t*1e6, stress*1e-6, "C0-", label="materialPointFoam")
 axes[0].axhline(400, color="C3", ls=":", label="strength")
 axes[0].axvline(3*H/C*1e6, color="k", ls=":", lw=0.8)
 axes[0].set_ylabel("stress at the mid-plane [MPa]")
-axes[0].legend(fontsize=8)
+axes[0].legend()
 arrival = 2*H/C
 axes[1].plot(np.array([0, arrival, arrival, fine[-1]])*1e6, [0, 0, 100, 100],
              "k-", lw=0.8, label="exact until the release arrives (instant failure: stays)")
 axes[1].plot(ts*1e6, -surface, "C0-", label="materialPointFoam")
 axes[1].set_xlabel("time [us]")
 axes[1].set_ylabel("free-surface velocity [m/s]")
-axes[1].legend(fontsize=8)
-figure.tight_layout()
-figure.savefig("stress.png", dpi=130)
+axes[1].legend()
+figure.savefig("stress.png")
 
 half = STRESS/2
 late = np.where((t > 0.8e-6) & (stress > half))[0]
@@ -72,14 +66,13 @@ plateau = (ts > 0.85e-6) & (ts < 1.05e-6)
 print(f"free surface {-surface[plateau].mean():.2f} m/s, exact {V:.0f} m/s")
 
 # x-t diagram
-path = sorted(glob.glob("postProcessing/stressXT/*/sigma_yy.dat"))[0]
-header = [line for line in open(path) if line.startswith("#")]
-table = np.loadtxt(path)
+table = case.series("stressXT", "sigma_yy.dat")
+with open(case.file("postProcessing/stressXT/0/sigma_yy.dat")) as f:
+    header = [line for line in f if line.startswith("#")]
 centres = np.array([float(w) for w in header[-1].replace("#", " ").split()
                     if w.replace(".", "").replace("e", "").replace("-", "")
                     .replace("+", "").isdigit()])
-figure, axes = plt.subplots(1, 2, figsize=(10, 5), sharey=True,
-                            constrained_layout=True)
+figure, axes = plt.subplots(1, 2, figsize=(10, 5), sharey=True)
 for ax, values, title in (
         (axes[0], table[:, 1:], "material points"),
         (axes[1], exact(centres[None, :], table[:, 0][:, None]),
@@ -91,7 +84,7 @@ for ax, values, title in (
     ax.axvline(3.8, color="k", lw=0.5)
 axes[0].set_ylabel("time [us]")
 figure.colorbar(image, ax=axes, label="stress [MPa], tension positive")
-figure.savefig("xt.png", dpi=130)
+figure.savefig("xt.png")
 
 
 # Damage, from what foamToVTK wrote
@@ -107,13 +100,9 @@ def cloud(phase, index):
             vtk_to_numpy(data.GetPointData().GetArray("sigma"))[:, 1])
 
 
-times = sorted(float(d) for d in os.listdir(".")
-               if d.replace(".", "").replace("e-", "").isdigit()
-               and os.path.isdir(os.path.join(d, "lagrangian")))
-chosen = [int(np.argmin(np.abs(np.array(times) - want)))
-          for want in (1.0e-6, 1.25e-6, 3.0e-6)]
-figure, axes = plt.subplots(1, len(chosen), figsize=(13, 4.2), sharey=True,
-                            constrained_layout=True)
+times = case.times("lagrangian")
+chosen = [times.index(case.nearest(want, "lagrangian")) for want in (1.0e-6, 1.25e-6, 3.0e-6)]
+figure, axes = plt.subplots(1, len(chosen), figsize=(13, 4.2), sharey=True)
 for ax, index in zip(axes, chosen):
     for phase in ("target", "flyer"):
         x, damage, sigma = cloud(phase, index)
@@ -123,8 +112,8 @@ for ax, index in zip(axes, chosen):
         ax.scatter(x[failed, 0]*1e3, x[failed, 1]*1e3, c="lime", s=1.5,
                    linewidths=0)
     ax.set_aspect("equal")
-    ax.set_title(f"t = {times[index]*1e6:.2f} us", fontsize=9)
+    ax.set_title(f"t = {float(times[index])*1e6:.2f} us", fontsize=9)
     ax.set_xlabel("x [mm]")
 axes[0].set_ylabel("y [mm]")
 figure.colorbar(image, ax=axes, label="sigma_yy [MPa]; green: failed points")
-figure.savefig("damage.png", dpi=130)
+figure.savefig("damage.png")

@@ -4,11 +4,9 @@ and a measured outline; picture of the plastic strain and temperature."""
 import csv
 import os
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
+from mpm.pictures import plt
 from shape import Bar, energy
 
 #: What the published constants give in other codes, and the experiment
@@ -47,7 +45,7 @@ shot = rows("taylor_copper_measured.csv")[0]
 print(f"measured at 210 m/s: Lf/L0 {shot['Lf_over_L0']}, Df/D0 {shot['Rf_over_R0']},"
       f" bulge {2*float(shot['W_0.2Lf_mm']):.2f} mm")
 
-figure, axes = plt.subplots(1, 2, figsize=(9, 6), sharey=True, constrained_layout=True)
+figure, axes = plt.subplots(1, 2, figsize=(9, 6), sharey=True)
 for name, bar in bars.items():
     x, r = bar.outline.T*1e3
     axes[0].plot(np.append(r, [r[-1], 0]), np.append(x, [1e3*bar.length]*2),
@@ -72,9 +70,9 @@ for ax in axes:
     ax.set_aspect("equal")
     ax.legend(fontsize=7, loc="upper right")
 axes[0].set_ylabel("distance from the anvil [mm]")
-figure.savefig("profile.png", dpi=130)
+figure.savefig("profile.png")
 
-figure, axes = plt.subplots(1, 4, figsize=(12, 4.5), sharey=True, constrained_layout=True)
+figure, axes = plt.subplots(1, 4, figsize=(12, 4.5), sharey=True)
 for ax, want in zip(axes, ("2e-05", "4e-05", "0.0001", "T")):
     bar = Bar(".", time=None if want == "T" else want)
     x, r = bar.x[:, 0]*1e3, bar.x[:, 1]*1e3
@@ -92,4 +90,4 @@ for ax, want in zip(axes, ("2e-05", "4e-05", "0.0001", "T")):
     if want in ("0.0001", "T"):
         figure.colorbar(image, ax=ax, shrink=0.8, label="T [K]" if want == "T" else "plastic strain")
 axes[0].set_ylabel("distance from the anvil [mm]")
-figure.savefig("strain.png", dpi=130)
+figure.savefig("strain.png")

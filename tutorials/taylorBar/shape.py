@@ -5,23 +5,11 @@ surface is now follows from the last two of a line of points: x(R0) with the R0 
 surface at the start, x linear in the place R of the points at the start.
 """
 
-import glob
-import os
-import re
-import sys
-
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
-from foamCase import Points
+from mpm.case import Case
 
 RADIUS = 3.81e-3
-
-
-def times(case):
-    """Names of the times that have points, in order."""
-    return sorted((d for d in os.listdir(case) if re.fullmatch(r"[0-9.]+(e-?\d+)?", d)
-                   and os.path.isdir(f"{case}/{d}/lagrangian/bar")), key=float)
 
 
 def lines(place, of):
@@ -39,8 +27,9 @@ class Bar:
     """Outline of the bar at a time, along x with the anvil at x = 0; lengths in m."""
 
     def __init__(self, case=".", length=25.4e-3, time=None):
-        X = Points([f"{case}/0/lagrangian/bar"]).byId("x")
-        now = Points([f"{case}/{time or times(case)[-1]}/lagrangian/bar"])
+        case = Case(case)
+        X = case.points("0", "bar").byId("x")
+        now = case.points(time or case.times("lagrangian/bar")[-1], "bar")
         x, strain, T = (now.byId(name) for name in ("x", "plasticStrain", "T"))
         self.x, self.strain, self.T = x, strain, T
         self.length0 = length
@@ -75,6 +64,5 @@ class Bar:
 
 def energy(case):
     """Time and kinetic energy over that of the start."""
-    path = sorted(glob.glob(f"{case}/postProcessing/balance/*/bar.dat"))[0]
-    record = np.loadtxt(path)
+    record = Case(case).series("balance", "bar.dat")
     return record[:, 0], record[:, 9]/record[0, 9]

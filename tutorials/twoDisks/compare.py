@@ -1,17 +1,9 @@
 """Runs the two disks with several schemes in schemes/ and compares the error of
 the total energy with what other codes reach on the same case."""
 
-import os
-import re
-import shutil
-import subprocess
-import sys
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-
 from energies import Energies, endAndLargest
+from mpm.case import Case, RunFailed
+from mpm.pictures import plt
 
 TRANSFERS = (("FLIP", "transfer FLIP; PICfraction 0;"),
              ("FLIP 1 % PIC", "transfer FLIP; PICfraction 0.01;"),
@@ -42,40 +34,23 @@ PEERS = (("Nairn, USAVG+, linear", "+0.03", "0.15"),
          ("ExaGOOP, alpha 0.95", "-14.6", "-"))
 
 
-def replace(path, pattern, text):
-    with open(path) as f:
-        old = f.read()
-    new, count = re.subn(pattern, text, old, flags=re.S | re.M)
-    if count != 1:
-        sys.exit(f"compare.py: '{pattern}' is {count} times in {path}")
-    with open(path, "w") as f:
-        f.write(new)
-
-
 def run(shape, name, entry, update, co, stress):
     """Energies of the run; None if it did not reach the end."""
-    case = f"schemes/{shape}-{name}-{update}-{co}-{stress}".replace(" ", "").replace("%", "")
-    shutil.rmtree(case, ignore_errors=True)
-    os.makedirs(os.path.join(case, "0"))
-    for folder in ("constant", "system"):
-        shutil.copytree(folder, os.path.join(case, folder))
-    shutil.copy("0/U.disks", os.path.join(case, "0"))
-    replace(os.path.join(case, "system/fvSolution"), r"^materialPoints\s*\{.*?\}",
-            f"materialPoints\n{{\n    shapeFunction {shape}; {entry} stressUpdate {update};\n}}")
-    replace(os.path.join(case, "constant/phaseProperties"), r"\bstress\s.*?;",
-            f"stress {stress};")
-    control = os.path.join(case, "system/controlDict")
-    replace(control, r"^maxCo\s.*?;", f"maxCo {co};")
-    replace(control, r"^writeInterval\s.*?;", "writeInterval 3;")
-    for application in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
-        with open(os.path.join(case, "log." + application), "w") as log:
-            code = subprocess.run([application, "-case", case], stdout=log,
-                                  stderr=subprocess.STDOUT).returncode
-        if code and application == "materialPointFoam":
-            return None
-        if code:
-            sys.exit(f"compare.py: {application} failed, see {log.name}")
-    return Energies(case)
+    case = Case(f"schemes/{shape}-{name}-{update}-{co}-{stress}".replace(" ", "")
+                .replace("%", ""))
+    case.copy(("U.disks",))
+    case.change("system/fvSolution", r"(?s)^materialPoints\s*\{.*?\}",
+                f"materialPoints\n{{\n    shapeFunction {shape}; {entry} stressUpdate {update};\n}}")
+    case.change("constant/phaseProperties", r"\bstress\s.*?;", f"stress {stress};")
+    case.change("system/controlDict", r"^maxCo\s.*?;", f"maxCo {co};")
+    case.change("system/controlDict", r"^writeInterval\s.*?;", "writeInterval 3;")
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    try:
+        case.run("materialPointFoam")
+    except RunFailed:
+        return None
+    return Energies(case.path)
 
 
 print("In per cent of the energy at the start. Error of the total energy at t = 3 s\n"
@@ -83,7 +58,7 @@ print("In per cent of the energy at the start. Error of the total energy at t = 
       "momentum and angular momentum over those of a disk\n")
 print(f"{'scheme':30s} {'stress update':13s} {'maxCo':>5s} {'steps':>5s}  {'error':>8s} (largest)  "
       f"{'transfer':>8s} {'residual':>8s}  {'K left':>6s}  momentum  angular")
-figure, axes = plt.subplots(1, 2, figsize=(11, 4.2), constrained_layout=True)
+figure, axes = plt.subplots(1, 2, figsize=(11, 4.2))
 for shape, name, entry, update, co, stress in RUNS:
     label = f"{shape}, {name}" + ("" if stress == "Kirchhoff" else ", " + stress)
     e = run(shape, name, entry, update, co, stress)
@@ -105,7 +80,7 @@ for ax, title in zip(axes, ("GIMP, USAVG, maxCo 0.2: transfers",
     ax.set_xlabel("time [s]")
     ax.legend(fontsize=7)
 axes[0].set_ylabel("error of the total energy [%]")
-figure.savefig("schemes.png", dpi=130)
+figure.savefig("schemes.png")
 
 print("\nOther codes")
 for name, end, largest in PEERS:

@@ -1,9 +1,8 @@
 """Reads the energies that the function object balance has written."""
 
-import glob
-import os
-
 import numpy as np
+
+from mpm.case import Case
 
 
 class Energies:
@@ -16,10 +15,7 @@ class Energies:
     """
 
     def __init__(self, case="."):
-        rows = np.loadtxt(sorted(glob.glob(os.path.join(
-            case, "postProcessing/balance/*/total.dat")))[0])
-        # One row for each time
-        rows = rows[np.unique(rows[:, 0], return_index=True)[1]]
+        rows = Case(case).series("balance", "total.dat", once=True)
         # time, points, mass, momentum 3, angular momentum 3, K, W, K + W
         self.t = rows[:, 0]
         self.mass = rows[:, 2]
@@ -33,8 +29,7 @@ class Energies:
         #: Errors in per cent of the energy at the start
         self.error = 100*(self.total/self.start - 1)
 
-        budget = np.loadtxt(sorted(glob.glob(os.path.join(
-            case, "postProcessing/energy/*/energy.dat")))[0])
+        budget = Case(case).series("energy", "energy.dat")
         #: In per cent of the energy at the start
         self.transfer = 100*budget[:, 4]/self.start
         self.residual = 100*(budget[:, 7] + budget[:, -1])/self.start

@@ -1,45 +1,32 @@
 """Energies over time and pictures of the disks."""
 
-import os
-import re
-import sys
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "tests/lib"))
-from foamCase import readField
-
 from energies import Energies, endAndLargest
+from mpm.case import Case
+from mpm.pictures import plt
 
-e = Energies()
+case, e = Case(), Energies()
 EXACT = 2*0.5*1000*np.pi*0.2**2*0.02
 
-figure, axes = plt.subplots(2, 1, figsize=(7.5, 7.5), sharex=True,
-                            constrained_layout=True)
+figure, axes = plt.subplots(2, 1, figsize=(7.5, 7.5), sharex=True)
 axes[0].plot(e.t, e.kinetic, label="kinetic")
 axes[0].plot(e.t, e.strain, label="strain")
 axes[0].plot(e.t, e.total, label="total")
 axes[0].axhline(EXACT, color="k", ls=":", lw=0.8, label="two disks, exact")
 axes[0].set_ylabel("energy [J]")
-axes[0].legend(fontsize=8)
+axes[0].legend()
 axes[1].plot(e.t, e.error, "C2")
 axes[1].axhline(0, color="k", lw=0.5)
 axes[1].set_ylabel("error of the total energy [%]")
 axes[1].set_xlabel("time [s]")
-figure.savefig("energy.png", dpi=130)
+figure.savefig("energy.png")
 
-times = sorted((d for d in os.listdir(".") if re.fullmatch(r"[0-9.]+", d)
-                and os.path.isdir(f"{d}/lagrangian")), key=float)
-figure, axes = plt.subplots(2, 3, figsize=(11, 7.4), sharex=True, sharey=True,
-                            constrained_layout=True)
+figure, axes = plt.subplots(2, 3, figsize=(11, 7.4), sharex=True, sharey=True)
 for ax, want in zip(axes.flat, (0, 1.0, 1.4, 1.8, 2.2, 3.0)):
-    name = min(times, key=lambda d: abs(float(d) - want))
+    name = case.nearest(want, "lagrangian")
     for phase in ("lower", "upper"):
-        cloud = f"{name}/lagrangian/{phase}/"
-        x, s = readField(cloud + "x"), readField(cloud + "sigma")
+        x, s = (case.points(name, phase)[column] for column in ("x", "sigma"))
         # xx xy xz yy yz zz
         image = ax.scatter(x[:, 0], x[:, 1], s=6, c=-(s[:, 0] + s[:, 3] + s[:, 5])/3,
                            cmap="viridis", vmin=-120, vmax=120, linewidths=0)
@@ -49,7 +36,7 @@ for ax, want in zip(axes.flat, (0, 1.0, 1.4, 1.8, 2.2, 3.0)):
     ax.set_aspect("equal")
     ax.set_title(f"t = {name} s", fontsize=9)
 figure.colorbar(image, ax=axes, label="pressure [Pa]")
-figure.savefig("disks.png", dpi=130)
+figure.savefig("disks.png")
 
 i = np.argmin(e.kinetic)
 apart = np.linalg.norm(e.momentum - e.momentum[0], axis=1)

@@ -6,14 +6,10 @@ exact solution for small strains,
 with beta = pi/(2 L), omega = beta sqrt(E/rho): period 4 L/c = 10 s.
 """
 
-import glob
-import os
-import re
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+from mpm.case import Case
+from mpm.pictures import plt
 
 L, E, RHO, V0 = 25.0, 100.0, 1.0, 0.1
 C = np.sqrt(E/RHO)
@@ -24,13 +20,9 @@ MEAN = V0/(BETA*L)
 ENERGY = RHO*L*V0**2/4
 
 
-def record(name, file):
-    return np.loadtxt(sorted(glob.glob(f"postProcessing/{name}/*/{file}"))[0])
-
-
 # time, points, mass, momentum 3, angular momentum 3, kinetic, strain, total
-balance = record("balance", "bar.dat")
-balance = balance[np.unique(balance[:, 0], return_index=True)[1]]
+case = Case()
+balance = case.series("balance", "bar.dat", once=True)
 t, mass = balance[:, 0], balance[:, 2]
 velocity = balance[:, 3]/mass
 kinetic, strain, total = balance[:, 9:12].T
@@ -42,35 +34,24 @@ period = 2*(zero[-1] - zero[0])/(len(zero) - 1)
 exact = MEAN*np.cos(OMEGA*t)
 
 
-def column(time, name):
-    """A vector column of the points, ascii."""
-    text = open(f"{time}/lagrangian/bar/{name}").read()
-    text = text[text.index("}") + 1:]
-    return np.array([[float(w) for w in m.split()]
-                     for m in re.findall(r"\(\s*([-+.0-9eE]+\s+[-+.0-9eE]+"
-                                         r"\s+[-+.0-9eE]+)\s*\)", text)])
-
-
-figure, axes = plt.subplots(3, 1, figsize=(8, 9.5), constrained_layout=True)
+figure, axes = plt.subplots(3, 1, figsize=(8, 9.5))
 axes[0].plot(t, exact, "k-", lw=2.5, alpha=0.35, label="exact")
 axes[0].plot(t, velocity, "C0-", lw=1, label="materialPointFoam")
 axes[0].set_ylabel("velocity of the mass centre [m/s]")
-axes[0].legend(fontsize=8, loc="upper right")
+axes[0].legend(loc="upper right")
 axes[1].plot(t, kinetic, "C0-", lw=1, label="kinetic")
 axes[1].plot(t, strain, "C1-", lw=1, label="strain")
 axes[1].plot(t, total, "C2-", label="total")
 axes[1].axhline(ENERGY, color="k", ls=":", lw=1, label="exact total")
 axes[1].set_ylabel("energy [J]")
-axes[1].legend(fontsize=8, loc="center right")
+axes[1].legend(loc="center right")
 for ax in axes[:2]:
     ax.set_xlabel("time [s]")
 
 last = 0
-times = sorted((d for d in os.listdir(".") if re.fullmatch(r"[0-9.]+", d)
-                and os.path.isdir(f"{d}/lagrangian")), key=float)
 for colour, want in enumerate((0.0, 40.0, 42.5, 45.0, 47.5)):
-    name = min(times, key=lambda d: abs(float(d) - want))
-    x, v = column(name, "x")[:, 0], column(name, "U")[:, 0]
+    name = case.nearest(want, "lagrangian")
+    x, v = (case.points(name, "bar")[column][:, 0] for column in ("x", "U"))
     order = np.argsort(x)
     reference = V0*np.sin(BETA*x)*np.cos(OMEGA*float(name))
     if float(name):
@@ -79,8 +60,8 @@ for colour, want in enumerate((0.0, 40.0, 42.5, 45.0, 47.5)):
     axes[2].plot(x[order], reference[order], "k-", lw=0.7)
 axes[2].set_xlabel("place [m]; lines: exact")
 axes[2].set_ylabel("velocity of the points [m/s]")
-axes[2].legend(fontsize=8, loc="upper left")
-figure.savefig("vibratingBar.png", dpi=130)
+axes[2].legend(loc="upper left")
+figure.savefig("vibratingBar.png")
 
 drift = np.max(abs(total/total[0] - 1))
 print(f"period                      {period:9.5f} s, exact {PERIOD:.5f} s, "

@@ -419,8 +419,8 @@ void Foam::mpm::timeStepControl::redo(const scalar factor)
             << " times down to " << dt << " s and still breaks maxTravel or"
             << " maxStrain of fvSolution.materialPoints." << nl
             << "The step is set by " << limiter().c_str() << "." << nl
-            << "The state is bad: look at the last written time; a smaller"
-            << " maxCo in system/controlDict often keeps it from getting bad."
+            << "The state is bad: check the last written time; a smaller"
+            << " maxCo in system/controlDict often avoids this."
             << exit(FatalError);
     }
 
@@ -548,7 +548,7 @@ void Foam::mpm::timeStepControl::end() const
     if (!nSteps_ && time_.value() < time_.endTime().value() - 1e-9*mag(time_.endTime().value()))
     {
         FatalIOErrorInFunction(time_.controlDict())
-            << "No step was made from time " << time_.timeName()
+            << "No step was taken from time " << time_.timeName()
             << ": deltaT " << time_.deltaTValue() << " is more than twice"
             << " the time to endTime " << time_.endTime().value() << "."
             << exit(FatalIOError);

@@ -92,8 +92,8 @@ void Foam::mpm::timeStepControl::watchDeltaT()
             << "The time step has fallen from " << largest_ << " s to " << dt
             << " s at time " << time_.timeName() << ". It is set by "
             << by.c_str() << "." << nl
-            << "Erosion { type timeStep; limit ...; } of the phase takes such"
-            << " points out; minDeltaT in system/controlDict ends the run with"
+            << "Erosion { type timeStep; limit ...; } of the phase removes such"
+            << " points; minDeltaT in system/controlDict ends the run with"
             << " its state written." << endl;
     }
     if (dt < least)

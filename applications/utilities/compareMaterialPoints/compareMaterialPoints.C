@@ -51,7 +51,7 @@ using namespace Foam::mpm;
 namespace
 {
 
-//- What was found
+//- Result of the comparison
 class comparison
 {
     const caseTime& a_;

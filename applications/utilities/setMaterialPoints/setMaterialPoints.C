@@ -205,7 +205,7 @@ void readRegions
         if (!regionsDict.isDict(keys[i]))
         {
             FatalIOErrorInFunction(regionsDict)
-                << "Region " << keys[i] << " is no dictionary; write  "
+                << "Region " << keys[i] << " is not a dictionary; write  "
                 << keys[i] << " { phase ...; type ...; }"
                 << exit(FatalIOError);
         }

@@ -33,7 +33,7 @@ const Foam::dictionary& Foam::mpm::requiredDict
     if (!dict.isDict(key))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry " << key << " in " << dict.name() << " is no"
+            << "Entry " << key << " in " << dict.name() << " is not a"
             << " dictionary; it must be " << key << " { ... }"
             << exit(FatalIOError);
     }

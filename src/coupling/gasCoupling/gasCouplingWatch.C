@@ -87,10 +87,10 @@ Foam::string Foam::mpm::gasCoupling::advice(const label celli) const
         os  << "Their volume is " << growth << " times that of the unstressed"
             << " material. Points that have grown larger than a cell, as the"
             << " products of an explosion do, fill cells unevenly. Valid choices:"
-            << " as many points per cell at the start as the volume shall grow"
+            << " as many points per cell at the start as the volume should grow"
             << " (pointsPerCell in setMaterialPointsDict); gas of their energy"
             << " in their place (p and T." << gas_.name() << "); no gas around"
-            << " them. Points that overlap from the start: look into"
+            << " them. Points that overlap from the start: check"
             << " setMaterialPointsDict.";
     }
     return os.str();

@@ -179,7 +179,7 @@ void Foam::functionObjects::materialPointBalance::prepare
                 FatalIOErrorInFunction(dict_)
                     << "Remove " << key << ": in a gas " << type()
                     << " must see each step; writeControl and writeInterval"
-                    << " say when it writes." << exit(FatalIOError);
+                    << " set when it writes." << exit(FatalIOError);
             }
         }
         mpm::materialPointSystem& system =

@@ -34,7 +34,7 @@ Foam::OFstream* Foam::functionObjects::materialPointOutput::newFile
         t = runTime.timeToUserTime(t);
     }
 
-    // What is there stays there
+    // Existing files are not overwritten
     const fileName path(baseFileDir()/prefix_/Time::timeName(t)/name);
     fileName free(path + ".dat");
     for (int i = 1; isFile(free); ++i)
@@ -244,7 +244,7 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
     fvMeshFunctionObject::read(dict);
     writeFile::read(dict);
 
-    // Whatever controlDict has for fields, balances need all digits
+    // Balances need all digits, whatever controlDict has for fields
     if (!dict.found("writePrecision"))
     {
         writePrecision_ = 16;

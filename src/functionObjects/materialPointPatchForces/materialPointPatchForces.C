@@ -84,7 +84,7 @@ void Foam::functionObjects::materialPointPatchForces::readPatches
     const mpm::materialPointSystem& points
 )
 {
-    // Those that hold a node on any processor
+    // Patches that hold a node on any processor
     const polyBoundaryMesh& mesh = mesh_.boundaryMesh();
     labelList holds(mesh.size(), label(0));
     for (const label fieldi : fields_)
@@ -162,7 +162,7 @@ void Foam::functionObjects::materialPointPatchForces::prepare
         {
             FatalIOErrorInFunction(dict_)
                 << "Remove " << key << ": " << type() << " must see each step;"
-                << " writeControl and writeInterval say when it writes."
+                << " writeControl and writeInterval set when it writes."
                 << exit(FatalIOError);
         }
     }

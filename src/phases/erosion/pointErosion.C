@@ -190,7 +190,7 @@ void Foam::mpm::pointErosion::connectDebris()
         {
             FatalIOErrorInFunction(dict)
                 << "The eroded points of " << names[phasei] << " go to "
-                << debris << ", which is no other phase of material points."
+                << debris << ", not another phase of material points."
                 << nl << "The phases are: " << names << exit(FatalIOError);
         }
         if (!phases_[to].debris().empty())
@@ -198,7 +198,7 @@ void Foam::mpm::pointErosion::connectDebris()
             FatalIOErrorInFunction(dict)
                 << "The eroded points of " << names[phasei] << " go to "
                 << debris << ", whose own go to " << phases_[to].debris()
-                << "." << nl << "Points may go over once: " << debris
+                << "." << nl << "Points may change phase once: " << debris
                 << " may have erosion without to." << exit(FatalIOError);
         }
         if (debris_.found(to))
@@ -222,8 +222,8 @@ void Foam::mpm::pointErosion::connectDebris()
             {
                 FatalIOErrorInFunction(dict)
                     << "The eroded points of " << names[phasei] << " go to "
-                    << debris << ", whose " << key << " is another: their"
-                    << " columns and their energy would not go along." << nl
+                    << debris << ", whose " << key << " differs: their"
+                    << " columns and energy cannot be transferred." << nl
                     << "Give " << debris << " the " << key << " of "
                     << names[phasei] << ", entry by entry."
                     << exit(FatalIOError);
@@ -252,7 +252,7 @@ void Foam::mpm::pointErosion::checkDebris() const
                 << "Phase " << phases_[to].name() << " has " << there
                 << " material points, but " << eroded_[phasei].n
                 << " have come from " << phases_[phasei].name() << "." << nl
-                << "It takes in those points only, whose ids stay: no region"
+                << "It may hold only those, and they keep their ids: no region"
                 << " of setMaterialPointsDict may fill it, and a restart needs"
                 << " its folder." << exit(FatalError);
         }

@@ -214,14 +214,14 @@ void Foam::mpm::materialPointPhase::readVolumeModel(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "The law " << law_->type() << " of " << name_ << " needs"
-            << "  volumeModel grains;  without a stress a point cannot stand"
-            << " against the pressure around it." << exit(FatalIOError);
+            << "  volumeModel grains;  without a stress a point cannot resist"
+            << " the pressure around it." << exit(FatalIOError);
     }
     if (!law_->hasStress() && dict.found("failureModel"))
     {
         FatalIOErrorInFunction(dict)
             << "Phase " << name_ << " has a failureModel, but points of the"
-            << " law " << law_->type() << " have no stress to fail by."
+            << " law " << law_->type() << " have no stress and cannot fail."
             << exit(FatalIOError);
     }
     if (!grains_ && dict.found("granularPressure"))

@@ -64,8 +64,8 @@ void Foam::mpm::materialPointSystem::readModified()
     }
     numericsRead_ = dict;
 
-    // What the run is built on stays, and with another transfer what belongs to
-    // it
+    // Entries that are fixed during a run, and with another transfer those that
+    // belong to it
     wordList fixed({"shapeFunction", "dilatation", "transfer", "stressUpdate"});
     if
     (

@@ -86,7 +86,7 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
         << " is not finite in the step of " << dt << " s." << nl
         << written.c_str() << nl
         << "A smaller maxCo in system/controlDict or maxStrain in"
-        << " fvSolution.materialPoints makes the step smaller."
+        << " fvSolution.materialPoints reduces the time step."
         << exit(FatalError);
 }
 
@@ -150,7 +150,7 @@ void Foam::mpm::materialPointSystem::stopForStress
         << "Nothing is written: the last written time is the last"
         << " good state." << nl
         << "A smaller maxCo in system/controlDict or maxStrain in"
-        << " fvSolution.materialPoints makes the step smaller."
+        << " fvSolution.materialPoints reduces the time step."
         << exit(FatalError);
 }
 

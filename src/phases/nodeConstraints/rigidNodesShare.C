@@ -76,7 +76,7 @@ Foam::scalar* Foam::mpm::rigidNodes::clearSums(const labelList& active)
         }
     }
 
-    // What addSums() looks for
+    // Nodes that addSums() looks for
     near_.setSize(grid_.nNodes());
     near_ = false;
     forAll(now_.node, i)

@@ -54,7 +54,7 @@ Foam::wordList Foam::mpm::phaseNames
         if (e.isDict() && !valid.found(e.keyword()))
         {
             FatalIOErrorInFunction(dict)
-                << "Dictionary " << e.keyword() << " is no phase: it is not in"
+                << "Dictionary " << e.keyword() << " is not a phase: not in"
                 << " the list phases " << flatOutput(names) << "." << nl
                 << "Add it there, or remove the dictionary; others that may"
                 << " be there are contact, outflow and stepParts."

@@ -164,7 +164,7 @@ void Foam::mpm::freeBody::measure(const materialPointCloud& cloud)
     reduce(mx, sumOp<vector>());
     const point centre(mx/m);
 
-    // Of the points as boxes
+    // Inertia of the points as boxes
     symmTensor I(Zero);
     forAll(cloud.cells(), k)
     {
@@ -386,7 +386,7 @@ void Foam::mpm::freeBody::setState(const scalar, const dictionary& state)
     if (givenMass_ > 0 && mag(givenMass_ - mass_) > 1e-12*mass_)
     {
         FatalErrorInFunction
-            << "A free body of mass " << mass_ << " kg goes on with mass "
+            << "A free body of mass " << mass_ << " kg restarts with mass "
             << givenMass_ << " in constant/phaseProperties." << nl
             << "Mass and inertia of a body stay those of its start."
             << exit(FatalError);

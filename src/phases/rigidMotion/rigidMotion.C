@@ -150,7 +150,7 @@ Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
                 }
                 if (cloud.displacement())
                 {
-                    // Of the step, not across a cyclic side
+                    // Displacement of the step, not across a cyclic side
                     const scalar L = grid_.period(d);
                     scalar w = at[d] - cloud.x()[d][p];
                     w -= L > 0 ? L*std::round(w/L) : 0;

@@ -245,7 +245,7 @@ public:
         if (!(cmptMin(max_ - min_) > 0))
         {
             FatalIOErrorInFunction(dict)
-                << "The box of erosion by outside has no inside: min is "
+                << "The box of erosion by outside is empty: min is "
                 << min_ << ", max is " << max_ << "." << exit(FatalIOError);
         }
     }
@@ -295,8 +295,8 @@ public:
         {
             FatalIOErrorInFunction(dict)
                 << "erosion by timeStep needs a limit [s]: the law "
-                << of.law.type() << " has no sound whose time step could be"
-                << " shared." << exit(FatalIOError);
+                << of.law.type() << " has no sound speed to take a share"
+                << " from." << exit(FatalIOError);
         }
         fastest_ = c0/boundedOrDefault(dict, "share", 0.25, 1e-6, 0.5);
     }

@@ -39,7 +39,7 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
     if (!returnReduce(mesh.nCells(), sumOp<label>()))
     {
         FatalErrorInFunction
-            << "The mesh " << mesh.bounds() << " has no cells: look at"
+            << "The mesh " << mesh.bounds() << " has no cells: check"
             << " system/blockMeshDict." << exit(FatalError);
     }
 
@@ -56,7 +56,7 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
     {
         FatalErrorInFunction
             << "All directions of the mesh " << mesh.bounds() << " are empty:"
-            << " look at the patches in system/blockMeshDict; faces that none"
+            << " check the patches in system/blockMeshDict; faces that none"
             << " of them names become empty." << exit(FatalError);
     }
 

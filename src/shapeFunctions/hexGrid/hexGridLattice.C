@@ -69,7 +69,7 @@ void Foam::mpm::hexGrid::refuseSkewed(const cellExtents& e)
                     OStringStream s;
                     s   << "cell " << celli << " at "
                         << mesh.cellCentres()[celli]
-                        << " is no box along the axes";
+                        << " is not a box along the axes";
                     noLattice_ = s.str();
                 }
             }
@@ -257,7 +257,7 @@ void Foam::mpm::hexGrid::placeGhosts()
     const polyMesh& mesh = this->mesh();
     const label nc = label(1) << nDim_;
 
-    // What lies beside them: ghosts, and own cells across cyclic sides
+    // Their neighbours: ghosts, and own cells across cyclic sides
     const std::unordered_map<int64_t, label> ghosts(latticeGhosts());
     const int nAround = nDim_ == 1 ? 3 : nDim_ == 2 ? 9 : 27;
 

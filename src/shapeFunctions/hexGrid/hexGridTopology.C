@@ -483,7 +483,7 @@ void Foam::mpm::hexGrid::makeCells()
         {
             FatalErrorInFunction
                 << "Cell " << celli << " at " << mesh.cellCentres()[celli]
-                << " is no hexahedron: it has "
+                << " is not a hexahedron: it has "
                 << mesh.cells()[celli].size() << " faces. Material points need"
                 << " a mesh of hexahedra (shape functions: linear; on meshes of"
                 << " boxes also GIMP and B-splines)." << nl

@@ -52,7 +52,7 @@ void Foam::mpm::hexGrid::makeWedge()
         FatalErrorInFunction
             << "The wedge patches " << flatOutput(names) << " of the mesh "
             << mesh.bounds()
-            << " are no sector for material points: " << reason.c_str() << "."
+            << " form no sector for material points: " << reason.c_str() << "."
             << nl << "Axisymmetric material points need one pair of wedge"
             << " patches at plus and minus the same angle (up to 20 degrees)"
             << " from a coordinate plane, which meet in a coordinate axis"

@@ -44,7 +44,7 @@ Foam::mpm::outflowPatches::outflowPatches
         if (findStrings(name, open).empty())
         {
             FatalIOErrorInFunction(dict)
-                << "Entry patches of outflow names " << name << ", which is no"
+                << "Entry patches of outflow names " << name << ", not a"
                 << " patch that points can leave through." << nl << nl
                 << "Valid choices are: " << flatOutput(open)
                 << exit(FatalIOError);

@@ -68,7 +68,7 @@ def runRows(solve, replace, remove, several, withPoints, meshOf, line):
          inPhases + ["hardening", "must be a word: hardening none;", "linear"]),
         ("dictionary of no phase", solve,
          replace(phases, r"phases\s+\(base block\);", "phases (base);"),
-         inPhases + ["block is no phase", "not in the list phases"]),
+         inPhases + ["block is not a phase", "not in the list phases"]),
         ("a million phases", solve, manyPhases, inPhases + ["1000000 phases", "at most"]),
         ("no ids", solve,
          several(remove("0/lagrangian/block/id"), remove("0/lagrangian/block/origId")),

@@ -86,25 +86,12 @@ def disc(table):
     print(f"disc: {n} points at first, up to {spread/R:.2f} R from the centre, {seconds:.1f} s")
 
 
-def change(case, changes):
-    for file, pattern, text in changes:
-        with open(case.file(file)) as f:
-            old = f.read()
-        new, count = re.subn(pattern, text, old, flags=re.S | re.M)
-        if not count:
-            raise RunFailed(f"{pattern} is not in {file}")
-        with open(case.file(file), "w") as f:
-            f.write(new)
-
-
-def halfRun(name, changes, table, air=False):
+def halfRun(name, changes, table):
     """Run a variant; its rows; part of the mass that is damaged, length of the cracks and
     their energy; case."""
     variants, results = module("halfCylinder", "variants"), module("halfCylinder", "results")
     case = tutorialCase("halfCylinder", name)
-    change(case, changes)
-    if air:
-        variants.gasFields(case.path)
+    variants.change(case, *changes)
     seconds = run(case, limit=600)
     part, ratio, length = results.cracks(case.path)
     for what in part:
@@ -134,7 +121,7 @@ def half(table):
 
 def air(table):
     variants = module("halfCylinder", "variants")
-    _, case = halfRun("air20", variants.VARIANTS["coarseAir"], table, air=True)
+    _, case = halfRun("air20", variants.VARIANTS["coarseAir"], table)
     log = case.log()
     p = [float(x) for x in re.findall(r"^    p (\S+) to", log, re.M)]
     fixups = re.findall(r"outflow limited (\S+), theta kept (\S+), isentropic (\S+) ", log)

@@ -54,7 +54,7 @@ def copyOf(name, folder):
 
 def barCase(name, variants, cells):
     case = copyOf(name, "taylorBar")
-    variants.change(case.path, cells, 25.4, 66*cells//10, 190)
+    variants.change(case, cells, 25.4, 66*cells//10, 190)
     case.change("system/controlDict", r"^writeInterval .*", "writeInterval 100e-6;")
     return case
 
@@ -180,7 +180,7 @@ def rod(table):
 def limit(table):
     variants, tools = tutorial("projectile", "variants", "penetration")
     case = rodCase("limit", 40e-6)
-    variants.weaken(case.path)
+    variants.weaken(case)
     solve(case)
     exact = tools.SPEED/(1 + np.sqrt(tools.RHO_T/tools.RHO_P))
     u = tools.Path(case.path).speed(10e-6, 40e-6)

@@ -400,7 +400,7 @@ def messages(table):
     table.check("neighbours do not overlap", "overlap" not in said)
     check("word for a surface", text("word", {
         "a": {"type": "surface", "surface": '"b.stl"'}}, fails=True),
-        "Entry surface is no dictionary", 'file "body.stl";', "setMaterialPointsDict")
+        "Entry surface is not a dictionary", 'file "body.stl";', "setMaterialPointsDict")
 
     def millimetres(case):
         prisms(case, "a.stl", [[(-1, -1), (50, -1), (50, 50), (-1, 50)]], -1, 100)

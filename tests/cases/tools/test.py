@@ -20,7 +20,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import plateImpactExact as exact
-from foamCase import PROJECT, RunFailed, foamText
+from foamCase import PROJECT, RunFailed, fileHeader, foamText
 from plates import plateCase
 from report import Report
 
@@ -244,6 +244,36 @@ def copiedTutorial(table, case):
                 " ".join(bad))
 
 
+def variants(table, case):
+    """What the tutorials' variants change is still in their dictionaries: programs that do
+    nothing stand for the solver and its tools."""
+    arguments = {"taylorBar": ["fine"], "projectile": ["fine", "tried"]}
+    point = "mkdir -p 0/lagrangian/slab\ncat > 0/lagrangian/slab/x <<END\n" \
+        + fileHeader("x", "vectorField") + "1\n(\n(0.5 0 0)\n)\nEND\n"
+    with tempfile.TemporaryDirectory() as folder:
+        for program in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
+            with open(os.path.join(folder, program), "w") as f:
+                f.write("#!/bin/sh\n" + (point if program == "setMaterialPoints" else ""))
+            os.chmod(f.name, 0o755)
+        scripts = glob.glob(os.path.join(PROJECT, "tutorials/*/variants.py"))
+        bad = []
+        for script in scripts:
+            name = os.path.basename(os.path.dirname(script))
+            copy = os.path.join(folder, name)
+            shutil.copytree(os.path.dirname(script), copy, ignore=shutil.ignore_patterns(
+                "log.*", "postProcessing", "polyMesh", "processor*", "VTK", "variants",
+                "lagrangian", "[1-9]*", "0.[0-9]*"))
+            run = subprocess.run(
+                [sys.executable, "variants.py", *arguments.get(name, [])], cwd=copy,
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                timeout=60, env={**os.environ, "PATH": folder + ":" + os.environ["PATH"],
+                                 "PYTHONPATH": os.path.join(PROJECT, "etc", "python")})
+            if run.returncode:
+                bad.append(f"{name}: {run.stdout.decode()[-200:]}")
+    table.check(f"variants of {len(scripts)} tutorials fit their dictionaries",
+                scripts and not bad, " ".join(bad))
+
+
 def main():
     table = Report("tools")
     try:
@@ -252,7 +282,7 @@ def main():
         table.check("the case runs", False, error)
         return table.finish()
     for check in (ownOptions, ownPostProcess, times, foamLog, fieldTools, dictionaries,
-                  copiedTutorial):
+                  copiedTutorial, variants):
         check(table, case)
     return table.finish()
 

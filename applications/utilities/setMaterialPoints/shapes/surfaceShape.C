@@ -82,7 +82,7 @@ Foam::mpm::surfaceShape::surfaceShape
     if (!dict.isDict("surface"))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry surface is no dictionary; for a file of triangles in"
+            << "Entry surface is not a dictionary; for a triangle file in"
             << " constant/triSurface write"
             << "  surface { type triSurfaceMesh; file \"body.stl\"; }"
             << exit(FatalIOError);

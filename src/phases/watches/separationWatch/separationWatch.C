@@ -224,14 +224,14 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
     const label i = apart[first].first(), j = apart[first].second();
     WarningInFunction
         << "Numerical fracture: of " << phase.name() << ", " << nApart
-        << " of the " << nPairs << " pairs of neighbours that were looked at"
+        << " of the " << nPairs << " pairs of neighbours checked"
         << " are more than a cell apart with an empty cell between them, though"
         << " nothing has failed there, at time "
         << cloud.time().timeName() << "; e.g. the points " << id_[i]
         << " and " << id_[j] << " at " << x[i] << " and " << x[j] << '.' << nl
-        << "Points lose each other from a stretch of about their number per"
+        << "Points separate from a stretch of about their number per"
         << " cell and direction: give more pointsPerCell in"
-        << " setMaterialPointsDict, or a failureModel if the material shall"
+        << " setMaterialPointsDict, or a failureModel if the material should"
         << " break. The function object materialPointSeparation counts all"
         << " pairs." << endl;
 }

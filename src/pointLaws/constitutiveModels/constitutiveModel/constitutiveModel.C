@@ -81,7 +81,7 @@ void Foam::mpm::constitutiveModel::initialise(pointBlock& block) const
             if (block.stress[i][p] != 0)
             {
                 FatalErrorInFunction
-                    << "The law " << type() << " has no state for points that"
+                    << "The law " << type() << " does not support points that"
                     << " start with a stress; give none in"
                     << " setMaterialPointsDict." << exit(FatalError);
             }

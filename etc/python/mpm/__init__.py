@@ -1,0 +1,9 @@
+"""Cases of materialPointFoam from Python, for tutorials, tests and benchmarks:
+
+    from mpm.case import Case           # runs a case, reads its times, tables, logs
+    from mpm.files import readField     # one file: columns of points, fields, headers
+    from mpm.variants import runVariants    # copies of a case with changes, run
+    from mpm.pictures import plt        # matplotlib in the style of the pictures
+
+etc/bashrc puts it on PYTHONPATH.
+"""

@@ -1,0 +1,179 @@
+"""A case folder: run applications in it, read what they wrote.
+
+    case = Case("variants/fine")
+    case.change("system/blockMeshDict", r"^n .*", "n 80;")
+    case.run("materialPointFoam")
+    t, stress = case.series("gauge", "sigma_yy.dat").T
+    x = case.points(case.times("lagrangian")[-1], "target")["x"]
+    lowest, highest = case.numbers("^    p N to N,").T
+"""
+
+import os
+import re
+import resource
+import shutil
+import subprocess
+import time
+
+import numpy as np
+
+from mpm.files import Points, fileHeader, foamText, readInternal
+
+NUMBER = r"([-+\d.]+(?:e[-+]?\d+)?|-?nan|-?inf)"
+
+
+class RunFailed(Exception):
+    """An application ended with an error or did not end in time."""
+
+
+class Case:
+    #: Seconds that an application may take; None: any
+    limit = None
+
+    def __init__(self, path="."):
+        self.path = path
+
+    def file(self, *parts):
+        return os.path.join(self.path, *parts)
+
+    def copy(self, start=(), source="."):
+        """Make the folder anew from another case: constant without its mesh, system and
+        these files of 0."""
+        shutil.rmtree(self.path, ignore_errors=True)
+        for folder in ("constant", "system"):
+            shutil.copytree(os.path.join(source, folder), self.file(folder),
+                            ignore=shutil.ignore_patterns("polyMesh"))
+        os.makedirs(self.file("0"))
+        for name in start:
+            shutil.copy(os.path.join(source, "0", name), self.file("0"))
+
+    def write(self, path, entries, kind="dictionary"):
+        """A dictionary file in place of what was there."""
+        os.makedirs(os.path.dirname(self.file(path)), exist_ok=True)
+        with open(self.file(path), "w") as f:
+            f.write(fileHeader(os.path.basename(path), kind) + foamText(entries))
+
+    def change(self, path, pattern, text, age=0):
+        """Replace a regular expression, which must be there ((?s) first: dots are line
+        ends too), in a file: at once, for runs that read it meanwhile. Seconds of age."""
+        with open(self.file(path)) as f:
+            old = f.read()
+        new, count = re.subn(pattern, text, old, flags=re.M)
+        if not count:
+            raise RunFailed(f"{pattern} not found in {self.file(path)}")
+        with open(self.file(path) + ".part", "w") as f:
+            f.write(new)
+        if age:
+            os.utime(f.name, (time.time() - age,)*2)
+        shutil.copymode(self.file(path), f.name)
+        os.replace(f.name, self.file(path))
+
+    def run(self, *command, limit=None, fails=False):
+        """Run an application in the case; its output goes to log.<name>.
+        Returns the seconds of one core that it took."""
+        limit = limit or self.limit
+        log = self.file("log." + os.path.basename(command[0]))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        with open(log, "w") as out:
+            try:
+                code = subprocess.run(
+                    command, cwd=self.path, stdout=out, stderr=subprocess.STDOUT,
+                    stdin=subprocess.DEVNULL, timeout=limit,
+                    env={**os.environ, "PWD": self.path}).returncode
+            except subprocess.TimeoutExpired:
+                raise RunFailed(f"{command[0]} did not end in {limit} s: {log}")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        if bool(code) != fails:
+            raise RunFailed(f"{' '.join(command)}: exit status {code}: "
+                            + self.reason(log))
+        return (after.ru_utime + after.ru_stime
+                - before.ru_utime - before.ru_stime)
+
+    @staticmethod
+    def reason(log):
+        """One line: OpenFOAM's error or the last words, and the log's name."""
+        with open(log, errors="replace") as f:
+            text = f.read()
+        error = re.search(r"FATAL (?:IO )?ERROR:\s*(.*?)\n\s*\n", text, flags=re.S)
+        words = (error[1] if error else text[-300:]).split()
+        return " ".join(words)[:300] + f" ({log})"
+
+    def log(self, application="materialPointFoam"):
+        with open(self.file("log." + application), errors="replace") as f:
+            return f.read()
+
+    def numbers(self, pattern, application="materialPointFoam"):
+        """Rows of the numbers N of a regular expression wherever the log has it."""
+        return np.array(re.findall(pattern.replace("N", NUMBER), self.log(application),
+                                   flags=re.M), float)
+
+    def fixups(self):
+        """Number of fix-ups of the gas in the run."""
+        return self.numbers("outflow limited N, theta kept N, isentropic N ")[-1].sum()
+
+    def entry(self, path, name):
+        """The first number of this name in a dictionary."""
+        with open(self.file(path)) as f:
+            return float(re.search(rf"^\s*{name}\s+([\d.eE+-]+)", f.read(), flags=re.M)[1])
+
+    def nSteps(self):
+        """Steps of a run that has ended, of another those that its log has."""
+        log = self.log()
+        end = re.search(r"^Steps: (\d+)$", log, flags=re.M)
+        return int(end[1]) if end else len(re.findall(r"^Time = ", log, flags=re.M))
+
+    def solverSeconds(self):
+        """CPU seconds from the first to the last step: without start-up."""
+        times = re.findall(r"^ExecutionTime = ([0-9.eE+-]+) s", self.log(), flags=re.M)
+        return float(times[-1]) - float(times[0]) if len(times) > 1 else 0.0
+
+    def times(self, part=""):
+        """Names of the time folders in order: of those that have a part of this path."""
+        names = []
+        for name in os.listdir(self.path):
+            try:
+                names.append((float(name), name))
+            except ValueError:
+                pass
+        return [name for _, name in sorted(names) if os.path.exists(self.file(name, part))]
+
+    def nearest(self, value, part=""):
+        """The time folder nearest to a value."""
+        return min(self.times(part), key=lambda name: abs(float(name) - value))
+
+    def timeName(self, value, tolerance=1e-6):
+        """The time folder of a value."""
+        for name in self.times():
+            if abs(float(name) - value) <= tolerance*abs(value):
+                return name
+        raise RunFailed(f"no time {value} in {self.path}: {self.times()}")
+
+    def series(self, functionObject, fileName, time="0", once=False):
+        """A table of postProcessing, one row per time (once: the first if it has more)."""
+        table = np.loadtxt(self.file("postProcessing", functionObject, time, fileName),
+                           ndmin=2)
+        return table[np.unique(table[:, 0], return_index=True)[1]] if once else table
+
+    def field(self, time, name, *n):
+        """Values on the cells; with numbers (nx, ny) of a mesh's cells
+        [row along y, column along x(, component)], also if it is uniform."""
+        values = readInternal(self.file(time, name))
+        if not n:
+            return values
+        size = values.shape[1:]
+        return np.broadcast_to(values, (int(np.prod(n)), *size)).reshape(*n[::-1], *size)
+
+    def points(self, time, phase):
+        """The cloud of a time: of the case or, where it has none, of its
+        processors one after the other."""
+        path = self.file(time, "lagrangian", phase)
+        if os.path.exists(path):
+            return Points([path])
+        return Points([p for p in (
+            os.path.join(d, time, "lagrangian", phase) for d in self.processors())
+            if os.path.exists(os.path.join(p, "id"))])
+
+    def processors(self):
+        """The processor folders in the order of their numbers."""
+        names = [d for d in os.listdir(self.path) if re.fullmatch(r"processor\d+", d)]
+        return [self.file(d) for d in sorted(names, key=lambda d: int(d[9:]))]

@@ -1,0 +1,116 @@
+"""Files of OpenFOAM: columns of points, fields on cells and mesh points, dictionaries.
+
+Values of dictionaries: text goes in as it is, numbers with all digits, True and
+False as yes and no, lists in parentheses, dictionaries in braces.
+"""
+
+import os
+import re
+
+import numpy as np
+
+
+def foamText(value, indent=0):
+    """A value as OpenFOAM's dictionaries have it."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, (float, np.floating)):
+        return repr(float(value))
+    if isinstance(value, dict):
+        pad = " "*indent
+        lines = []
+        for key, entry in value.items():
+            if isinstance(entry, dict):
+                lines.append(f"{pad}{key}\n{pad}{{\n"
+                             f"{foamText(entry, indent + 4)}{pad}}}\n")
+            else:
+                lines.append(f"{pad}{key} {foamText(entry)};\n")
+        return "".join(lines)
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return "(" + " ".join(foamText(v) for v in value) + ")"
+    return str(value)
+
+
+def fileHeader(objectName, kind="dictionary"):
+    return ("FoamFile\n{\n    version 2.0;\n    format ascii;\n"
+            f"    class {kind};\n    object {objectName};\n}}\n\n")
+
+
+class Points:
+    """Columns of a cloud, read when asked for: points["sigma"]."""
+
+    def __init__(self, paths):
+        self.paths = paths
+
+    def __getitem__(self, name):
+        return np.concatenate([readField(os.path.join(p, name)) for p in self.paths])
+
+    def __contains__(self, name):
+        return bool(self.paths) and os.path.exists(os.path.join(self.paths[0], name))
+
+    def byId(self, name):
+        """The column in the order of the points' ids."""
+        return self[name][np.argsort(self["id"])]
+
+
+_KINDS = {"scalarField": ("f8", 1), "vectorField": ("f8", 3),
+          "symmTensorField": ("f8", 6), "tensorField": ("f8", 9),
+          "labelField": ("i4", 1)}
+
+
+def readField(path):
+    """A field of a cloud, ascii or binary, as an array."""
+    with open(path, "rb") as f:
+        raw = f.read()
+    head = re.search(rb"FoamFile\s*\{(.*?)\}", raw, flags=re.S)
+    kind, size = _KINDS[re.search(rb"class\s+(\w+)\s*;", head[1])[1].decode()]
+    binary = re.search(rb"format\s+(\w+)\s*;", head[1])[1] == b"binary"
+    body = re.sub(rb"\A(\s*//[^\n]*\n)*\s*", b"", raw[head.end():], count=1)
+    count = re.match(rb"(\d+)\s*", body)
+    n, body = int(count[1]), body[count.end():]
+    if n == 0:
+        values = np.zeros(0, kind)
+    elif body[:1] == b"{":
+        one = np.array(body[1:body.index(b"}")].translate(None, b"()").split(), kind)
+        values = np.tile(one, n)
+    elif binary:
+        values = np.frombuffer(body, kind, n*size, 1)
+    else:
+        text = body[:body.index(b"// ***")] if b"// ***" in body else body
+        values = np.array(text.translate(None, b"()").split(), kind)
+    return values.reshape(n, size) if size > 1 else values
+
+
+_TYPES = {"scalar": 1, "vector": 3, "symmTensor": 6, "tensor": 9}
+
+
+def readInternal(path):
+    """Inner values of a field on cells or mesh points; one if it is uniform."""
+    with open(path, "rb") as f:
+        raw = f.read()
+    binary = re.search(rb"format\s+(\w+)\s*;", raw)[1] == b"binary"
+    head = re.search(rb"(?:internalField|value)\s+(?:uniform\s+([^;]*);"
+                     rb"|nonuniform\s+List<(\w+)>\s*(\d+)\s*\()", raw)
+    if head[1] is not None:
+        one = np.array([head[1].translate(None, b"()").split()], float)
+        return one if one.size > 1 else one[0]
+    n, size = int(head[3]), _TYPES[head[2].decode()]
+    body = raw[head.end():]
+    if binary:
+        values = np.frombuffer(body, "f8", n*size)
+    else:
+        values = np.array(body[:body.index(b";")].translate(None, b"()").split(), float)
+    return values.reshape(n, size) if size > 1 else values
+
+
+def writeField(path, values):
+    """A field of a cloud in ascii with all digits."""
+    values = np.asarray(values)
+    kind = {1: "scalarField", 3: "vectorField", 6: "symmTensorField"}[
+        1 if values.ndim == 1 else values.shape[1]]
+    with open(path, "w") as f:
+        f.write(fileHeader(os.path.basename(path), kind))
+        f.write(f"{len(values)}\n(\n")
+        for v in values:
+            f.write(foamText(v if values.ndim > 1 else float(v)) + "\n")
+        f.write(")\n")
