@@ -15,7 +15,7 @@ against an exact value.
                 1/t0 = K/w (1/M_s + 1/M_g) w0. The implicit step has it exactly
     friction    viscousFriction: a block on a floor, whose normal force is m g: the velocity
                 is u0 exp(-mu I/speed), I the integral of g over time
-    spring      wallSpring: period of a block, 2 pi sqrt(m/k)
+    spring      wallSpring: period of a block, 2 pi sqrt(m/k); the same on 2 processors
     force       shaking: a block under a sin(2 pi f t) from rest has moved
                 a/(2 pi f) (t - sin(2 pi f t)/(2 pi f))
     object      centreOfMass: its last row against the points written
@@ -202,6 +202,10 @@ def spring(table):
     case.run("materialPointFoam")
     t, x = centre(case)
     way = x[:, 0] - 0.7
+    case.decompose((2, 1, 1))
+    case.runParallel()
+    table.row("spring: 1 and 2 processors, centre at the end [m]", x[-1, 0],
+              case.series("centre", "block_1.dat")[-1, 1], 1e-12)
     i = np.nonzero(way[1:]*way[:-1] < 0)[0]
     zeros = t[i] - way[i]*(t[i + 1] - t[i])/(way[i + 1] - way[i])
     table.row("spring: passages through rest", 4, len(zeros), 0)
