@@ -43,6 +43,16 @@ void prescribedMotion::kinks
     }
 }
 
+// For motions of other libraries
+template void prescribedMotion::kinks
+(
+    const Function1<scalar>&, const scalar, const scalar, DynamicList<scalar>&
+);
+template void prescribedMotion::kinks
+(
+    const Function1<vector>&, const scalar, const scalar, DynamicList<scalar>&
+);
+
 // * * * * * * * * * * * * * * * * * Classes * * * * * * * * * * * * * * * * //
 
 //- Stays where it is
