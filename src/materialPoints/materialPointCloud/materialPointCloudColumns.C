@@ -223,8 +223,8 @@ void Foam::mpm::materialPointCloud::needTemperature()
        .positive(1e9, "greater than 0 and less than 1e9 K")
        .remedy
         (
-            "heatTransfer starts from it: run setMaterialPoints, with the"
-            " entry temperature in its regions."
+            "heatTransfer",
+            "Run setMaterialPoints, with the entry temperature in its regions."
         )
     );
 }

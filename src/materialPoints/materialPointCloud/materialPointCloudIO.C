@@ -192,9 +192,10 @@ bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
     if (rules.inFiles() == columnRules::required)
     {
         FatalErrorInFunction
-            << "Phase " << this->name() << " needs column "
-            << titleOf(c).c_str() << ", which its points of time "
-            << time().timeName() << " do not have." << nl
+            << "Phase " << this->name() << " has "
+            << rules.neededFor().c_str() << ", but its points of time "
+            << time().timeName() << " have no column "
+            << titleOf(c).c_str() << "." << nl
             << rules.remedySentence().c_str() << exit(FatalError);
     }
     return false;

@@ -174,14 +174,14 @@ void Foam::mpm::materialPointCloud::writeColumn
                 *this, c.name(), n_,
                 [&](label p)
                 {
-                    vector v(vectorOf(c, p));
+                    vector v(Zero);
                     if (c.rules().isPosition())
                     {
-                        const point at(position(p, cell[p]));
-                        for (int d = grid_.nDim(); d < 3; ++d)
-                        {
-                            v[grid_.direction(d)] = at[grid_.direction(d)];
-                        }
+                        v = position(p, cell[p]);
+                    }
+                    for (int d = 0; d < grid_.nDim(); ++d)
+                    {
+                        v[grid_.direction(d)] = c[d][p];
                     }
                     return v;
                 }
