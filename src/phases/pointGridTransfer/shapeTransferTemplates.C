@@ -333,7 +333,7 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::add
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::workSums::write
+MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::write
 (
     const hexGrid& grid,
     moveResult& result
@@ -423,6 +423,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
     const geometry geo(cloud, false);
     const hexGrid& grid = cloud.grid();
     movedPoints to(cloud);
+    const scalar* mass = cloud.mass()[0];
 
     // Only what the coefficients need is gathered
     const moveCoefficients c(rule.take);
@@ -447,7 +448,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             weightsType S;
             shape_.evaluate(s, X, L, S);
 
-            T uL[DIM] = {}, du[DIM] = {};
+            T uL[DIM] = {}, du[DIM] = {}, uN[DIM];
             if (needsUL)
             {
                 shapeType::template gather<DIM, P>(S, s.nodes, u.UL, uL);
@@ -465,7 +466,6 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             }
             if (needsU)
             {
-                T uN[DIM];
                 shapeType::template gather<DIM, P>(S, s.nodes, u.U, uN);
                 for (int d = 0; d < DIM; ++d)
                 {
@@ -474,7 +474,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             }
             if (energy)
             {
-                sums.add(cloud.mass()[0], rule.bodyForce, p, n, v, du);
+                sums.add(mass, rule.bodyForce, p, n, v, du);
             }
 
             // Lanes beyond n belong to another cell: they do not count
@@ -492,10 +492,12 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
                 store<W>(to.x[d] + p, X[d]);
                 store<W>(to.U[d] + p, V[d]);
             }
-            for (int l = n; l < W; ++l)
+            if (n < W)
             {
-                way[l] = 0;
-                fast[l] = 0;
+                for (int l = n; l < W; ++l)
+                {
+                    way[l] = fast[l] = 0;
+                }
             }
             travel = laneMax(travel, way);
             rate = laneMax(rate, fast);
@@ -505,13 +507,13 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             {
                 for (int l = 0; l < n; ++l)
                 {
-                    scalar x[DIM];
-                    for (int d = 0; d < DIM; ++d)
-                    {
-                        x[d] = X[d][l];
-                    }
                     if (out[l])
                     {
+                        scalar x[DIM];
+                        for (int d = 0; d < DIM; ++d)
+                        {
+                            x[d] = X[d][l];
+                        }
                         changeCell
                         (
                             grid, rule, celli, p + l, x, way[l], to, result,
