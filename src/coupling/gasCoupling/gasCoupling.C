@@ -249,7 +249,6 @@ Foam::mpm::gasCoupling::gasCoupling
     const dictionary& properties
 )
 :
-    pointCoupling("coupling"),
     mesh_(refCast<const fvMesh>(points.grid().mesh())),
     points_(points),
     gas_(gas),

@@ -195,10 +195,10 @@ void Foam::functionObjects::materialPointBalance::prepare
         first_ = true;
         impulse_ = Zero;
 
-        files.append(gas->name());
+        files.append(gas->phaseName());
         headers.append
         (
-            "Gas " + gas->name() + ", mass, impulse and energy through the"
+            "Gas " + gas->phaseName() + ", mass, impulse and energy through the"
             " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
             "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]"
         );

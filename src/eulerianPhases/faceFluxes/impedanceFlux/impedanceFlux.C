@@ -46,13 +46,13 @@ inline void Foam::mpm::impedanceFlux::porousFace
     scalar u = (ZL*uL + ZR*uR)/sumZ + a*dp;
     scalar mu = ZL*ZR/sumZ/max(theta, max(thetaL, thetaR));
 
-    if (pores.K && pores.fd > 0)
+    if (pores.K && pores.fd != solidOnFaces::none)
     {
         const scalar rho0 = 0.5*(L.rho + R.rho);
         const scalar k = pores.K[f]*dt/(theta*rho0);
         const scalar w = min(k/(1 + k), pores.dragLimit[f]);
         u += w*(pores.uS[f] - u);
-        if (pores.fd == 3)
+        if (pores.fd == solidOnFaces::impedance)
         {
             const scalar Zm = std::sqrt
             (

@@ -148,7 +148,7 @@ int main(int argc, char *argv[])
     pores.rhoS = rhoS.cdata();
     pores.dilation = dilation.cdata();
     pores.eps = eps;
-    pores.fd = 3;
+    pores.fd = mpm::solidOnFaces::impedance;
 
     const auto across = [&](const label f)
     {
