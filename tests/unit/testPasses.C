@@ -58,7 +58,7 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
         {
             const label celli = label(0.5*(u(gen) + 1)*g.nCells()) % g.nCells();
             scalar corner[24], x[3] = {0, 0, 0};
-            g.cornerPositions(celli, corner);
+            g.hexes().cornerPositions(celli, corner);
             p.x = g.mesh().cellCentres()[celli];
             scalar xi[3];
             for (int d = 0; d < D; ++d) xi[d] = 0.5*(u(gen) + 1);

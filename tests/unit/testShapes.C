@@ -43,7 +43,7 @@ scalar worstIdentity
         const label celli =
             trial % 2 ? label(u(gen)*grid.nCells()) % grid.nCells() : (trial/2 % 2 ? 0 : grid.nCells() - 1);
         scalar corner[24], x[3] = {0, 0, 0}, xi[3], l[3];
-        grid.cornerPositions(celli, corner);
+        grid.hexes().cornerPositions(celli, corner);
         for (int d = 0; d < D; ++d)
         {
             xi[d] = u(gen);
@@ -204,14 +204,14 @@ TEST_CASE("GIMP at a wall: S_0(wall) = 1, graded too")
         for (const label celli : {0, 7})
         {
             scalar corner[24], l[3];
-            g.cornerPositions(celli, corner);
+            g.hexes().cornerPositions(celli, corner);
             l[0] = 0.25*g.width(celli, 0);
             const int side = celli ? 1 : 0;
             p->weights(celli, corner + side, l, nodes, S, dS);
             scalar atWall = 0;
             forAll(nodes, i)
             {
-                if (nodes[i] == g.corners(celli)[side]) atWall += S[i];
+                if (nodes[i] == g.hexes().corners(celli)[side]) atWall += S[i];
             }
             CHECK(atWall == doctest::Approx(1).epsilon(1e-13));
         }
@@ -243,14 +243,14 @@ TEST_CASE("B-splines at a wall: S_0(wall) = 1, all other weights 0")
         for (const label celli : {0, 7})
         {
             scalar corner[24];
-            g.cornerPositions(celli, corner);
+            g.hexes().cornerPositions(celli, corner);
             const int side = celli ? 1 : 0;
             p->weights(celli, corner + side, nullptr, nodes, S, dS);
             scalar atWall = 0, elsewhere = 0;
             forAll(nodes, i)
             {
                 CHECK(S[i] >= 0);
-                (nodes[i] == g.corners(celli)[side] ? atWall : elsewhere) += S[i];
+                (nodes[i] == g.hexes().corners(celli)[side] ? atWall : elsewhere) += S[i];
             }
             CHECK(atWall == doctest::Approx(1).epsilon(1e-13));
             CHECK(elsewhere <= 1e-13);
@@ -267,7 +267,7 @@ TEST_CASE("B-splines: exact values inside")
     const hexGrid& g = m.grid();
     const label celli = 4;
     scalar corner[24];
-    g.cornerPositions(celli, corner);
+    g.hexes().cornerPositions(celli, corner);
 
     struct item
     {
@@ -341,7 +341,7 @@ TEST_CASE("B-splines: S, its slope and (cubic) its curvature pass cell sides")
         {
             CAPTURE(celli);
             scalar corner[24];
-            g.cornerPositions(celli + 1, corner);
+            g.hexes().cornerPositions(celli + 1, corner);
             const scalar x = corner[0];
             scalarList S0, dS0, S1, dS1, Sm, dSm, Sp, dSp;
             at(celli, x, S0, dS0);

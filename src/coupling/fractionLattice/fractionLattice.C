@@ -78,7 +78,7 @@ void Foam::mpm::fractionLattice::makeShared()
     double all = 1;
     for (int d = 0; d < D; ++d)
     {
-        all *= grid_.nAllLatticeCells(d) + 2;
+        all *= grid_.lattice().nAllLatticeCells(d) + 2;
     }
     if (all > labelMax)
     {
@@ -97,22 +97,22 @@ void Foam::mpm::fractionLattice::makeShared()
             bool ring = false;
             for (int d = 0; d < D; ++d)
             {
-                at[d] = grid_.ijk(celli, d) + rest % 3 - 1;
+                at[d] = grid_.lattice().ijk(celli, d) + rest % 3 - 1;
                 rest /= 3;
-                const label nAll = grid_.nAllLatticeCells(d);
-                label i = grid_.window(d) + at[d];
+                const label nAll = grid_.lattice().nAllLatticeCells(d);
+                label i = grid_.lattice().window(d) + at[d];
                 if (grid_.period(d) > 0)
                 {
                     i = (i - 1 + nAll) % nAll + 1;
                 }
                 ring =
-                    ring || at[d] < 1 || at[d] > grid_.nLatticeCells(d);
+                    ring || at[d] < 1 || at[d] > grid_.lattice().nLatticeCells(d);
                 key += stride*i;
                 stride *= nAll + 2;
                 place += stride_[d]*at[d];
             }
             // Own cells far from any ring or ghost have no other place
-            const label c = grid_.cellAt(at);
+            const label c = grid_.lattice().cellAt(at);
             if (ring || c < 0 || c >= grid_.nCells())
             {
                 keyOfPlace.set(place, key);
@@ -132,8 +132,8 @@ void Foam::mpm::fractionLattice::makeShared()
             label key = 0, stride = 1;
             for (int d = 0; d < D; ++d)
             {
-                key += stride*(grid_.window(d) + grid_.ijk(celli, d));
-                stride *= grid_.nAllLatticeCells(d) + 2;
+                key += stride*(grid_.lattice().window(d) + grid_.lattice().ijk(celli, d));
+                stride *= grid_.lattice().nAllLatticeCells(d) + 2;
             }
             iter.val() = key;
         }
@@ -185,9 +185,9 @@ Foam::mpm::fractionLattice::fractionLattice(const hexGrid& grid)
     for (int d = 0; d < D && reason.empty(); ++d)
     {
         scalar least = GREAT, most = 0;
-        for (label i = 1; i <= grid_.nLatticeCells(d); ++i)
+        for (label i = 1; i <= grid_.lattice().nLatticeCells(d); ++i)
         {
-            const scalar h = grid_.planes(d)[i + 1] - grid_.planes(d)[i];
+            const scalar h = grid_.lattice().planes(d)[i + 1] - grid_.lattice().planes(d)[i];
             least = min(least, h);
             most = max(most, h);
         }
@@ -212,7 +212,7 @@ Foam::mpm::fractionLattice::fractionLattice(const hexGrid& grid)
     for (int d = 0; d < D; ++d)
     {
         stride_[d] = nPlaces_;
-        nPlaces_ *= grid_.nLatticeCells(d) + 2;
+        nPlaces_ *= grid_.lattice().nLatticeCells(d) + 2;
     }
     placeOf_.setSize(grid_.nCells());
     below_.setSize(D*grid_.nCells());
@@ -220,10 +220,10 @@ Foam::mpm::fractionLattice::fractionLattice(const hexGrid& grid)
     forAll(placeOf_, celli)
     {
         placeOf_[celli] = 0;
-        const unsigned walls = grid_.walls(celli);
+        const unsigned walls = grid_.lattice().walls(celli);
         for (int d = 0; d < D; ++d)
         {
-            placeOf_[celli] += stride_[d]*grid_.ijk(celli, d);
+            placeOf_[celli] += stride_[d]*grid_.lattice().ijk(celli, d);
             below_[D*celli + d] = (walls >> 2*d) & 1 ? 0 : -stride_[d];
             above_[D*celli + d] = (walls >> (2*d + 1)) & 1 ? 0 : stride_[d];
         }

@@ -147,13 +147,13 @@ void Foam::mpm::gasCoupling::dragPhase(const label phasei, const scalar dt)
     passes.forStencils
     (
         cloud,
-        [&](const label k, const label* nodes)
+        [&](const label k, const labelUList& nodes)
         {
             const label celli = cloud.cells()[k];
             const scalar* share = share_.cdata() + n*k;
             scalar M = 0, v = 0;
             vector mU(Zero);
-            for (label i = 0; i < n; ++i)
+            forAll(nodes, i)
             {
                 M += share[i];
                 for (int d = 0; d < D; ++d)
@@ -179,7 +179,7 @@ void Foam::mpm::gasCoupling::dragPhase(const label phasei, const scalar dt)
                     dt
                 )
             );
-            for (label i = 0; i < n; ++i)
+            forAll(nodes, i)
             {
                 const scalar part = share[i]*V/M;
                 for (int d = 0; d < D; ++d)

@@ -29,21 +29,9 @@ scalar velocityLoss
     const int stride
 )
 {
-    const int D = grid.nDim();
-    const label n = label(1) << D;
-    const label* corners = grid.corners(celli);
-    scalar div = 0, h = GREAT;
-    for (int d = 0; d < D; ++d)
-    {
-        const scalar width = grid.width(celli, d);
-        h = min(h, width);
-        for (label i = 0; i < n; ++i)
-        {
-            const scalar u = U[stride*corners[i] + d];
-            div += ((i >> d) & 1 ? u : -u)*2/(n*width);
-        }
-    }
-    return h*max(-div, scalar(0));
+    return
+        grid.shortestSide(celli)
+       *max(-grid.divergence(celli, U, stride), scalar(0));
 }
 
 }

@@ -57,7 +57,7 @@ bool Foam::mpm::gasCoupling::normal(const label celli, vector& n) const
         const scalar difference =
             smooth_[at + sums_.above(celli, d)]
           - smooth_[at + sums_.below(celli, d)];
-        n[sums_.grid().direction(d)] = difference*sums_.grid().invWidth(d)[1];
+        n[sums_.grid().direction(d)] = difference*sums_.grid().lattice().invWidth(d)[1];
         most = max(most, mag(difference));
     }
     if (most < uniform)

@@ -56,8 +56,8 @@ class boxKernels
 
     void prepareRadius(const label celli, around& s) const
     {
-        const label i = sums_.grid().ijk(celli, radial_);
-        const scalar* r = sums_.grid().planes(radial_).cdata() + i;
+        const label i = sums_.grid().lattice().ijk(celli, radial_);
+        const scalar* r = sums_.grid().lattice().planes(radial_).cdata() + i;
         for (int n = 0; n < 2; ++n)
         {
             const scalar h = r[n] - r[n - 1];
@@ -77,9 +77,9 @@ class boxKernels
         label step[DIM][3];
         for (int d = 0; d < DIM; ++d)
         {
-            const label i = grid.ijk(celli, d);
-            s.lower[d] = grid.planes(d)[i];
-            s.invWidth[d] = grid.invWidth(d)[i];
+            const label i = grid.lattice().ijk(celli, d);
+            s.lower[d] = grid.lattice().planes(d)[i];
+            s.invWidth[d] = grid.lattice().invWidth(d)[i];
             step[d][0] = sums_.below(celli, d);
             step[d][1] = 0;
             step[d][2] = sums_.above(celli, d);

@@ -52,35 +52,6 @@ dimensionSet dimensionsOf(const std::string& unit)
 }
 
 
-//- Volume of each node: its share of the cells around it [m3]
-scalarField nodeVolumes(const mpm::hexGrid& grid, const label reach)
-{
-    const label nc = label(1) << grid.nDim();
-    scalarField V(grid.nNodes(), Zero);
-    for (label celli = 0; celli < grid.nCells(); ++celli)
-    {
-        // Nodes at the outer side of a cell on a wedge have more of it
-        scalar inner = 0.5;
-        if (grid.radial() >= 0)
-        {
-            scalar x[8];
-            grid.cornerPositions(celli, x);
-            const scalar r0 = x[grid.radial()], r1 = x[6 + grid.radial()];
-            inner = (2*r0 + r1)/(3*(r0 + r1));
-        }
-        for (label n = 0; n < nc; ++n)
-        {
-            const scalar part =
-                grid.radial() < 0 ? 1.0/nc
-              : 0.5*((n >> grid.radial()) & 1 ? 1 - inner : inner);
-            V[grid.corners(celli)[n]] += part*grid.mesh().cellVolumes()[celli];
-        }
-    }
-    grid.shared(reach).sum(V.data(), 1, 1);
-    return V;
-}
-
-
 //- Call f(point, node, S_l(x_p)) for all points and the nodes they reach
 template<class Function>
 void forWeights
@@ -234,7 +205,10 @@ void Foam::functionObjects::materialPointFields::writeQuantity
             }
         );
         shared.sum(V.data(), 1, 1);
-        const scalarField all(nodeVolumes(grid, points.gridTransfer().reach()));
+        const scalarList all
+        (
+            grid.nodeVolumes(grid.shared(points.gridTransfer().reach()), true)
+        );
         forAll(V, n)
         {
             V[n] = all[n] > 0 ? V[n]/all[n] : 0;

@@ -131,7 +131,7 @@ void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
                 x[d] = xNew_[d][p];
             }
             label celli = grid_.locate(announced, x);
-            if (celli < 0 || (grid_.hasLattice() && celli >= grid_.nCells()))
+            if (celli < 0 || (grid_.locatesAtOnce() && celli >= grid_.nCells()))
             {
                 // Outside its cell by rounding
                 celli = announced;
@@ -211,7 +211,7 @@ void Foam::mpm::materialPointCloud::exchange(DynamicList<cellChange>& cellChange
         arriving_.setSize(procs_.size());
     }
 
-    // On general hexahedra a point may have to go through a third processor
+    // Without a lattice a point may have to go through a third processor
     label first = 0;
     bool more = true;
     while (more)
@@ -222,7 +222,7 @@ void Foam::mpm::materialPointCloud::exchange(DynamicList<cellChange>& cellChange
         unpack(cellChanges);
 
         more = false;
-        if (!grid_.hasLattice())
+        if (!grid_.locatesAtOnce())
         {
             for (label m = first; m < cellChanges.size(); ++m)
             {

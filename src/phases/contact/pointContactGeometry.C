@@ -30,12 +30,12 @@ void Foam::mpm::pointContact::forPoints
         gridTransfer_.forStencils
         (
             cloud,
-            [&](const label k, const label* stencil)
+            [&](const label k, const labelUList& stencil)
             {
                 bool near = false;
-                for (label i = 0; i < gridTransfer_.nStencil(); ++i)
+                for (const label node : stencil)
                 {
-                    near = near || (stencil[i] >= 0 && placeOf_[stencil[i]] >= 0);
+                    near = near || (node >= 0 && placeOf_[node] >= 0);
                 }
                 if (!near)
                 {

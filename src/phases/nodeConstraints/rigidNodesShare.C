@@ -19,7 +19,6 @@ void Foam::mpm::rigidNodes::startShares
     const int stride
 )
 {
-    const label corners = label(1) << grid_.nDim();
     scalar* q = mass_.data();
     power_ = passes.reach() && !passes.hasExtent() ? 5 : 2;
     for (const label n : active)
@@ -29,20 +28,18 @@ void Foam::mpm::rigidNodes::startShares
     passes.forStencils
     (
         cloud,
-        [&](const label k, const label* stencil)
+        [&](const label k, const labelUList& stencil)
         {
-            const label* c = grid_.corners(cloud.cells()[k]);
             scalar most = VSMALL;
-            for (label i = 0; i < corners; ++i)
+            for (const label n : grid_.nodesOf(cloud.cells()[k]))
             {
-                most =
-                    max(most, q[stride*c[i] + grid_.nDim()]/volume[c[i]]);
+                most = max(most, q[stride*n + grid_.nDim()]/volume[n]);
             }
-            for (label i = 0; i < passes.nStencil(); ++i)
+            for (const label n : stencil)
             {
-                if (stencil[i] >= 0)
+                if (n >= 0)
                 {
-                    q[stride*stencil[i]] = max(q[stride*stencil[i]], 1/most);
+                    q[stride*n] = max(q[stride*n], 1/most);
                 }
             }
         }

@@ -87,12 +87,12 @@ void Foam::mpm::pointGridTransfer::forNodesOf
     forStencils
     (
         cloud,
-        [&](const label k, const label* stencil)
+        [&](const label k, const labelUList& stencil)
         {
             bool near = false;
-            for (label i = 0; i < nStencil(); ++i)
+            for (const label node : stencil)
             {
-                near = near || (stencil[i] >= 0 && marked[stencil[i]]);
+                near = near || (node >= 0 && marked[node]);
             }
             const label end = near ? cloud.start()[k + 1] : cloud.start()[k];
             for (label p = cloud.start()[k]; p < end; ++p)

@@ -57,14 +57,13 @@ void shapeTransfer<Shape, DIM, HOOP>::weights
         shape_.toLocal(g, F);
         shapeType::scatterGradient(g, F, 1, grad[d]);
     }
-    for (int n = 0; n < shapeType::nNodes; ++n)
+    for (int n = 0; n < shapeType::count(s); ++n)
     {
-        const int r = n/(2*shapeType::NP), i = n % (2*shapeType::NP);
         nodes.append(s.nodes[n]);
-        S.append(value.a[r][i/2][P*(i % 2)]);
+        S.append(shapeType::nodeSum(value, n, 0));
         for (int d = 0; d < DIM; ++d)
         {
-            gradS.append(grad[d].a[r][i/2][P*(i % 2)]);
+            gradS.append(shapeType::nodeSum(grad[d], n, 0));
         }
     }
 }
@@ -221,14 +220,18 @@ template<template<int> class Shape, int DIM, bool HOOP>
 void shapeTransfer<Shape, DIM, HOOP>::forStencils
 (
     const materialPointCloud& cloud,
-    const std::function<void(const label, const label*)>& f
+    const std::function<void(const label, const labelUList&)>& f
 ) const
 {
     forAll(cloud.cells(), k)
     {
         stencil s;
         shape_.prepare(cloud.cells()[k], s);
-        f(k, s.nodes);
+        f
+        (
+            k,
+            labelUList(const_cast<label*>(s.nodes), shapeType::count(s))
+        );
     }
 }
 
@@ -257,12 +260,12 @@ void shapeTransfer<Shape, DIM, HOOP>::massShares
             const T q[1] = {load<W>(mass + p)};
             shapeType::template scatter<1>(S, q, n, acc);
         },
-        [&](const stencil&)
+        [&](const stencil& s)
         {
-            for (int i = 0; i < shapeType::nNodes; ++i)
+            for (int i = 0; i < shapeType::maxNodes; ++i)
             {
-                const int r = i/(2*shapeType::NP), j = i % (2*shapeType::NP);
-                *share++ = acc.a[r][j/2][P*(j % 2)];
+                *share++ =
+                    i < shapeType::count(s) ? shapeType::nodeSum(acc, i, 0) : 0;
             }
         }
     );

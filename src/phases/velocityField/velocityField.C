@@ -92,17 +92,12 @@ void Foam::mpm::velocityField::activate
         nodes.append(n);
     }
 
-    const label nc = label(1) << nDim_;
-    const auto take = [&](const label celli)
+    const auto take = [&](const label n)
     {
-        const label* c = grid_.corners(celli);
-        for (label n = 0; n < nc; ++n)
+        if (stamp_[n] != stampNow_)
         {
-            if (stamp_[c[n]] != stampNow_)
-            {
-                stamp_[c[n]] = stampNow_;
-                nodes.append(c[n]);
-            }
+            stamp_[n] = stampNow_;
+            nodes.append(n);
         }
     };
 
@@ -110,35 +105,7 @@ void Foam::mpm::velocityField::activate
     {
         for (const label celli : *list)
         {
-            if (!reach)
-            {
-                take(celli);
-                continue;
-            }
-            // All nodes of the wider stencil
-            label ijk[3] = {0, 0, 0}, at[3] = {0, 0, 0};
-            for (int d = 0; d < nDim_; ++d)
-            {
-                ijk[d] = grid_.ijk(celli, d) - 1;
-            }
-            for (label k = 0; k < (nDim_ > 2 ? 4 : 1); ++k)
-            {
-                at[2] = ijk[2] + k;
-                for (label j = 0; j < (nDim_ > 1 ? 4 : 1); ++j)
-                {
-                    at[1] = ijk[1] + j;
-                    for (label i = 0; i < 4; ++i)
-                    {
-                        at[0] = ijk[0] + i;
-                        const label n = grid_.nodeAt(at);
-                        if (n >= 0 && stamp_[n] != stampNow_)
-                        {
-                            stamp_[n] = stampNow_;
-                            nodes.append(n);
-                        }
-                    }
-                }
-            }
+            grid_.forNodesAround(celli, reach, take);
         }
     }
     activeNew_.transfer(nodes);
@@ -421,43 +388,22 @@ Foam::scalar Foam::mpm::velocityField::maxStrain
 {
     const scalar* mU = mUNew_.data();
     const scalar* U = UNew_.data();
-    const label nc = label(1) << nDim_;
-    scalar largest = 0;
+    const auto raise = [&](const label a, const label b, scalar& most)
+    {
+        const label lo = stride_*a, hi = stride_*b;
+        if (mU[lo + nDim_] > 0 && mU[hi + nDim_] > 0)
+        {
+            for (int e = 0; e < nDim_; ++e)
+            {
+                most = max(most, mag(U[hi + e] - U[lo + e]));
+            }
+        }
+    };
 
+    scalar largest = 0;
     for (const label celli : cells)
     {
-        const label* c = grid_.corners(celli);
-        for (int d = 0; d < nDim_; ++d)
-        {
-            scalar du = 0;
-            for (label n = 0; n < nc; ++n)
-            {
-                if ((n >> d) & 1)
-                {
-                    continue;
-                }
-                const scalar* lo = U + stride_*c[n];
-                const scalar* hi = U + stride_*c[n | (1 << d)];
-                if
-                (
-                    mU[stride_*c[n] + nDim_] > 0
-                 && mU[stride_*c[n | (1 << d)] + nDim_] > 0
-                )
-                {
-                    for (int e = 0; e < nDim_; ++e)
-                    {
-                        du = max(du, mag(hi[e] - lo[e]));
-                    }
-                }
-            }
-            largest = max
-            (
-                largest,
-                grid_.hasLattice()
-              ? du*grid_.invWidth(d)[grid_.ijk(celli, d)]
-              : du/grid_.width(celli, d)
-            );
-        }
+        largest = max(largest, grid_.largestSlope(celli, raise));
     }
     return dt*largest;
 }

@@ -61,17 +61,7 @@ const Foam::scalarList& Foam::mpm::velocityField::nodeVolume()
 {
     if (nodeVolume_.empty())
     {
-        nodeVolume_.setSize(grid_.nNodes(), 0);
-        const scalarField& V = grid_.mesh().cellVolumes();
-        const label corners = label(1) << nDim_;
-        forAll(V, celli)
-        {
-            for (label i = 0; i < corners; ++i)
-            {
-                nodeVolume_[grid_.corners(celli)[i]] += V[celli]/corners;
-            }
-        }
-        shared_.sum(nodeVolume_.begin(), 1, 1);
+        nodeVolume_ = grid_.nodeVolumes(shared_, false);
     }
     return nodeVolume_;
 }

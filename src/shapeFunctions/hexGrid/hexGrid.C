@@ -7,7 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "hexGrid.H"
-#include <Eigen/LU>
+#include "faceLocator.H"
+#include "hexLocator.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,121 +20,159 @@ namespace mpm
 }
 }
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::hexGrid::noHexes() const
+{
+    FatalErrorInFunction
+        << noHexes_.c_str() << ". Material points need"
+        << " a mesh of hexahedra (shape functions: linear; on meshes of"
+        << " boxes also GIMP and B-splines)." << nl
+        << "Cells beside locally refined ones have more faces and do"
+        << " not work: for finer cells in a place grade the blocks of"
+        << " the mesh (simpleGrading), or refine all."
+        << exit(FatalError);
+}
+
+
+void Foam::mpm::hexGrid::noLatticeHere() const
+{
+    FatalErrorInFunction
+        << "The mesh has no lattice: " << noLattice_.c_str() << '.'
+        << exit(FatalError);
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
 :
     MeshObject<polyMesh, GeometricMeshObject, hexGrid>(mesh),
-    nDim_(0),
-    dir_{0, 0, 0},
-    radial_(-1),
-    sector_(0),
-    nCells_{0, 0, 0},
-    window_{0, 0, 0},
-    nAllCells_{0, 0, 0},
-    period_{0, 0, 0},
-    lowest_{0, 0, 0},
-    highest_{0, 0, 0},
-    sameWidth_(0)
+    gridAxes(mesh),
+    nodes_(mesh, *this),
+    ghosts_(mesh),
+    sameWidth_(0),
+    period_{0, 0, 0}
 {
-    if (!returnReduce(mesh.nCells(), sumOp<label>()))
+    noHexes_ = hexCells::refusal(mesh, *this);
+    if (!noHexes_.empty())
     {
-        FatalErrorInFunction
-            << "The mesh " << mesh.bounds() << " has no cells: check"
-            << " system/blockMeshDict." << exit(FatalError);
+        noLattice_ = noHexes_;
+        nodes_.joinPoints();
+        locator_.reset(new faceLocator(mesh, *this, ghosts_));
+        return;
     }
 
-    // Beside wedges the geometric directions may include empty ones
-    for (int d = 0; d < 3; ++d)
+    hexes_.reset(new hexCells(mesh, *this, nodes_, ghosts_));
+    lattice_.reset(new gridLattice(mesh, *this, *hexes_, nodes_, ghosts_));
+    noLattice_ = lattice_->refused();
+    for (int d = 0; d < nDim(); ++d)
     {
-        if (mesh.solutionD()[d] > 0 && mesh.geometricD()[d] > 0)
-        {
-            dir_[nDim_++] = d;
-        }
+        period_[d] = lattice_->period(d);
     }
-
-    if (!nDim_)
+    if (noLattice_.empty())
     {
-        FatalErrorInFunction
-            << "All directions of the mesh " << mesh.bounds() << " are empty:"
-            << " check the patches in system/blockMeshDict; faces that none"
-            << " of them names become empty." << exit(FatalError);
+        sameWidth_ = lattice_->sameWidth();
     }
-
-    makeWedge();
-    makeNodes();
-    makeCells();
-    makeLattice();
-
-    if (hasLattice())
+    else
     {
-        // Over planes of all processors: the same number on each
-        bool same = true;
-        scalar shortest = GREAT;
-        for (int d = 0; d < nDim_; ++d)
-        {
-            scalar least = GREAT, most = 0;
-            for (label i = 1; i <= nCells_[d]; ++i)
-            {
-                const scalar h = planes_[d][i + 1] - planes_[d][i];
-                least = min(least, h);
-                most = max(most, h);
-            }
-            reduce(least, minOp<scalar>());
-            reduce(most, maxOp<scalar>());
-            same = same && most < (1 + 1e-9)*least;
-            shortest = min(shortest, least);
-        }
-        sameWidth_ = same ? shortest : 0;
+        lattice_.clear();
+        locator_.reset(new hexLocator(mesh, *this, *hexes_));
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::hexGrid::width(const label celli, const int d) const
+Foam::pointField Foam::mpm::hexGrid::nodePositions() const
 {
-    if (hasLattice())
+    pointField x(nodes_.positions());
+    if (lattice_)
     {
-        const label i = ijk(celli, d);
-        return planes_[d][i + 1] - planes_[d][i];
+        lattice_->addGhostPositions(nodes_.points(), x);
     }
-
-    // Smallest distance between the two sides: 1/|grad xi_d| at the corners.
-    // On sheared cells it is much less than the edges, and it is what limits
-    // the time step
-    const label nc = label(1) << nDim_;
-    scalar corner[24];
-    cornerPositions(celli, corner);
-    scalar shortest = GREAT;
-    for (label n = 0; n < nc; ++n)
-    {
-        Eigen::Matrix3d J(Eigen::Matrix3d::Identity());
-        for (int k = 0; k < nDim_; ++k)
-        {
-            for (int e = 0; e < nDim_; ++e)
-            {
-                J(e, k) =
-                    corner[nDim_*(n | (label(1) << k)) + e]
-                  - corner[nDim_*(n & ~(label(1) << k)) + e];
-            }
-        }
-        shortest = min(shortest, 1/J.inverse().row(d).norm());
-    }
-    return shortest;
+    return x;
 }
 
 
-void Foam::mpm::hexGrid::cornerPositions(const label celli, scalar* x) const
+const Foam::labelList& Foam::mpm::hexGrid::axisNodes() const
 {
-    const label nc = label(1) << nDim_;
-    for (label n = 0; n < nc; ++n)
+    static const labelList none;
+    return hexes_ ? hexes_->axisNodes() : none;
+}
+
+
+void Foam::mpm::hexGrid::localCoordinates
+(
+    const label celli,
+    const scalar* x,
+    scalar* xi
+) const
+{
+    if (lattice_)
     {
-        const point& p = mesh().points()[cellPoints_[nc*celli + n]];
-        for (int d = 0; d < nDim_; ++d)
+        lattice_->localCoordinates(celli, x, xi);
+    }
+    else
+    {
+        hexLocator(mesh(), *this, hexes()).localCoordinates(celli, x, xi);
+    }
+}
+
+
+Foam::scalarList Foam::mpm::hexGrid::nodeVolumes
+(
+    const sharedNodes& sums,
+    const bool byRadius
+) const
+{
+    scalarList volume(nNodes(), Zero);
+    const scalarField& V = mesh().cellVolumes();
+    forAll(V, celli)
+    {
+        const SubList<label> nodes(nodesOf(celli));
+        if (!byRadius || radial() < 0)
         {
-            x[nDim_*n + d] = p[dir_[d]];
+            for (const label n : nodes)
+            {
+                volume[n] += V[celli]/nodes.size();
+            }
+            continue;
+        }
+        scalar x[8];
+        hexes().cornerPositions(celli, x);
+        const scalar r0 = x[radial()], r1 = x[6 + radial()];
+        const scalar inner = (2*r0 + r1)/(3*(r0 + r1));
+        forAll(nodes, n)
+        {
+            const scalar part =
+                0.5*((n >> radial()) & 1 ? 1 - inner : inner);
+            volume[nodes[n]] += part*V[celli];
         }
     }
+    sums.sum(volume.data(), 1, 1);
+    return volume;
+}
+
+
+Foam::scalar Foam::mpm::hexGrid::divergence
+(
+    const label celli,
+    const scalar* U,
+    const int stride
+) const
+{
+    const label n = label(1) << nDim();
+    const label* corners = hexes().corners(celli);
+    scalar div = 0;
+    for (int d = 0; d < nDim(); ++d)
+    {
+        const scalar width = this->width(celli, d);
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar u = U[stride*corners[i] + d];
+            div += ((i >> d) & 1 ? u : -u)*2/(n*width);
+        }
+    }
+    return div;
 }
 
 // ************************************************************************* //

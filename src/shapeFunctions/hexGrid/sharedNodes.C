@@ -7,24 +7,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "sharedNodes.H"
-#include "hexGrid.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 #include "HashSet.H"
-#include "IndirectList.H"
 #include "ListOps.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::sharedNodes::sharedNodes(const hexGrid& grid, const label reach)
-{
-    if (Pstream::parRun())
-    {
-        const labelList nodes(grid.candidateNodes(reach));
-        *this = sharedNodes(nodes, labelUIndList(grid.nodeKey(), nodes)());
-    }
-}
-
 
 Foam::mpm::sharedNodes::sharedNodes
 (

@@ -67,10 +67,10 @@ Foam::mpm::outflowPatches::outflowPatches
                 onPatch[p] = true;
             }
             const label celli = patch.faceCells()[i];
-            const label* corners = grid.corners(celli);
+            const label* corners = grid.hexes().corners(celli);
             for (int side = 0; side < 2*grid.nDim(); ++side)
             {
-                bool all = grid.walls(celli) & (1u << side);
+                bool all = grid.hexes().walls(celli) & (1u << side);
                 for (label n = 0; n < label(1) << grid.nDim(); ++n)
                 {
                     const bool beside = ((n >> side/2) & 1) == side % 2;
@@ -111,7 +111,7 @@ bool Foam::mpm::outflowPatches::through
     {
         beyond |= xi[d] < 0 ? 1u << 2*d : xi[d] >= 1 ? 2u << 2*d : 0;
     }
-    if (beyond & grid_.walls(celli))
+    if (beyond & grid_.hexes().walls(celli))
     {
         return beyond & sides_[celli];
     }
@@ -126,7 +126,7 @@ bool Foam::mpm::outflowPatches::through
             const unsigned at = (beyond >> 2*d) & 3u;
             common = common && (at == 0 || at == ((n >> d) & 1 ? 2u : 1u));
         }
-        open = open && (!common || nodes_[grid_.corners(celli)[n]]);
+        open = open && (!common || nodes_[grid_.hexes().corners(celli)[n]]);
     }
     return open;
 }

@@ -298,11 +298,11 @@ Foam::mpm::facetCutter::facetCutter
             continue;
         }
         n_[d] = nSub[d];
-        const label nCells = grid_.nLatticeCells(d);
+        const label nCells = grid_.lattice().nLatticeCells(d);
         planes_[d].setSize(nCells*n_[d] + 1);
         for (label i = 0; i < nCells; ++i)
         {
-            const scalar a = grid_.planes(d)[i + 1], b = grid_.planes(d)[i + 2];
+            const scalar a = grid_.lattice().planes(d)[i + 1], b = grid_.lattice().planes(d)[i + 2];
             for (label s = 0; s <= n_[d]; ++s)
             {
                 planes_[d][i*n_[d] + s] =
@@ -354,7 +354,7 @@ void Foam::mpm::facetCutter::integrate
     label ijk[3] = {0, 0, 0};
     for (int d = 0; d < grid_.nDim(); ++d)
     {
-        ijk[d] = (grid_.ijk(celli, d) - 1)*n_[d] + sub[d];
+        ijk[d] = (grid_.lattice().ijk(celli, d) - 1)*n_[d] + sub[d];
     }
 
     m = cutMoments();

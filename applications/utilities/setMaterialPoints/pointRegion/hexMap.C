@@ -30,14 +30,14 @@ Foam::mpm::hexMap::hexMap(const hexGrid& grid, const label celli)
             for (int d = 0; d < nDim; ++d)
             {
                 corner_[n][grid_.direction(d)] =
-                    grid_.planes(d)[grid_.ijk(celli, d) + ((n >> d) & 1)];
+                    grid_.lattice().planes(d)[grid_.lattice().ijk(celli, d) + ((n >> d) & 1)];
             }
         }
         return;
     }
 
     // From the cell's own points: a node on a cyclic side has two positions
-    const label* nodes = grid_.corners(celli);
+    const label* nodes = grid_.hexes().corners(celli);
     for (label n = 0; n < nCorners; ++n)
     {
         label found = 0;

@@ -27,7 +27,7 @@ bool Foam::mpm::pointRegion::standsInRows
     const int r = grid.radial();
     return
         r < 0
-     || shape.bounds().min()[grid.direction(r)] >= grid.planes(r)[2];
+     || shape.bounds().min()[grid.direction(r)] >= grid.lattice().planes(r)[2];
 }
 
 
@@ -41,7 +41,7 @@ void Foam::mpm::pointRegion::row
     constexpr scalar tolerance = 1e-9;
 
     // Cells of the mesh; planes have one more at each end
-    const scalarList& planes = grid_.planes(d);
+    const scalarList& planes = grid_.lattice().planes(d);
     const label nCells = planes.size() - 3;
     const int c = grid_.direction(d);
     const scalar low = max(shape_->bounds().min()[c], planes[1]);

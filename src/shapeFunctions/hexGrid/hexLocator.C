@@ -6,32 +6,37 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "hexGrid.H"
+#include "hexLocator.H"
+#include "polyMesh.H"
 #include <Eigen/LU>
-#include <algorithm>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::hexLocator::hexLocator
+(
+    const polyMesh& mesh,
+    const gridAxes& axes,
+    const hexCells& cells
+)
+:
+    mesh_(mesh),
+    axes_(axes),
+    cells_(cells),
+    nDim_(axes.nDim())
+{}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::hexGrid::localCoordinates
+void Foam::mpm::hexLocator::localCoordinates
 (
     const label celli,
     const scalar* x,
     scalar* xi
 ) const
 {
-    if (hasLattice())
-    {
-        for (int d = 0; d < nDim_; ++d)
-        {
-            const label i = ijk(celli, d);
-            xi[d] = (x[d] - planes_[d][i])*invWidth_[d][i];
-        }
-        return;
-    }
-
     const label nc = label(1) << nDim_;
     scalar corner[24];
-    cornerPositions(celli, corner);
+    cells_.cornerPositions(celli, corner);
 
     for (int d = 0; d < nDim_; ++d)
     {
@@ -91,103 +96,13 @@ void Foam::mpm::hexGrid::localCoordinates
 }
 
 
-Foam::label Foam::mpm::hexGrid::locateInLattice
-(
-    const label from,
-    scalar* x
-) const
+Foam::label Foam::mpm::hexLocator::locate(const label from, scalar* x) const
 {
-    label at[3] = {0, 0, 0};
-    scalar beyond[3] = {0, 0, 0};
-    for (int d = 0; d < nDim_; ++d)
-    {
-        const scalarList& X = planes_[d];
-        const label n = nCells_[d];
-
-        // Where to look: beyond the window of a processor that has not
-        // the whole period, ghosts repeat the planes
-        const bool whole = n == nAllCells_[d];
-        scalar y = x[d];
-        if (period_[d] > 0)
-        {
-            // Once is enough for a point that moves less than the domain
-            if (x[d] < lowest_[d])
-            {
-                x[d] += period_[d];
-                // Rounding may land on the closed end: that is the start
-                if (x[d] >= highest_[d])
-                {
-                    y = x[d] = lowest_[d];
-                }
-            }
-            else if (x[d] >= highest_[d])
-            {
-                x[d] = max(x[d] - period_[d], lowest_[d]);
-            }
-            y = whole ? x[d] : y;
-        }
-        if (!(y >= X[0] && y <= X[n + 2]))
-        {
-            return -1;
-        }
-        label i =
-            from >= 0
-          ? ijk(from, d)
-          : label
-            (
-                std::upper_bound(X.begin(), X.begin() + n + 3, y)
-              - X.begin()
-            ) - 1;
-        i = min(max(i, label(0)), n + 1);
-        while (i > 0 && y < X[i]) --i;
-        while (i < n + 1 && y >= X[i + 1]) ++i;
-        at[d] = i;
-        beyond[d] = y;
-    }
-
-    const label celli = cellAt(at);
-    if (celli >= 0)
-    {
-        return celli;
-    }
-
-    // On the upper plane of the mesh: no cell above, outermost and closed
-    for (int n = 1; n < (1 << nDim_); ++n)
-    {
-        label lower[3] = {at[0], at[1], at[2]};
-        bool possible = true;
-        for (int d = 0; d < nDim_; ++d)
-        {
-            if ((n >> d) & 1)
-            {
-                possible =
-                    possible
-                 && at[d] > 0
-                 && beyond[d] == planes_[d][at[d]];
-                --lower[d];
-            }
-        }
-        if (possible && cellAt(lower) >= 0)
-        {
-            return cellAt(lower);
-        }
-    }
-    return -1;
-}
-
-
-Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
-{
-    if (hasLattice())
-    {
-        return locateInLattice(from, x);
-    }
-
-    // General hexahedra: through the side that is violated most
+    // Through the side that is violated most
     label celli = from;
     for (int step = 0; step < 50 && celli >= 0; ++step)
     {
-        if (celli >= nCells())
+        if (celli >= mesh_.nCells())
         {
             // Its processor goes on
             return celli;
@@ -203,14 +118,14 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
             for (int s = 0; s < 2; ++s)
             {
                 const scalar beyond = s ? xi[d] - 1 : -xi[d];
-                const label nbr = neighbour(celli, d, s);
+                const label nbr = cells_.neighbour(celli, d, s);
                 // A little beyond a boundary side is rounding of the inverse
                 const bool out = nbr < 0 ? beyond > 1e-10 : beyond > 0;
                 if (out && beyond > worst)
                 {
                     worst = beyond;
                     next = nbr;
-                    through = 2*(nDim_*celli + d) + s;
+                    through = 2*d + s;
                     outside = true;
                 }
             }
@@ -221,16 +136,13 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
         }
         // On the common side to rounding: the higher cell owns it
         const bool onSide = next >= 0 && worst < 1e-12;
-        if (onSide && (celli > next || next >= nCells()))
+        if (onSide && (celli > next || next >= mesh_.nCells()))
         {
             return celli;
         }
-        if (next >= 0 && shift_.size())
+        if (next >= 0)
         {
-            for (int d = 0; d < nDim_; ++d)
-            {
-                x[d] += shift_[through][dir_[d]];
-            }
+            cells_.shift(celli, through/2, through % 2, x);
         }
         celli = next;
         if (onSide)
@@ -242,22 +154,44 @@ Foam::label Foam::mpm::hexGrid::locate(const label from, scalar* x) const
 }
 
 
-Foam::label Foam::mpm::hexGrid::find(scalar* x) const
+Foam::label Foam::mpm::hexLocator::find(scalar* x) const
 {
-    if (hasLattice())
-    {
-        return locate(-1, x);
-    }
-
     point p(Zero);
     // The missing coordinates: those of any mesh point's cell centre
-    p = mesh().cellCentres()[0];
+    p = mesh_.cellCentres()[0];
     for (int d = 0; d < nDim_; ++d)
     {
-        p[dir_[d]] = x[d];
+        p[axes_.direction(d)] = x[d];
     }
-    const label near = mesh().findNearestCell(p);
+    const label near = mesh_.findNearestCell(p);
     return near < 0 ? -1 : locate(near, x);
+}
+
+
+Foam::scalar Foam::mpm::hexLocator::width(const label celli, const int d) const
+{
+    // Smallest distance between the two sides: 1/|grad xi_d| at the corners.
+    // On sheared cells it is much less than the edges, and it is what limits
+    // the time step
+    const label nc = label(1) << nDim_;
+    scalar corner[24];
+    cells_.cornerPositions(celli, corner);
+    scalar shortest = GREAT;
+    for (label n = 0; n < nc; ++n)
+    {
+        Eigen::Matrix3d J(Eigen::Matrix3d::Identity());
+        for (int k = 0; k < nDim_; ++k)
+        {
+            for (int e = 0; e < nDim_; ++e)
+            {
+                J(e, k) =
+                    corner[nDim_*(n | (label(1) << k)) + e]
+                  - corner[nDim_*(n & ~(label(1) << k)) + e];
+            }
+        }
+        shortest = min(shortest, 1/J.inverse().row(d).norm());
+    }
+    return shortest;
 }
 
 // ************************************************************************* //

@@ -6,15 +6,13 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "hexGrid.H"
+#include "gridAxes.H"
 #include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::hexGrid::makeWedge()
+void Foam::mpm::gridAxes::makeWedge(const polyMesh& mesh)
 {
-    const polyMesh& mesh = this->mesh();
-
     // Planes n.x = d of the wedge patches of all processors
     DynamicList<vector> normal;
     DynamicList<scalar> distance;
@@ -127,6 +125,42 @@ void Foam::mpm::hexGrid::makeWedge()
         refuse(s.str());
     }
     sector_ = 2*sine/cosine;
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::gridAxes::gridAxes(const polyMesh& mesh)
+:
+    nDim_(0),
+    dir_{0, 0, 0},
+    radial_(-1),
+    sector_(0)
+{
+    if (!returnReduce(mesh.nCells(), sumOp<label>()))
+    {
+        FatalErrorInFunction
+            << "The mesh " << mesh.bounds() << " has no cells: check"
+            << " system/blockMeshDict." << exit(FatalError);
+    }
+
+    // Beside wedges the geometric directions may include empty ones
+    for (int d = 0; d < 3; ++d)
+    {
+        if (mesh.solutionD()[d] > 0 && mesh.geometricD()[d] > 0)
+        {
+            dir_[nDim_++] = d;
+        }
+    }
+
+    if (!nDim_)
+    {
+        FatalErrorInFunction
+            << "All directions of the mesh " << mesh.bounds() << " are empty:"
+            << " check the patches in system/blockMeshDict; faces that none"
+            << " of them names become empty." << exit(FatalError);
+    }
+
+    makeWedge(mesh);
 }
 
 // ************************************************************************* //
