@@ -29,8 +29,8 @@ Foam::mpm::hexMap::hexMap(const hexGrid& grid, const label celli)
         {
             for (int d = 0; d < nDim; ++d)
             {
-                corner_[n][grid_.direction(d)] =
-                    grid_.lattice().planes(d)[grid_.lattice().ijk(celli, d) + ((n >> d) & 1)];
+                const label i = grid_.lattice().ijk(celli, d) + ((n >> d) & 1);
+                corner_[n][grid_.direction(d)] = grid_.lattice().planes(d)[i];
             }
         }
         return;
