@@ -92,7 +92,7 @@ testMesh square()
 TEST_CASE("a column of one line starts, is ordered, put back and sent with its points")
 {
     const testMesh m(square());
-    const hexGrid& g = m.grid();
+    const pointGrid& g = m.grid();
     materialPointCloud cloud(g, "worn");
     column& w = wear(cloud);
     CHECK(&w == &wear(cloud));
@@ -202,7 +202,7 @@ TEST_CASE("a column of one line goes with removed points, and may come late")
 TEST_CASE("a column of one line is written and read bit by bit, by its rules")
 {
     const testMesh m(square());
-    const hexGrid& g = m.grid();
+    const pointGrid& g = m.grid();
     const fileName folder(m().time().path()/"0"/"lagrangian"/"worn");
     typedef std::map<scalar, scalar> values;
     values stress;

@@ -42,7 +42,7 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
     {
         CAPTURE(it.name);
         CAPTURE(it.shape);
-        const hexGrid& g = it.mesh.grid();
+        const pointGrid& g = it.mesh.grid();
         const int D = g.nDim();
         const int P = D == 1 ? 2 : 4;
         const auto passesPtr(passes(it.shape, g));
@@ -213,7 +213,7 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
 TEST_CASE("sort brings every column along and reject restores every bit")
 {
     const testMesh m(8, 7, 0, [](const point& p) { return p; });
-    const hexGrid& g = m.grid();
+    const pointGrid& g = m.grid();
     materialPointCloud cloud(g, "test");
     cloud.needDamage();
     cloud.needHistory("h", column::tensors);
@@ -330,7 +330,7 @@ TEST_CASE("APIC: points that turn as a rigid body give nodes and a gradient that
     const scalar omega = 3.7;
     const auto deformation = [&]
     (
-        const hexGrid& g,
+        const pointGrid& g,
         const word& name,
         const bool withMatrix,
         const bool moment
@@ -432,7 +432,7 @@ TEST_CASE("move: (7) and (8) with any coefficients, point by point")
         for (const word name : {"linear", "GIMP", "quadraticBSpline"})
         {
             CAPTURE(std::string(name));
-            const hexGrid& g = m->grid();
+            const pointGrid& g = m->grid();
             const int D = g.nDim(), P = D == 1 ? 2 : 4;
             const autoPtr<pointGridTransfer> pass(passes(name, g));
             materialPointCloud cloud(g, "test");

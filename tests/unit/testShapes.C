@@ -22,7 +22,7 @@ namespace
 //  many of them in wall cells and on sides
 scalar worstIdentity
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const word& name,
     const scalar halfSizeOfCell,
     scalar& smallest
@@ -116,7 +116,7 @@ TEST_CASE("nodes and lattice of 1D, 2D and 3D meshes")
 TEST_CASE("half-open cells: a side belongs to the upper cell, the last is closed")
 {
     const testMesh m(4, 3, 0, [](const point& p) { return p; });
-    const hexGrid& g = m.grid();
+    const pointGrid& g = m.grid();
     scalar x[3] = {0.25, 1.0/3, 0};
     CHECK(g.find(x) == 5);
     x[0] = 0.25 - 1e-15;
@@ -197,7 +197,7 @@ TEST_CASE("GIMP at a wall: S_0(wall) = 1, graded too")
           ? std::function<point(const point&)>(graded)
           : uniform(vector(1, 1, 1))
         );
-        const hexGrid& g = m.grid();
+        const pointGrid& g = m.grid();
         const auto p(passes("GIMP", g));
         DynamicList<label> nodes;
         DynamicList<scalar> S, dS;
@@ -231,7 +231,7 @@ TEST_CASE("GIMP refuses meshes by reason, linear takes all hexahedra")
 TEST_CASE("B-splines at a wall: S_0(wall) = 1, all other weights 0")
 {
     const testMesh m(8, 0, 0, uniform(vector(1, 1, 1)));
-    const hexGrid& g = m.grid();
+    const pointGrid& g = m.grid();
     for (const char* shape : {"quadraticBSpline", "cubicBSpline"})
     {
         CAPTURE(shape);
@@ -264,7 +264,7 @@ TEST_CASE("B-splines at a wall: S_0(wall) = 1, all other weights 0")
 TEST_CASE("B-splines: exact values inside")
 {
     const testMesh m(8, 0, 0, uniform(vector(4, 1, 1)));
-    const hexGrid& g = m.grid();
+    const pointGrid& g = m.grid();
     const label celli = 4;
     scalar corner[24];
     g.hexes().cornerPositions(celli, corner);
@@ -316,7 +316,7 @@ TEST_CASE("B-splines: S, its slope and (cubic) its curvature pass cell sides")
 {
     // By node, for x on a side from the cell below and from the cell above
     const testMesh m(6, 0, 0, uniform(vector(3, 1, 1)));
-    const hexGrid& g = m.grid();
+    const pointGrid& g = m.grid();
     const scalar h = 0.5, e = 1e-5*h;
     for (const char* shape : {"quadraticBSpline", "cubicBSpline"})
     {

@@ -134,7 +134,7 @@ namespace
 //- The phases, without points
 void readPhases
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const dictionary& dict,
     PtrList<materialPointPhase>& phases
 )
@@ -172,7 +172,7 @@ wordList namesOf(const PtrList<materialPointPhase>& phases)
 //- The regions with their points
 void readRegions
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const dictionary& dict,
     const PtrList<materialPointPhase>& phases,
     const bool inGas,
@@ -454,7 +454,7 @@ int main(int argc, char *argv[])
     const word dictName("setMaterialPointsDict");
     #include "setSystemMeshDictionaryIO.H"
 
-    const hexGrid& grid = hexGrid::New(mesh);
+    const pointGrid& grid = pointGrid::New(mesh);
 
     const IOdictionary phaseProperties
     (

@@ -174,7 +174,7 @@ void Foam::mpm::fractionLattice::makeShared()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::fractionLattice::fractionLattice(const hexGrid& grid)
+Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid)
 :
     grid_(grid),
     nPlaces_(1),

@@ -23,7 +23,7 @@ using namespace Foam::mpm;
 //  a wedge div u of the plane
 scalar velocityLoss
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const label celli,
     const scalar* U,
     const int stride
@@ -89,7 +89,7 @@ const Foam::scalarList& Foam::mpm::gasCoupling::grainJumps(const label phasei)
     }
 
     // Nodes of cells with points have a velocity
-    const hexGrid& grid = sums_.grid();
+    const pointGrid& grid = sums_.grid();
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
     const scalar rho = points_.phases()[phasei].rho();
     for (const label c : points_.phases()[phasei].cloud().cells())

@@ -72,7 +72,7 @@ class boxKernels
 
     void prepare(const label celli, around& s) const
     {
-        const hexGrid& grid = sums_.grid();
+        const pointGrid& grid = sums_.grid();
         const label place = sums_.place(celli);
         label step[DIM][3];
         for (int d = 0; d < DIM; ++d)

@@ -86,7 +86,7 @@ struct sums
 sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
 {
     const mpm::materialPointCloud& cloud = phase.cloud();
-    const mpm::hexGrid& grid = cloud.grid();
+    const mpm::pointGrid& grid = cloud.grid();
 
     sums s;
     s.nPoints = cloud.size();

@@ -89,7 +89,7 @@ void Foam::functionObjects::materialPointExtent::sample
     {
         const mpm::materialPointCloud& cloud =
             phase(points, phases_[phasei]).cloud();
-        const mpm::hexGrid& grid = cloud.grid();
+        const mpm::pointGrid& grid = cloud.grid();
 
         vector low(vector::max), high(vector::min), centre(Zero);
         scalar mass = 0, maxU2 = 0;

@@ -143,7 +143,7 @@ void Foam::functionObjects::materialPointFields::prepare
 template<class Type>
 void Foam::functionObjects::materialPointFields::writeField
 (
-    const mpm::hexGrid& grid,
+    const mpm::pointGrid& grid,
     const word& name,
     const dimensionSet& dimensions,
     const UList<scalar>& values
@@ -185,7 +185,7 @@ void Foam::functionObjects::materialPointFields::writeQuantity
 {
     const mpm::materialPointPhase& material = phase(points, phases_[phasei]);
     const mpm::materialPointCloud& cloud = material.cloud();
-    const mpm::hexGrid& grid = points.grid();
+    const mpm::pointGrid& grid = points.grid();
     const mpm::sharedNodes& shared = grid.shared(points.gridTransfer().reach());
 
     word name(field);

@@ -251,7 +251,7 @@ Foam::functionObjects::materialPointPatchForces::materialPointPatchForces
 bool Foam::functionObjects::materialPointPatchForces::execute()
 {
     const mpm::materialPointSystem& points = system();
-    const mpm::hexGrid& grid = points.grid();
+    const mpm::pointGrid& grid = points.grid();
 
     for (const label fieldi : fields_)
     {

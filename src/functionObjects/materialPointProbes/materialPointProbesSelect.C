@@ -55,7 +55,7 @@ void Foam::functionObjects::materialPointProbes::checkIds
 
 void Foam::functionObjects::materialPointProbes::selectNearest
 (
-    const mpm::hexGrid& grid,
+    const mpm::pointGrid& grid,
     const pointField& locations
 )
 {
@@ -118,7 +118,7 @@ void Foam::functionObjects::materialPointProbes::selectNearest
 
 void Foam::functionObjects::materialPointProbes::selectBox
 (
-    const mpm::hexGrid& grid,
+    const mpm::pointGrid& grid,
     const dictionary& dict
 )
 {
@@ -191,7 +191,7 @@ void Foam::functionObjects::materialPointProbes::select
             << "Give one of ids, nearest and box." << exit(FatalIOError);
     }
 
-    const mpm::hexGrid& grid = phase.cloud().grid();
+    const mpm::pointGrid& grid = phase.cloud().grid();
 
     if (dict.found("ids"))
     {

@@ -64,7 +64,7 @@ Foam::functionObjects::materialPointSeparation::keywords() const
 Foam::List<Foam::labelPair>
 Foam::functionObjects::materialPointSeparation::neighbours
 (
-    const mpm::hexGrid& grid,
+    const mpm::pointGrid& grid,
     const vectorField& X,
     const vectorField& l
 )
@@ -197,7 +197,7 @@ void Foam::functionObjects::materialPointSeparation::sample
     const mpm::materialPointSystem& points
 )
 {
-    const mpm::hexGrid& grid = points.grid();
+    const mpm::pointGrid& grid = points.grid();
     forAll(phases_, phasei)
     {
         const mpm::materialPointCloud& cloud =

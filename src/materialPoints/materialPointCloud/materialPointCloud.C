@@ -33,7 +33,7 @@ Foam::mpm::materialPointCloud::cellsOfPoints(const label n) const
 
 Foam::mpm::materialPointCloud::materialPointCloud
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const word& name
 )
 :

@@ -123,7 +123,7 @@ void Foam::mpm::pointContact::computeImpulses
 Foam::mpm::pointContact::pointContact
 (
     const dictionary& dict,
-    const hexGrid& grid,
+    const pointGrid& grid,
     const PtrList<materialPointPhase>& phases,
     PtrList<velocityField>& fields,
     const labelList& fieldOf,
@@ -171,7 +171,7 @@ Foam::mpm::pointContact::pointContact
 Foam::autoPtr<Foam::mpm::pointContact> Foam::mpm::pointContact::New
 (
     const dictionary& phaseProperties,
-    const hexGrid& grid,
+    const pointGrid& grid,
     const PtrList<materialPointPhase>& phases,
     PtrList<velocityField>& fields,
     const labelList& fieldOf,

@@ -17,7 +17,7 @@ License
 
 Foam::mpm::materialPointPhase::materialPointPhase
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const word& name,
     const dictionary& dict,
     const bool needHalfSize,

@@ -98,7 +98,7 @@ Foam::label Foam::mpm::materialPointPhase::fastestPoint()
 
 Foam::scalar Foam::mpm::materialPointPhase::shortestSide() const
 {
-    const hexGrid& grid = cloud_.grid();
+    const pointGrid& grid = cloud_.grid();
     if (grid.sameWidth() > 0)
     {
         return grid.sameWidth();

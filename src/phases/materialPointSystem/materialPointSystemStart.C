@@ -393,7 +393,7 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
         )
     ),
     mesh_(mesh),
-    grid_(hexGrid::New(mesh)),
+    grid_(pointGrid::New(mesh)),
     properties_
     (
         IOobject

@@ -157,7 +157,7 @@ void Foam::mpm::fixedVelocity::exchange()
 
 Foam::mpm::fixedVelocity::fixedVelocity
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const sharedNodes& shared,
     pointVectorField& Ufield
 )

@@ -14,7 +14,7 @@ License
 
 Foam::mpm::nodeReactions::nodeReactions
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const UList<part>& parts,
     const sharedNodes& shared
 )

@@ -133,7 +133,7 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::rigidNodes::rigidNodes(const hexGrid& grid)
+Foam::mpm::rigidNodes::rigidNodes(const pointGrid& grid)
 :
     grid_(grid),
     shares_(false),

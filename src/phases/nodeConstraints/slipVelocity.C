@@ -211,7 +211,7 @@ void Foam::mpm::slipVelocity::apply(const label i, scalar* u) const
 
 Foam::mpm::slipVelocity::slipVelocity
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const sharedNodes& shared,
     const pointVectorField& U,
     const labelUList& fixedNodes

@@ -20,7 +20,7 @@ using namespace Foam::mpm;
 
 //- linear: by products of 1D functions on a lattice, through the cells' own
 //  coordinates elsewhere
-autoPtr<pointGridTransfer> newLinearPasses(const hexGrid& grid)
+autoPtr<pointGridTransfer> newLinearPasses(const pointGrid& grid)
 {
     return
         grid.hasLattice()

@@ -23,7 +23,7 @@ namespace mpm
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
 Foam::autoPtr<Foam::mpm::pointGridTransfer>
-Foam::mpm::pointGridTransfer::New(const dictionary& dict, const hexGrid& grid)
+Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
 {
     const word name(dict.get<word>("shapeFunction"));
 

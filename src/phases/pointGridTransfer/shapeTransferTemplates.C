@@ -338,7 +338,7 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::add
 template<template<int> class Shape, int DIM, bool HOOP>
 MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::write
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     moveResult& result
 ) const
 {
@@ -357,7 +357,7 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::write
 template<template<int> class Shape, int DIM, bool HOOP>
 void shapeTransfer<Shape, DIM, HOOP>::changeCell
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const moveRule& rule,
     const label celli,
     const label point,
@@ -424,7 +424,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
 ) const
 {
     const geometry geo(cloud, false);
-    const hexGrid& grid = cloud.grid();
+    const pointGrid& grid = cloud.grid();
     movedPoints to(cloud);
     const scalar* mass = cloud.mass()[0];
 

@@ -274,7 +274,7 @@ void Foam::mpm::freeBody::setPlacement(const state6& s)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::freeBody::freeBody(const dictionary& dict, const hexGrid& grid)
+Foam::mpm::freeBody::freeBody(const dictionary& dict, const pointGrid& grid)
 :
     rigidMotion(grid),
     velocity0_(dict.getOrDefault<vector>("velocity", Zero)),

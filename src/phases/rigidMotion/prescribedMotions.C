@@ -64,7 +64,7 @@ public:
 
     TypeName("fixed");
 
-    fixedMotion(const dictionary& dict, const hexGrid& grid)
+    fixedMotion(const dictionary& dict, const pointGrid& grid)
     :
         prescribedMotion(grid)
     {
@@ -103,7 +103,7 @@ public:
 
     TypeName("translation");
 
-    translationMotion(const dictionary& dict, const hexGrid& grid)
+    translationMotion(const dictionary& dict, const pointGrid& grid)
     :
         prescribedMotion(grid)
     {
@@ -150,7 +150,7 @@ public:
 
     TypeName("rotation");
 
-    rotationMotion(const dictionary& dict, const hexGrid& grid)
+    rotationMotion(const dictionary& dict, const pointGrid& grid)
     :
         prescribedMotion(grid),
         origin_(required<point>(dict, "origin")),

@@ -22,7 +22,7 @@ namespace mpm
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::rigidMotion::rigidMotion(const hexGrid& grid)
+Foam::mpm::rigidMotion::rigidMotion(const pointGrid& grid)
 :
     grid_(grid)
 {}
@@ -31,7 +31,7 @@ Foam::mpm::rigidMotion::rigidMotion(const hexGrid& grid)
 Foam::autoPtr<Foam::mpm::rigidMotion> Foam::mpm::rigidMotion::New
 (
     const dictionary& phaseDict,
-    const hexGrid& grid
+    const pointGrid& grid
 )
 {
     dictionary fixed;

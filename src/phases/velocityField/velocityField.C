@@ -14,7 +14,7 @@ License
 
 Foam::mpm::velocityField::velocityField
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const word& name,
     const label reach
 )

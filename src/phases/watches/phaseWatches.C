@@ -91,7 +91,7 @@ void Foam::mpm::phaseWatches::checkOverlap()
         return;
     }
     const contactPart* contact = points_.parts().find<contactPart>();
-    const hexGrid& grid = points_.grid();
+    const pointGrid& grid = points_.grid();
     labelList owner(grid.nNodes(), label(-1));
     labelList rigidOf(grid.nNodes(), label(-1));
     forAll(points_.fields(), fieldi)

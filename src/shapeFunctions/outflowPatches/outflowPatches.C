@@ -19,7 +19,7 @@ License
 Foam::mpm::outflowPatches::outflowPatches
 (
     const dictionary& dict,
-    const hexGrid& grid
+    const pointGrid& grid
 )
 :
     grid_(grid),

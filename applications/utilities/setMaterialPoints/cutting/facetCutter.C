@@ -280,7 +280,7 @@ void Foam::mpm::facetCutter::cut(const polygon& p, const label facet)
 
 Foam::mpm::facetCutter::facetCutter
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const label* nSub,
     const triSurface& surface
 )

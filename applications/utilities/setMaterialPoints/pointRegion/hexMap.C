@@ -10,7 +10,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::hexMap::hexMap(const hexGrid& grid, const label celli)
+Foam::mpm::hexMap::hexMap(const pointGrid& grid, const label celli)
 :
     grid_(grid),
     centre_(grid.mesh().cellCentres()[celli])

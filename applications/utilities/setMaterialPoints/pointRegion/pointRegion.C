@@ -147,7 +147,7 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
 
 Foam::mpm::pointRegion::pointRegion
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const dictionary& dict,
     const wordList& phases,
     const bool inGas

@@ -16,7 +16,7 @@ License
 
 bool Foam::mpm::pointRegion::standsInRows
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const pointRegionShape& shape
 )
 {

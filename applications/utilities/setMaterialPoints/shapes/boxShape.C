@@ -24,7 +24,7 @@ namespace mpm
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::boxShape::boxShape(const hexGrid& grid, const dictionary& dict)
+Foam::mpm::boxShape::boxShape(const pointGrid& grid, const dictionary& dict)
 :
     pointRegionShape(grid),
     min_(required<point>(dict, "min")),

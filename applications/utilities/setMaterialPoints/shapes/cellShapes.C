@@ -26,7 +26,7 @@ namespace mpm
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::cellsShape::cellsShape(const hexGrid& grid, const dictionary&)
+Foam::mpm::cellsShape::cellsShape(const pointGrid& grid, const dictionary&)
 :
     pointRegionShape(grid)
 {}
@@ -34,7 +34,7 @@ Foam::mpm::cellsShape::cellsShape(const hexGrid& grid, const dictionary&)
 
 Foam::mpm::cellZoneShape::cellZoneShape
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const dictionary& dict
 )
 :

@@ -30,7 +30,7 @@ namespace mpm
 
 Foam::mpm::compositeShape::compositeShape
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const dictionary& dict
 )
 :

@@ -26,7 +26,7 @@ namespace mpm
 
 Foam::mpm::cylinderShape::cylinderShape
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const dictionary& dict
 )
 :

@@ -27,14 +27,14 @@ namespace mpm
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointRegionShape::pointRegionShape(const hexGrid& grid)
+Foam::mpm::pointRegionShape::pointRegionShape(const pointGrid& grid)
 :
     grid_(grid)
 {}
 
 
 Foam::autoPtr<Foam::mpm::pointRegionShape>
-Foam::mpm::pointRegionShape::New(const hexGrid& grid, const dictionary& dict)
+Foam::mpm::pointRegionShape::New(const pointGrid& grid, const dictionary& dict)
 {
     return selectFromTable<pointRegionShape>
     (

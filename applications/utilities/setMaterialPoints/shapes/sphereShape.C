@@ -26,7 +26,7 @@ namespace mpm
 
 Foam::mpm::sphereShape::sphereShape
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const dictionary& dict
 )
 :

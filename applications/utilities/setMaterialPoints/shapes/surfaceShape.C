@@ -71,7 +71,7 @@ void Foam::mpm::surfaceShape::read(const word& name, const dictionary& dict)
 
 Foam::mpm::surfaceShape::surfaceShape
 (
-    const hexGrid& grid,
+    const pointGrid& grid,
     const dictionary& dict
 )
 :

@@ -14,7 +14,7 @@ License
 Foam::mpm::surfaceLoad::surfaceLoad
 (
     const dictionary& dict,
-    const hexGrid& grid
+    const pointGrid& grid
 )
 :
     normal_(Zero),
@@ -95,7 +95,7 @@ void Foam::mpm::surfaceLoad::addForce
     const int stride
 ) const
 {
-    const hexGrid& grid = cloud.grid();
+    const pointGrid& grid = cloud.grid();
     const int D = grid.nDim();
     const scalar p = pressure_ ? pressure_->value(time) : 0;
     const vector t(traction_ ? traction_->value(time) : Zero);

@@ -19,7 +19,7 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
     warned_(false)
 {
     const materialPointCloud& cloud = phase.cloud();
-    const hexGrid& grid = cloud.grid();
+    const pointGrid& grid = cloud.grid();
     const int D = grid.nDim();
     const labelList& cells = cloud.cells();
     const label n = returnReduce(cloud.size(), sumOp<label>());
@@ -131,7 +131,7 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
         return;
     }
     const materialPointCloud& cloud = phase.cloud();
-    const hexGrid& grid = cloud.grid();
+    const pointGrid& grid = cloud.grid();
     const int D = grid.nDim();
 
     // Place and cell width of the points that are here; width 0: elsewhere

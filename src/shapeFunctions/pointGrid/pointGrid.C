@@ -6,7 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "hexGrid.H"
+#include "pointGrid.H"
 #include "faceLocator.H"
 #include "hexLocator.H"
 
@@ -16,13 +16,13 @@ namespace Foam
 {
 namespace mpm
 {
-    defineTypeNameAndDebug(hexGrid, 0);
+    defineTypeNameAndDebug(pointGrid, 0);
 }
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::hexGrid::noHexes() const
+void Foam::mpm::pointGrid::noHexes() const
 {
     FatalErrorInFunction
         << noHexes_.c_str() << ". Material points need"
@@ -35,7 +35,7 @@ void Foam::mpm::hexGrid::noHexes() const
 }
 
 
-void Foam::mpm::hexGrid::noLatticeHere() const
+void Foam::mpm::pointGrid::noLatticeHere() const
 {
     FatalErrorInFunction
         << "The mesh has no lattice: " << noLattice_.c_str() << '.'
@@ -44,9 +44,9 @@ void Foam::mpm::hexGrid::noLatticeHere() const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
+Foam::mpm::pointGrid::pointGrid(const polyMesh& mesh)
 :
-    MeshObject<polyMesh, GeometricMeshObject, hexGrid>(mesh),
+    MeshObject<polyMesh, GeometricMeshObject, pointGrid>(mesh),
     gridAxes(mesh),
     nodes_(mesh, *this),
     ghosts_(mesh),
@@ -82,7 +82,7 @@ Foam::mpm::hexGrid::hexGrid(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::pointField Foam::mpm::hexGrid::nodePositions() const
+Foam::pointField Foam::mpm::pointGrid::nodePositions() const
 {
     pointField x(nodes_.positions());
     if (lattice_)
@@ -93,14 +93,14 @@ Foam::pointField Foam::mpm::hexGrid::nodePositions() const
 }
 
 
-const Foam::labelList& Foam::mpm::hexGrid::axisNodes() const
+const Foam::labelList& Foam::mpm::pointGrid::axisNodes() const
 {
     static const labelList none;
     return hexes_ ? hexes_->axisNodes() : none;
 }
 
 
-void Foam::mpm::hexGrid::localCoordinates
+void Foam::mpm::pointGrid::localCoordinates
 (
     const label celli,
     const scalar* x,
@@ -118,7 +118,7 @@ void Foam::mpm::hexGrid::localCoordinates
 }
 
 
-Foam::scalarList Foam::mpm::hexGrid::nodeVolumes
+Foam::scalarList Foam::mpm::pointGrid::nodeVolumes
 (
     const sharedNodes& sums,
     const bool byRadius
@@ -153,7 +153,7 @@ Foam::scalarList Foam::mpm::hexGrid::nodeVolumes
 }
 
 
-Foam::scalar Foam::mpm::hexGrid::divergence
+Foam::scalar Foam::mpm::pointGrid::divergence
 (
     const label celli,
     const scalar* U,
