@@ -44,7 +44,7 @@ void Foam::mpm::fractionLattice::makeFaces()
     {
         take(facei);
     }
-    DynamicList<label> walls;
+    DynamicList<label> walls, coupled;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
@@ -53,14 +53,20 @@ void Foam::mpm::fractionLattice::makeFaces()
         }
         forAll(pp, i)
         {
-            take(pp.start() + i);
+            const label facei = pp.start() + i;
+            take(facei);
             if (!isA<coupledPolyPatch>(pp))
             {
-                walls.append(pp.start() + i);
+                walls.append(facei);
+            }
+            else if (faceSign_[facei] < 0)
+            {
+                coupled.append(facei);
             }
         }
     }
     walls_.transfer(walls);
+    coupled_.transfer(coupled);
 }
 
 

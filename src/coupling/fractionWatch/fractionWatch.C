@@ -6,33 +6,13 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "gasCoupling.H"
-#include "noTraps.H"
+#include "fractionWatch.H"
+#include "cellSums.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::gasCoupling::measureEnergy() const
-{
-    const int D = sums_.grid().nDim();
-    scalar sum = gas_.energy() - gas_.fixed().energy;
-    for (const materialPointPhase& phase : points_.phases())
-    {
-        const materialPointCloud& cloud = phase.cloud();
-        const scalar* m = cloud.mass()[0];
-        for (int d = 0; d < D; ++d)
-        {
-            const scalar* U = cloud.U()[d];
-            for (label p = 0; p < cloud.size(); ++p)
-            {
-                sum += 0.5*m[p]*sqr(U[p]);
-            }
-        }
-    }
-    energyOfAll_ = returnReduce(sum, sumOp<scalar>());
-}
-
-
-Foam::string Foam::mpm::gasCoupling::advice(const label celli) const
+Foam::string Foam::mpm::fractionWatch::advice(const label celli) const
 {
     label worst = -1;
     scalar most = 0, growth = 1;
@@ -46,17 +26,12 @@ Foam::string Foam::mpm::gasCoupling::advice(const label celli) const
             {
                 continue;
             }
-            scalar v = 0, m = 0;
-            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
-            {
-                v += (*cloud.gasVolume())[0][p];
-                m += cloud.mass()[0][p];
-            }
+            const scalar v = cellSum(cloud, k, (*cloud.gasVolume())[0]);
             if (v > most)
             {
                 worst = phasei;
                 most = v;
-                growth = v*phase.rho()/m;
+                growth = v*phase.rho()/cellSum(cloud, k, cloud.mass()[0]);
             }
         }
     }
@@ -69,8 +44,8 @@ Foam::string Foam::mpm::gasCoupling::advice(const label celli) const
     }
     const materialPointPhase& phase = points_.phases()[worst];
     os  << "Points of " << phase.name() << " fill "
-        << most/mesh_.V()[celli] << " of the cell. ";
-    if (phase.grains() && !granular_.set(worst))
+        << most/fraction_.mesh().V()[celli] << " of the cell. ";
+    if (phase.grains() && !grains_.acts(worst))
     {
         os  << "Nothing keeps its grains apart. Valid choices in phase "
             << phase.name() << ": granularPressure { type JohnsonJackson;"
@@ -96,8 +71,47 @@ Foam::string Foam::mpm::gasCoupling::advice(const label celli) const
     return os.str();
 }
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-void Foam::mpm::gasCoupling::watch()
+Foam::mpm::fractionWatch::fractionWatch
+(
+    materialPointSystem& points,
+    eulerianGas& gas,
+    const solidFraction& fraction,
+    const granularForce& grains
+)
+:
+    points_(points),
+    gas_(gas),
+    fraction_(fraction),
+    grains_(grains),
+    energy_(0)
+{}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::fractionWatch::measureEnergy() const
+{
+    const int D = points_.grid().nDim();
+    scalar sum = gas_.energy() - gas_.fixed().energy;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        const materialPointCloud& cloud = phase.cloud();
+        const scalar* m = cloud.mass()[0];
+        for (int d = 0; d < D; ++d)
+        {
+            const scalar* U = cloud.U()[d];
+            for (label p = 0; p < cloud.size(); ++p)
+            {
+                sum += 0.5*m[p]*sqr(U[p]);
+            }
+        }
+    }
+    energy_ = returnReduce(sum, sumOp<scalar>());
+}
+
+
+void Foam::mpm::fractionWatch::check()
 {
     // Sum of all fractions beyond which points overlap: grains keep their
     // volume; others in disorder have up to 1.25 (tests/cases/bodiesInGas)
@@ -106,7 +120,7 @@ void Foam::mpm::gasCoupling::watch()
     // Share of the energy of all that fix-ups may have added
     constexpr scalar mostFixed = 0.1;
 
-    const noTraps guard;
+    const fvMesh& mesh = fraction_.mesh();
     const scalar fixed = returnReduce(gas_.fixed().energy, sumOp<scalar>());
     scalar most = mostGrains;
     for (const materialPointPhase& phase : points_.phases())
@@ -122,7 +136,7 @@ void Foam::mpm::gasCoupling::watch()
     {
         for (const label c : phase.cloud().cells())
         {
-            const scalar over = gas_.theta()[c] + solidFraction(c) - most;
+            const scalar over = Theta(c) - most;
             if (over > worst)
             {
                 worst = over;
@@ -134,25 +148,65 @@ void Foam::mpm::gasCoupling::watch()
     {
         OStringStream os;
         os  << "Volume fractions of cell " << at << " at "
-            << mesh_.cellCentres()[at] << " add up to "
-            << gas_.theta()[at] + solidFraction(at) << ", time "
-            << mesh_.time().value() << ". " << advice(at).c_str();
+            << mesh.cellCentres()[at] << " add up to "
+            << Theta(at) << ", time "
+            << mesh.time().value() << ". " << advice(at).c_str();
         gas_.condemn(at, os.str());
         return;
     }
 
-    if (mag(fixed) > mostFixed*energyOfAll_ && gas_.fixedCell() >= 0)
+    if (mag(fixed) > mostFixed*energy_ && gas_.fixedCell() >= 0)
     {
         at = gas_.fixedCell();
         OStringStream os;
         os  << "Fix-ups have added " << fixed << " J to gas " << gas_.name()
             << "; without them it and the motion of the points had "
-            << energyOfAll_ << " J. The largest was in cell " << at << " at "
-            << mesh_.cellCentres()[at] << ", theta " << gas_.theta()[at]
-            << ", all fractions " << gas_.theta()[at] + solidFraction(at)
-            << "; time " << mesh_.time().value() << ". " << advice(at).c_str();
+            << energy_ << " J. The largest was in cell " << at << " at "
+            << mesh.cellCentres()[at] << ", theta " << gas_.theta()[at]
+            << ", all fractions " << Theta(at)
+            << "; time " << mesh.time().value() << ". " << advice(at).c_str();
         gas_.condemn(at, os.str());
     }
+}
+
+
+void Foam::mpm::fractionWatch::report() const
+{
+    scalar least = GREAT, most = -GREAT;
+    forAll(gas_.theta(), c)
+    {
+        least = min(least, Theta(c));
+        most = max(most, Theta(c));
+    }
+    reduce(least, minOp<scalar>());
+    reduce(most, maxOp<scalar>());
+    measureEnergy();
+    Info<< "Theta: min " << least << ", max " << most << endl;
+}
+
+
+void Foam::mpm::fractionWatch::write() const
+{
+    const fvMesh& mesh = fraction_.mesh();
+    volScalarField field
+    (
+        IOobject
+        (
+            "Theta",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh,
+        dimensionedScalar("Theta", dimless, 0)
+    );
+    forAll(field, c)
+    {
+        field[c] = Theta(c);
+    }
+    field.write();
 }
 
 // ************************************************************************* //

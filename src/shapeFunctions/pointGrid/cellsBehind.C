@@ -6,7 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "coupledFaces.H"
+#include "cellsBehind.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
@@ -14,7 +14,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::coupledFaces::coupledFaces
+Foam::mpm::cellsBehind::cellsBehind
 (
     const polyMesh& mesh,
     ghostCells& ghosts

@@ -1,0 +1,367 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dragExchange.H"
+#include "cellSums.H"
+#include "dictionaryTools.H"
+#include "syncTools.H"
+#include "FlatOutput.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::dragExchange::read
+(
+    const label phasei,
+    const dictionary& dict
+)
+{
+    dictionary stick;
+    stick.add("type", "stick");
+    models_.set
+    (
+        phasei,
+        dragModel::New(dict.found("drag") ? requiredDict(dict, "drag") : stick)
+    );
+    normalOnly_ = normalOnly_ || models_[phasei].normalOnly();
+    if (models_[phasei].needsViscosity() && !(mu_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The drag of " << points_.phases()[phasei].name()
+            << " needs the viscosity of the gas: add mu [Pa s] to phase "
+            << gas_.name() << "." << exit(FatalIOError);
+    }
+}
+
+
+Foam::mpm::solidOnFaces::faceDrag Foam::mpm::dragExchange::readForm
+(
+    const dictionary& dict
+) const
+{
+    const wordList words({"none", "velocity", "impedance"});
+    const solidOnFaces::faceDrag forms[] =
+    {
+        solidOnFaces::none,
+        solidOnFaces::velocity,
+        solidOnFaces::impedance
+    };
+
+    // Cases of older versions have numbers
+    const entry* given = dict.findEntry("faceDrag", keyType::LITERAL);
+    if (given && given->isStream())
+    {
+        const token first(given->stream());
+        if (first.isNumber())
+        {
+            forAll(words, i)
+            {
+                if (first.number() == forms[i])
+                {
+                    Info<< "Phase " << gas_.name() << ": faceDrag "
+                        << first.number() << " is the older word for "
+                        << words[i] << nl << endl;
+                    return forms[i];
+                }
+            }
+            FatalIOErrorInFunction(dict)
+                << "Unknown faceDrag " << first.number() << nl << nl
+                << "Valid choices are: " << flatOutput(words)
+                << exit(FatalIOError);
+        }
+    }
+
+    const word form
+    (
+        oneOfOrDefault
+        (
+            dict,
+            "faceDrag",
+            normalOnly_ ? "none" : "impedance",
+            words
+        )
+    );
+    return forms[words.find(form)];
+}
+
+
+Foam::vector Foam::mpm::dragExchange::impulse
+(
+    const label phasei,
+    const label celli,
+    const scalar M,
+    const vector& Us,
+    const scalar v,
+    const scalar dt
+)
+{
+    const dragModel& model = models_[phasei];
+    const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
+    const vector ug((gas_.rhoU()[celli] + J_[celli])/rho);
+    vector relative(Us - ug);
+
+    if (model.normalOnly())
+    {
+        const vector& n = fraction_.normals()[celli];
+        if (magSqr(n) > 0)
+        {
+            relative = n*(n & relative);
+        }
+    }
+
+    // The pores of a full cell are there for the gas' equations alone
+    const bool full = model.none() && fraction_.theta()[celli] > fullOfSolid;
+    const scalar K =
+        full
+      ? dragModel::sticking
+      : model.K
+        (
+            dragModel::state
+            {
+                fraction_.ofPoints(v, fraction_.mesh().V()[celli]),
+                theta,
+                rho/theta,
+                mu_,
+                mag(relative)
+            }
+        );
+    if (!(K > 0))
+    {
+        return Zero;
+    }
+    Kc_[celli] += K;
+
+    // Harmonic masses; a rigid phase has no end of it: a free body takes
+    // the impulse at the end of the step
+    const scalar shared = M < GREAT ? rho*M/(rho + M) : rho;
+    const scalar a = dt*K/shared;
+    const vector J(a/(1 + a)*shared*relative);
+    held_[celli] += rho*M*a/(rho*(1 + a) + M);
+
+    if (magSqr(J_[celli]) <= 0 && mag(Q_[celli]) <= 0)
+    {
+        cells_.append(celli);
+    }
+    J_[celli] += J;
+    Q_[celli] += J & (M < GREAT ? Us - 0.5*J/M : Us);
+
+    return J;
+}
+
+
+void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
+{
+    materialPointCloud& cloud = points_.phases()[phasei].cloud();
+    const pointGrid& grid = points_.grid();
+    const pointGridTransfer& passes = points_.gridTransfer();
+    const label fieldi = points_.fieldOf(phasei);
+    velocityField& field = points_.fields()[fieldi];
+    const int D = grid.nDim(), stride = field.stride();
+    const label n = passes.nStencil();
+
+    share_.setSize(max(share_.size(), n*cloud.cells().size()));
+    passes.massShares(cloud, share_.data());
+
+    impulse_.setSize(stride*grid.nNodes());
+    for (const label node : field.active())
+    {
+        for (int d = 0; d < D; ++d)
+        {
+            impulse_[stride*node + d] = 0;
+        }
+    }
+
+    const scalar* UL = field.UL();
+    const scalar* volume = (*cloud.gasVolume())[0];
+    passes.forStencils
+    (
+        cloud,
+        [&](const label k, const labelUList& nodes)
+        {
+            const label celli = cloud.cells()[k];
+            const scalar* share = share_.cdata() + n*k;
+            scalar M = 0;
+            vector mU(Zero);
+            forAll(nodes, i)
+            {
+                M += share[i];
+                for (int d = 0; d < D; ++d)
+                {
+                    mU[grid.direction(d)] +=
+                        share[i]*UL[stride*nodes[i] + d];
+                }
+            }
+            const scalar V = fraction_.mesh().V()[celli];
+            const scalar v = cellSum(cloud, k, volume);
+            const vector J(impulse(phasei, celli, M/V, mU/M, v, dt));
+            forAll(nodes, i)
+            {
+                const scalar part = share[i]*V/M;
+                for (int d = 0; d < D; ++d)
+                {
+                    impulse_[stride*nodes[i] + d] -= part*J[grid.direction(d)];
+                }
+            }
+        }
+    );
+    points_.addImpulse(fieldi, impulse_.data());
+}
+
+
+void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
+{
+    materialPointCloud& cloud = points_.phases()[phasei].cloud();
+    rigidNodes& rigid = points_.fields()[points_.fieldOf(phasei)].rigid();
+    freeBody* body = points_.phases()[phasei].motion()->free();
+    const scalar* mass = cloud.mass()[0];
+    const scalar* volume = (*cloud.gasVolume())[0];
+    forAll(cloud.cells(), k)
+    {
+        const label celli = cloud.cells()[k];
+        const scalar m = cellSum(cloud, k, mass);
+        const scalar v = cellSum(cloud, k, volume);
+        const vector U(cellMomentum(cloud, k)/m);
+        const vector J
+        (
+            fraction_.mesh().V()[celli]
+           *impulse(phasei, celli, GREAT, U, v, dt)
+        );
+        rigid.addLoad(phasei, -J);
+        if (body)
+        {
+            const vector mx
+            (
+                cellSumOf
+                (
+                    cloud,
+                    k,
+                    [&](const label p)
+                    {
+                        return mass[p]*cloud.position(p, celli);
+                    }
+                )
+            );
+            body->addLoad(-J, mx/m);
+        }
+        else
+        {
+            work_ += J & U;
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::dragExchange::dragExchange
+(
+    materialPointSystem& points,
+    eulerianGas& gas,
+    solidFraction& fraction,
+    const dictionary& phaseProperties
+)
+:
+    points_(points),
+    gas_(gas),
+    fraction_(fraction),
+    mu_
+    (
+        boundedOrDefault
+        (
+            requiredDict(phaseProperties, gas.name()), "mu", 0, 0, GREAT
+        )
+    ),
+    models_(points.phases().size()),
+    normalOnly_(false),
+    form_(solidOnFaces::none),
+    J_(fraction.mesh().nCells(), Zero),
+    Q_(fraction.mesh().nCells(), 0),
+    Kc_(fraction.mesh().nCells(), 0),
+    held_(fraction.mesh().nCells(), 0),
+    K_(fraction.mesh().nFaces(), 0),
+    inertia_(fraction.mesh().nFaces(), 0),
+    work_(0)
+{
+    forAll(points_.phases(), phasei)
+    {
+        read
+        (
+            phasei,
+            requiredDict(phaseProperties, points_.phases()[phasei].name())
+        );
+    }
+    form_ = readForm(requiredDict(phaseProperties, gas.name()));
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::dragExchange::exchange(const scalar dt)
+{
+    for (const label c : cells_)
+    {
+        J_[c] = Zero;
+        Q_[c] = 0;
+    }
+    cells_.clear();
+    Kc_ = 0;
+    held_ = 0;
+    work_ = 0;
+    if (normalOnly_)
+    {
+        fraction_.updateNormals();
+    }
+
+    forAll(points_.phases(), phasei)
+    {
+        const materialPointPhase& phase = points_.phases()[phasei];
+        if (models_[phasei].none() && phase.grains())
+        {
+            continue;
+        }
+        if (phase.motion())
+        {
+            dragBody(phasei, dt);
+        }
+        else
+        {
+            dragNodes(phasei, dt);
+        }
+    }
+}
+
+
+void Foam::mpm::dragExchange::updateFaces()
+{
+    const fvMesh& mesh = fraction_.mesh();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    scalarField mass(mesh.nCells());
+    forAll(mass, c)
+    {
+        const scalar rho = gas_.rho()[c];
+        mass[c] = (rho + min(held_[c], 15*rho))*mesh.V()[c];
+    }
+    scalarField Kbehind, massBehind;
+    syncTools::swapBoundaryCellList(mesh, Kc_, Kbehind);
+    syncTools::swapBoundaryCellList(mesh, mass, massBehind);
+    forAll(K_, f)
+    {
+        const label i = f - nei.size();
+        K_[f] = max(Kc_[own[f]], i < 0 ? Kc_[nei[f]] : Kbehind[i]);
+        inertia_[f] =
+            min(mass[own[f]], i < 0 ? mass[nei[f]] : massBehind[i]);
+    }
+}
+
+
+void Foam::mpm::dragExchange::show(solidOnFaces& pores) const
+{
+    pores.K = K_.cdata();
+    pores.inertia = inertia_.cdata();
+    pores.fd = form_;
+}
+
+// ************************************************************************* //

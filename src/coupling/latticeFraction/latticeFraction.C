@@ -1,0 +1,393 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "latticeFraction.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::latticeFraction::faceVolume(const label facei) const
+{
+    const label celli = mesh_.faceOwner()[facei];
+    return
+        lattice_.grid().radial() < 0
+      ? mesh_.V()[celli]
+      : mag(mesh_.faceAreas()[facei])
+       *lattice_.grid().width(celli, lattice_.direction(facei));
+}
+
+
+void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
+{
+    updateVolumes();
+    cell_ = 0;
+    forAll(points_.phases(), phasei)
+    {
+        const bool own = ownFace_[phasei].size();
+        scalarList& face = own ? ownFace_[phasei] : faceNew_;
+        scalarList& cell = own ? ownCell_[phasei] : cell_;
+        if (own)
+        {
+            face = 0;
+            cell = 0;
+        }
+        kernels_->arrive
+        (
+            points_.phases()[phasei].cloud(),
+            withDilation ? oldVolume_[phasei].cdata() : nullptr,
+            face.data(),
+            cell.data()
+        );
+        if (own)
+        {
+            forAll(face, i)
+            {
+                faceNew_[i] += face[i];
+            }
+            forAll(cell, i)
+            {
+                cell_[i] += cell[i];
+            }
+            sumFaces(face);
+            lattice_.sum(cell.data(), pointKernels::cellStride);
+        }
+    }
+    sumFaces(faceNew_);
+    lattice_.sum(cell_.data(), pointKernels::cellStride);
+}
+
+
+void Foam::mpm::latticeFraction::sumFaces(scalarList& face) const
+{
+    for (int d = 0; d < lattice_.grid().nDim(); ++d)
+    {
+        lattice_.sum
+        (
+            face.data() + pointKernels::faceStride*lattice_.nPlaces()*d,
+            pointKernels::faceStride
+        );
+    }
+
+    // The solid is mirrored at walls
+    for (const label facei : lattice_.walls())
+    {
+        scalar* q = face.data() + pointKernels::faceStride*at(facei);
+        q[pointKernels::volume] *= 2;
+        q[pointKernels::mass] *= 2;
+        q[pointKernels::flux] = 0;
+    }
+}
+
+
+void Foam::mpm::latticeFraction::updateFaces(const scalar dt)
+{
+    for (label f = 0; f < mesh_.nFaces(); ++f)
+    {
+        if (lattice_.direction(f) < 0)
+        {
+            continue;
+        }
+        const label i = pointKernels::faceStride*at(f);
+        const scalar* old = face_.cdata() + i;
+        const scalar* now = faceNew_.cdata() + i;
+        const scalar sumOld = old[pointKernels::volume];
+        const scalar sumNow = now[pointKernels::volume];
+        if (sumOld <= 0 && sumNow <= 0)
+        {
+            thetaS0_[f] = thetaS_[f] = phiS_[f] = uS_[f] = 0;
+            dragLimit_[f] = 0;
+            continue;
+        }
+
+        const scalar V = faceVolume(f);
+        const scalar S = mag(mesh_.faceAreas()[f]);
+        const scalar mean = 0.5*(1 - eps_)*(sumOld + sumNow)/V;
+        thetaS0_[f] = min((1 - eps_)*sumOld/V, most_);
+        thetaS_[f] = min(mean, most_);
+        dragLimit_[f] = mean;
+
+        // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
+        // adds up in the gas fraction
+        phiS_[f] =
+            lattice_.sign(f)*(thetaS_[f]/mean)*(1 - eps_)
+           *now[pointKernels::flux]*S/(V*dt);
+        uS_[f] = phiS_[f]/(thetaS_[f]*S);
+
+        const scalar m = old[pointKernels::mass] + now[pointKernels::mass];
+        rhoS_[f] = m/(sumOld + sumNow);
+    }
+}
+
+
+void Foam::mpm::latticeFraction::updateCells()
+{
+    forAll(theta_, c)
+    {
+        const scalar* q =
+            cell_.cdata() + pointKernels::cellStride*lattice_.place(c);
+        dilation_[c] = (1 - eps_)*q[pointKernels::dilation]/mesh_.V()[c];
+        theta_[c] = (1 - eps_)*q[pointKernels::fraction]/mesh_.V()[c];
+    }
+    forAll(own_, phasei)
+    {
+        forAll(own_[phasei], c)
+        {
+            const label i = pointKernels::cellStride*lattice_.place(c);
+            own_[phasei][c] =
+                ownCell_[phasei][i + pointKernels::fraction]/mesh_.V()[c];
+        }
+    }
+}
+
+
+void Foam::mpm::latticeFraction::limitDrag()
+{
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    scalarField largest(mesh_.nCells(), 0);
+    forAll(dragLimit_, f)
+    {
+        largest[own[f]] = max(largest[own[f]], dragLimit_[f]);
+        if (f < nei.size())
+        {
+            largest[nei[f]] = max(largest[nei[f]], dragLimit_[f]);
+        }
+    }
+    scalarField behind;
+    syncTools::swapBoundaryCellList(mesh_, largest, behind);
+    forAll(dragLimit_, f)
+    {
+        const label i = f - nei.size();
+        const scalar most =
+            max(largest[own[f]], i < 0 ? largest[nei[f]] : behind[i]);
+        dragLimit_[f] = most > 0 ? thetaS_[f]/most : 0;
+    }
+}
+
+
+template<class Jump>
+void Foam::mpm::latticeFraction::sumJumps
+(
+    const UList<scalar>& p,
+    const UList<scalar>& pBehind,
+    const Jump& jump,
+    scalarList& G
+) const
+{
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    G = 0;
+    lattice_.forFaces
+    (
+        [&](const label f)
+        {
+            const label i = f - nei.size();
+            G[at(f)] = jump(f, p[own[f]], i < 0 ? p[nei[f]] : pBehind[i]);
+        }
+    );
+    for (int d = 0; d < lattice_.grid().nDim(); ++d)
+    {
+        lattice_.sum(G.data() + lattice_.nPlaces()*d, 1);
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::latticeFraction::latticeFraction
+(
+    materialPointSystem& points,
+    const dictionary& gasDict
+)
+:
+    solidFraction(points, gasDict, points.grid().radial() < 0 ? 0.5 : 1),
+    lattice_(points.grid()),
+    kernels_(pointKernels::New(lattice_)),
+    face_
+    (
+        pointKernels::faceStride*lattice_.nPlaces()*points.grid().nDim(),
+        scalar(0)
+    ),
+    faceNew_(face_.size(), scalar(0)),
+    cell_(pointKernels::cellStride*lattice_.nPlaces(), scalar(0)),
+    ownFace_(points.phases().size()),
+    ownCell_(points.phases().size()),
+    P_(lattice_.nPlaces(), scalar(0)),
+    G_(lattice_.nPlaces()*points.grid().nDim(), scalar(0))
+{}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::latticeFraction::keepOwn(const label phasei)
+{
+    solidFraction::keepOwn(phasei);
+    ownFace_[phasei].setSize(face_.size(), scalar(0));
+    ownCell_[phasei].setSize(cell_.size(), scalar(0));
+    ownG_.setSize(G_.size());
+}
+
+
+void Foam::mpm::latticeFraction::initialise()
+{
+    sumPoints(false);
+    updateCells();
+    face_.swap(faceNew_);
+    faceNew_ = 0;
+}
+
+
+void Foam::mpm::latticeFraction::setPressure
+(
+    const UList<scalar>& p,
+    const UList<scalar>& pBehind
+)
+{
+    P_ = 0;
+    forAll(lattice_.places(), c)
+    {
+        P_[lattice_.place(c)] = p[c];
+    }
+    lattice_.sum(P_.data(), 1);
+
+    sumJumps
+    (
+        p,
+        pBehind,
+        [&](const label f, const scalar pO, const scalar pN) -> scalar
+        {
+            const scalar V = faceVolume(f);
+            const scalar sum =
+                face_[pointKernels::faceStride*at(f) + pointKernels::volume];
+            const scalar theta = (1 - eps_)*sum/V;
+            if (!(theta > 0))
+            {
+                return 0;
+            }
+            const scalar clip = min(scalar(1), most_/theta);
+            return
+                (1 - eps_)*clip*lattice_.sign(f)*(pN - pO)
+               *mag(mesh_.faceAreas()[f])/V;
+        },
+        G_
+    );
+}
+
+
+void Foam::mpm::latticeFraction::gather
+(
+    const label phasei,
+    const scalarField* pOwn
+)
+{
+    if (pOwn)
+    {
+        scalarField behind;
+        syncTools::swapBoundaryCellList(mesh_, *pOwn, behind);
+        sumJumps
+        (
+            *pOwn,
+            behind,
+            [&](const label f, const scalar pO, const scalar pN) -> scalar
+            {
+                // v/h is the area; v holds V K_f
+                const scalar v = ownFace_[phasei]
+                [
+                    pointKernels::faceStride*at(f) + pointKernels::volume
+                ];
+                return
+                    v > 0 && pO != pN
+                  ? lattice_.sign(f)*(pN - pO)*mag(mesh_.faceAreas()[f])/v
+                  : 0;
+            },
+            ownG_
+        );
+        forAll(ownG_, i)
+        {
+            ownG_[i] += G_[i];
+        }
+    }
+    kernels_->gather
+    (
+        points_.phases()[phasei].cloud(),
+        P_.cdata(),
+        pOwn ? ownG_.cdata() : G_.cdata()
+    );
+}
+
+
+void Foam::mpm::latticeFraction::depart()
+{
+    faceNew_ = 0;
+    for (materialPointPhase& phase : points_.phases())
+    {
+        kernels_->depart(phase.cloud(), faceNew_.data());
+    }
+}
+
+
+void Foam::mpm::latticeFraction::arrive(const scalar dt)
+{
+    sumPoints(true);
+    updateFaces(dt);
+    updateCells();
+    limitDrag();
+    face_.swap(faceNew_);
+}
+
+
+void Foam::mpm::latticeFraction::updateNormals()
+{
+    // Difference of the fraction over two cells below which it is uniform
+    constexpr scalar uniform = 1e-3;
+
+    const pointGrid& grid = lattice_.grid();
+    const int D = grid.nDim();
+    const labelList& places = lattice_.places();
+
+    smooth_.setSize(lattice_.nPlaces());
+    coarse_.setSize(lattice_.nPlaces());
+    smooth_ = 0;
+    forAll(places, c)
+    {
+        smooth_[places[c]] = theta_[c];
+    }
+    lattice_.sum(smooth_.data(), 1);
+
+    for (int pass = 0; pass < 2*D; ++pass)
+    {
+        const int d = pass % D;
+        coarse_ = 0;
+        forAll(places, c)
+        {
+            const scalar* q = smooth_.cdata() + places[c];
+            coarse_[places[c]] =
+                0.5*q[0]
+              + 0.25*(q[lattice_.below(c, d)] + q[lattice_.above(c, d)]);
+        }
+        lattice_.sum(coarse_.data(), 1);
+        smooth_.swap(coarse_);
+    }
+
+    normals_.setSize(mesh_.nCells());
+    forAll(places, c)
+    {
+        const scalar* q = smooth_.cdata() + places[c];
+        vector n(Zero);
+        scalar most = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            const scalar difference =
+                q[lattice_.above(c, d)] - q[lattice_.below(c, d)];
+            n[grid.direction(d)] =
+                difference*grid.lattice().invWidth(d)[1];
+            most = max(most, mag(difference));
+        }
+        normals_[c] = most < uniform ? vector(Zero) : n/mag(n);
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,186 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pressureForce.H"
+#include "granularForce.H"
+#include <algorithm>
+#include <numeric>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pressureForce::sumLoad(const label phasei)
+{
+    const pointGrid& grid = points_.grid();
+    const int D = grid.nDim();
+    materialPointCloud& cloud = points_.phases()[phasei].cloud();
+    vector& load = load_[phasei];
+    load = Zero;
+    for (int d = 0; d < D; ++d)
+    {
+        const scalar* F = (*cloud.gasForce())[d];
+        load[grid.direction(d)] =
+            std::accumulate(F, F + cloud.size(), scalar(0));
+    }
+
+    freeBody* body = points_.phases()[phasei].motion()->free();
+    if (!body)
+    {
+        return;
+    }
+    vector torque(Zero);
+    for (label p = 0; p < cloud.size(); ++p)
+    {
+        vector arm(Zero), F(Zero);
+        for (int d = 0; d < D; ++d)
+        {
+            const int c = grid.direction(d);
+            arm[c] = cloud.x()[d][p] - body->centre(false)[c];
+            F[c] = (*cloud.gasForce())[d][p];
+        }
+        torque += arm ^ F;
+    }
+    body->setPush(load, torque);
+}
+
+
+void Foam::mpm::pressureForce::dryPressure(const label phasei)
+{
+    materialPointCloud& cloud = points_.phases()[phasei].cloud();
+    scalar* pressure = (*cloud.gasPressure())[0];
+    if (points_.phases()[phasei].grains())
+    {
+        std::fill(pressure, pressure + cloud.size(), scalar(0));
+    }
+    else if (const column* damage = cloud.damage())
+    {
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            if ((*damage)[0][p] >= 1)
+            {
+                pressure[p] = 0;
+            }
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::pressureForce::pressureForce
+(
+    materialPointSystem& points,
+    const eulerianGas& gas,
+    solidFraction& fraction
+)
+:
+    points_(points),
+    gas_(gas),
+    fraction_(fraction),
+    load_(points.phases().size(), Zero),
+    work_(0)
+{}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::pressureForce::start(granularForce& grains)
+{
+    const List<gasState>& W = gas_.states();
+    const List<gasState>& Wb = gas_.boundaryStates();
+    p_.setSize(W.size());
+    forAll(W, c)
+    {
+        p_[c] = W[c].p;
+    }
+    pBehind_.setSize(Wb.size());
+    forAll(Wb, i)
+    {
+        pBehind_[i] = Wb[i].p;
+    }
+    fraction_.setPressure(p_, pBehind_);
+
+    forAll(points_.phases(), phasei)
+    {
+        fraction_.gather(phasei, grains.pressure(phasei));
+        if (points_.phases()[phasei].motion())
+        {
+            sumLoad(phasei);
+        }
+        else
+        {
+            dryPressure(phasei);
+        }
+    }
+}
+
+
+void Foam::mpm::pressureForce::load(const scalar dt)
+{
+    forAll(points_.phases(), phasei)
+    {
+        if (points_.phases()[phasei].motion())
+        {
+            points_.fields()[points_.fieldOf(phasei)].rigid().addLoad
+            (
+                phasei,
+                dt*load_[phasei]
+            );
+        }
+    }
+}
+
+
+void Foam::mpm::pressureForce::sumWork()
+{
+    work_ = 0;
+    for (materialPointPhase& phase : points_.phases())
+    {
+        if (!phase.prescribed())
+        {
+            continue;
+        }
+        materialPointCloud& cloud = phase.cloud();
+        for (int d = 0; d < points_.grid().nDim(); ++d)
+        {
+            const scalar* F = (*cloud.gasForce())[d];
+            const scalar* dx = (*cloud.displacement())[d];
+            for (label p = 0; p < cloud.size(); ++p)
+            {
+                work_ -= F[p]*dx[p];
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::pressureForce::addWork(gasBudget& sums)
+{
+    sums.rigid += work_;
+    forAll(points_.phases(), phasei)
+    {
+        materialPointCloud& cloud = points_.phases()[phasei].cloud();
+        if (!cloud.damage())
+        {
+            continue;
+        }
+
+        // The pressure where the points are now; start() sets it anew
+        fraction_.gather(phasei, nullptr);
+        const scalar* damage = (*cloud.damage())[0];
+        const scalar* P = (*cloud.gasPressure())[0];
+        const scalar* v = (*cloud.gasVolume())[0];
+        const scalarList& oldV = fraction_.oldVolume(phasei);
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            if (damage[p] >= 1)
+            {
+                sums.dry += (1 - fraction_.eps())*P[p]*(v[p] - oldV[p]);
+            }
+        }
+    }
+}
+
+// ************************************************************************* //

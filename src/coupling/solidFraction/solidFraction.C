@@ -1,0 +1,120 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "latticeFraction.H"
+#include "dictionaryTools.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::solidFraction::updateVolumes()
+{
+    for (materialPointPhase& phase : points_.phases())
+    {
+        materialPointCloud& cloud = phase.cloud();
+        const scalar* v = cloud.volume()[0];
+        const scalar* m = cloud.mass()[0];
+        scalar* to = (*cloud.gasVolume())[0];
+        if (phase.grains())
+        {
+            const scalar rho = phase.rho();
+            for (label p = 0; p < cloud.size(); ++p)
+            {
+                to[p] = m[p]/rho;
+            }
+            continue;
+        }
+        std::copy(v, v + cloud.size(), to);
+        if (const column* damage = cloud.damage())
+        {
+            const scalar rho = phase.law().rho();
+            for (label p = 0; p < cloud.size(); ++p)
+            {
+                if ((*damage)[0][p] >= 1)
+                {
+                    to[p] = min(to[p], m[p]/rho);
+                }
+            }
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::solidFraction::solidFraction
+(
+    materialPointSystem& points,
+    const dictionary& gasDict,
+    const scalar clipped
+)
+:
+    points_(points),
+    mesh_(refCast<const fvMesh>(points.grid().mesh())),
+    eps_(boundedOrDefault(gasDict, "poreFloor", 1e-2, 1e-6, 0.5)),
+    most_(1 - clipped*eps_),
+    thetaS0_(mesh_.nFaces(), 0),
+    thetaS_(mesh_.nFaces(), 0),
+    phiS_(mesh_.nFaces(), 0),
+    uS_(mesh_.nFaces(), 0),
+    rhoS_(mesh_.nFaces(), 0),
+    dragLimit_(mesh_.nFaces(), 0),
+    theta_(mesh_.nCells(), 0),
+    dilation_(mesh_.nCells(), 0),
+    own_(points.phases().size()),
+    oldVolume_(points.phases().size())
+{
+    for (materialPointPhase& phase : points.phases())
+    {
+        phase.cloud().needGas();
+    }
+}
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::mpm::solidFraction> Foam::mpm::solidFraction::New
+(
+    materialPointSystem& points,
+    const dictionary& gasDict
+)
+{
+    return autoPtr<solidFraction>(new latticeFraction(points, gasDict));
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::solidFraction::show(solidOnFaces& pores) const
+{
+    pores.thetaS0 = thetaS0_.cdata();
+    pores.thetaS = thetaS_.cdata();
+    pores.phiS = phiS_.cdata();
+    pores.uS = uS_.cdata();
+    pores.rhoS = rhoS_.cdata();
+    pores.dragLimit = dragLimit_.cdata();
+    pores.dilation = dilation_.cdata();
+    pores.eps = eps_;
+}
+
+
+void Foam::mpm::solidFraction::keepOwn(const label phasei)
+{
+    own_[phasei].setSize(mesh_.nCells(), 0);
+}
+
+
+void Foam::mpm::solidFraction::keepVolumes()
+{
+    forAll(points_.phases(), phasei)
+    {
+        materialPointCloud& cloud = points_.phases()[phasei].cloud();
+        const scalar* v = (*cloud.gasVolume())[0];
+        oldVolume_[phasei].setSize(cloud.size() + column::padding);
+        std::copy(v, v + cloud.size(), oldVolume_[phasei].begin());
+    }
+}
+
+// ************************************************************************* //
