@@ -126,7 +126,11 @@ struct simplexShape
     }
 };
 
-const addShapeTransfer addSimplex("testSimplex", newShapePasses<simplexShape>);
+typedef shapeFunction<simplexShape> simplexShapePasses;
+addNamedToRunTimeSelectionTable
+(
+    pointGridTransfer, simplexShapePasses, grid, testSimplex
+);
 
 
 //- A cube of n^3 cubes of six tetrahedra each, inner points moved

@@ -201,7 +201,7 @@ void Foam::mpm::eulerianGas::sortFaces()
 void Foam::mpm::eulerianGas::conserve()
 {
     const noTraps guard;
-    closure_.conserve
+    closure_->conserve
     (
         conserved(),
         p_.primitiveField(),
@@ -214,11 +214,11 @@ void Foam::mpm::eulerianGas::conserve()
 
 void Foam::mpm::eulerianGas::primitives()
 {
-    ownPressure::found found;
+    pressureClosure::found found;
     {
         const noTraps guard;
         const bool hasT = T_ && thermo_.isGammaLaw();
-        found = closure_.correct
+        found = closure_->correct
         (
             conserved(),
             faceRates_,
@@ -256,13 +256,14 @@ Foam::mpm::eulerianGas::eulerianGas
 :
     mesh_(mesh),
     name_(name),
-    thermo_(dict),
+    thermoPtr_(gasThermo::New(dict)),
+    thermo_(*thermoPtr_),
     g_(g),
     faces_{mesh, {}, {}, {}, {}, {}},
     coupled_(mesh),
     reconstruction_(mesh, coupled_, faces_.boundary, faces_.coupled),
-    faceFlux_(faces_),
-    closure_(thermo_),
+    faceFlux_(mpm::faceFlux::New(dict, faces_)),
+    closure_(pressureClosure::New(dict, thermo_)),
     theta_(mesh.nCells(), 1),
     rho_(mesh.nCells()),
     rhoE_(thermo_.hasEnergy() ? mesh.nCells() : 0),
@@ -329,9 +330,15 @@ Foam::mpm::eulerianGas::eulerianGas
     fixedMost_(0),
     badCell_(-1)
 {
-    wordList valid(gasThermo::keywords);
-    valid.append("type");
-    valid.append(wordList({"mu", "Pr", "poreFloor", "faceDrag"}));
+    wordList valid(thermo_.keywords());
+    valid.append
+    (
+        wordList
+        ({
+            "type", "mu", "Pr", "poreFloor", "faceDrag", "faceFlux",
+            "pressureClosure"
+        })
+    );
     checkKeywords(dict, valid);
     checkDimensions(p_, dimPressure);
     checkDimensions(U_, dimVelocity);

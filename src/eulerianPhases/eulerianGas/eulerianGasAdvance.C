@@ -75,6 +75,25 @@ void Foam::mpm::eulerianGas::keepIsentrope
 }
 
 
+template<bool General>
+void Foam::mpm::eulerianGas::addWedgeSides(const gasStates<General>& all)
+{
+    // They have the cell's pressure of the middle of the step
+    const labelUList& own = mesh_.faceOwner();
+    const vectorField& S = mesh_.faceAreas();
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        const label n =
+            !all.upwind() && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
+        for (label f = pp.start(); f < pp.start() + n; ++f)
+        {
+            const label P = own[f];
+            sums_[P].rhoU += (all.own(f).w.p - W_[P].p)*S[f];
+        }
+    }
+}
+
+
 template<bool Porous, bool Energy, bool General>
 void Foam::mpm::eulerianGas::sumFaces
 (
@@ -184,17 +203,7 @@ void Foam::mpm::eulerianGas::sumFaces
             }
         }
     }
-
-    // The sides of a wedge have the cell's pressure of the middle of the step
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        const label n = !upwind && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
-        for (label f = pp.start(); f < pp.start() + n; ++f)
-        {
-            const label P = own[f];
-            sums_[P].rhoU += (all.own(f).w.p - W_[P].p)*S[f];
-        }
-    }
+    addWedgeSides(all);
 }
 
 
@@ -215,7 +224,7 @@ bool Foam::mpm::eulerianGas::newStates
         }
     }
 
-    const ownPressure::conserved now(conserved());
+    const pressureClosure::conserved now(conserved());
     bool positive = true;
     forAll(sums_, c)
     {
@@ -249,7 +258,7 @@ bool Foam::mpm::eulerianGas::newStates
         }
         if (Energy)
         {
-            positive = positive && ownPressure::isPositive(now, c);
+            positive = positive && pressureClosure::isPositive(now, c);
         }
     }
     return positive;
@@ -264,7 +273,7 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const solidOnFaces* pores)
     if (General && Energy)
     {
         boolList bad(rho_.size());
-        positive = closure_.markBad(conserved(), bad);
+        positive = closure_->markBad(conserved(), bad);
     }
     if (Energy && !returnReduce(positive, andOp<bool>()))
     {

@@ -159,10 +159,10 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
         );
     }
 
-    const impedanceFlux::result to{phi_, pStar_, out_};
+    const mpm::faceFlux::result to{phi_, pStar_, out_};
     if (pores)
     {
-        faceFlux_.flux
+        faceFlux_->flux
         (
             states<false>(), {dt, theta_, thetaB_, near_, *pores}, to
         );
@@ -171,11 +171,11 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
     }
     if (thermo_.isGammaLaw())
     {
-        faceFlux_.flux(states<false>(), to);
+        faceFlux_->flux(states<false>(), to);
     }
     else
     {
-        faceFlux_.flux(states<true>(), to);
+        faceFlux_->flux(states<true>(), to);
     }
     limitOutflow<false>(dt, pores);
 }

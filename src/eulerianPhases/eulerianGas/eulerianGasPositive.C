@@ -123,7 +123,7 @@ void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
     while (returnReduce(changed, orOp<bool>()))
     {
         changed = false;
-        closure_.markBad(conserved(), bad);
+        closure_->markBad(conserved(), bad);
         forAll(behind, i)
         {
             behind[i] = bad[own[nInternal + i]];

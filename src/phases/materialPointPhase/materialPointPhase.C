@@ -37,79 +37,8 @@ Foam::mpm::materialPointPhase::materialPointPhase
     nFailed_(0),
     nFailedKept_(0)
 {
-    const word type
-    (
-        oneOfOrDefault
-        (
-            dict,
-            "type",
-            "materialPoints",
-            {"materialPoints", "rigid"}
-        )
-    );
-    if (type == "rigid")
-    {
-        checkKeywords
-        (
-            dict,
-            {
-                "type", "rho", "motion", "velocityField", "drag",
-                "heatTransfer", "Cv"
-            }
-        );
-        rho_ = positive(dict, "rho");
-        motion_ = rigidMotion::New(dict, grid);
-        cloud_.needReference();
-    }
-    else
-    {
-        checkKeywords
-        (
-            dict,
-            {
-                "type", "constitutiveModel", "failureModel", "bodyForce",
-                "surfaceLoads", "damping",
-                "erosion", "velocityField", "volumeModel", "drag",
-                "granularPressure", "heatTransfer", "Cv"
-            }
-        );
-        law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
-        readVolumeModel(dict);
-        waveSpeed_ = law_->waveSpeed();
-    }
-    if (dict.found("failureModel"))
-    {
-        failure_ = failureModel::New(requiredDict(dict, "failureModel"));
-    }
-    if (dict.found("bodyForce"))
-    {
-        bodyForce_ = bodyForce::New(requiredDict(dict, "bodyForce"));
-        acceleration_.reset
-        (
-            new column("bodyForce", column::vectors, grid.nDim())
-        );
-        if (bodyForce_->needsReference())
-        {
-            cloud_.needReference();
-        }
-    }
-
-    if (dict.found("surfaceLoads"))
-    {
-        const dictionary& loads = requiredDict(dict, "surfaceLoads");
-        for (const word& load : loads.toc())
-        {
-            surfaceLoads_.append
-            (
-                new surfaceLoad(requiredDict(loads, load), grid)
-            );
-        }
-    }
-    if (dict.found("damping"))
-    {
-        damping_.reset(new pointDamping(requiredDict(dict, "damping")));
-    }
-
+    readMaterial(dict);
+    readLoads(dict);
     if (dict.found("heatTransfer"))
     {
         Cv_ = positive(dict, "Cv");
@@ -138,6 +67,131 @@ Foam::mpm::materialPointPhase::materialPointPhase
             cloud_.needStrength();
         }
     }
+    needHistory(dict);
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::materialPointPhase::readMaterial(const dictionary& dict)
+{
+    const word type
+    (
+        oneOfOrDefault
+        (
+            dict,
+            "type",
+            "materialPoints",
+            {"materialPoints", "rigid"}
+        )
+    );
+    if (type == "rigid")
+    {
+        checkKeywords
+        (
+            dict,
+            {
+                "type", "rho", "motion", "velocityField", "drag",
+                "heatTransfer", "Cv"
+            }
+        );
+        rho_ = positive(dict, "rho");
+        motion_ = rigidMotion::New(dict, cloud_.grid());
+        cloud_.needReference();
+    }
+    else
+    {
+        checkKeywords
+        (
+            dict,
+            {
+                "type", "constitutiveModel", "failureModel", "bodyForce",
+                "surfaceLoads", "damping",
+                "erosion", "velocityField", "volumeModel", "drag",
+                "granularPressure", "heatTransfer", "Cv"
+            }
+        );
+        law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
+        readVolumeModel(dict);
+        waveSpeed_ = law_->waveSpeed();
+    }
+    if (dict.found("failureModel"))
+    {
+        failure_ = failureModel::New(requiredDict(dict, "failureModel"));
+    }
+}
+
+
+void Foam::mpm::materialPointPhase::readLoads(const dictionary& dict)
+{
+    if (dict.found("bodyForce"))
+    {
+        bodyForce_ = bodyForce::New(requiredDict(dict, "bodyForce"));
+        acceleration_.reset
+        (
+            new column("bodyForce", column::vectors, cloud_.grid().nDim())
+        );
+        if (bodyForce_->needsReference())
+        {
+            cloud_.needReference();
+        }
+    }
+
+    if (dict.found("surfaceLoads"))
+    {
+        const dictionary& loads = requiredDict(dict, "surfaceLoads");
+        for (const word& load : loads.toc())
+        {
+            surfaceLoads_.append
+            (
+                new surfaceLoad(requiredDict(loads, load), cloud_.grid())
+            );
+        }
+    }
+    if (dict.found("damping"))
+    {
+        damping_.reset(new pointDamping(requiredDict(dict, "damping")));
+    }
+}
+
+
+void Foam::mpm::materialPointPhase::readErosion
+(
+    const dictionary& dict,
+    List<historyColumn>& history
+)
+{
+    if (!dict.found("erosion"))
+    {
+        return;
+    }
+    dictionary criterion(requiredDict(dict, "erosion"));
+    if (criterion.found("to"))
+    {
+        debris_ = criterion.get<word>("to");
+        criterion.remove("to");
+    }
+    erosion_ = erosionCriterion::New
+    (
+        criterion,
+        erodible{*law_, cloud_.grid().nDim(), bool(failure_)}
+    );
+    if (erosion_->needsFailedTime())
+    {
+        failedTime_ = 0;
+        for (const historyColumn& h : history)
+        {
+            failedTime_ += h.nComponents(cloud_.grid().nDim());
+        }
+        history.append
+        (
+            historyColumn{"failedTime", historyColumn::scalars}
+        );
+    }
+}
+
+
+void Foam::mpm::materialPointPhase::needHistory(const dictionary& dict)
+{
     List<historyColumn> history;
     if (law_)
     {
@@ -145,44 +199,20 @@ Foam::mpm::materialPointPhase::materialPointPhase
     }
     if (law_ && failure_)
     {
-        failure_->connect(*law_, grid.nDim());
+        failure_->connect(*law_, cloud_.grid().nDim());
         history.append(failure_->history());
     }
-    if (dict.found("erosion"))
-    {
-        dictionary criterion(requiredDict(dict, "erosion"));
-        if (criterion.found("to"))
-        {
-            debris_ = criterion.get<word>("to");
-            criterion.remove("to");
-        }
-        erosion_ = erosionCriterion::New
-        (
-            criterion,
-            erodible{*law_, grid.nDim(), bool(failure_)}
-        );
-        if (erosion_->needsFailedTime())
-        {
-            failedTime_ = 0;
-            for (const historyColumn& h : history)
-            {
-                failedTime_ += h.nComponents(grid.nDim());
-            }
-            history.append
-            (
-                historyColumn{"failedTime", historyColumn::scalars}
-            );
-        }
-    }
+    readErosion(dict, history);
+
     int nHistory = 0;
     for (const historyColumn& h : history)
     {
-        nHistory += h.nComponents(grid.nDim());
+        nHistory += h.nComponents(cloud_.grid().nDim());
     }
     if (nHistory > pointBlock::maxHistory)
     {
         FatalIOErrorInFunction(dict)
-            << "Law and failure model of phase " << name << " have "
+            << "Law and failure model of phase " << name_ << " have "
             << nHistory << " history components; at most "
             << pointBlock::maxHistory << " are possible."
             << exit(FatalIOError);
@@ -200,7 +230,6 @@ Foam::mpm::materialPointPhase::materialPointPhase
     }
 }
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::materialPointPhase::readVolumeModel(const dictionary& dict)
 {

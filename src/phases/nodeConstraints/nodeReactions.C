@@ -112,13 +112,11 @@ void Foam::mpm::nodeReactions::start
 }
 
 
-void Foam::mpm::nodeReactions::add
+template<class Impulse>
+void Foam::mpm::nodeReactions::addAt
 (
     const labelUList& nodes,
-    const scalar sign,
-    const scalar* u,
-    const scalar* mU,
-    const int stride
+    const Impulse& impulse
 )
 {
     const int D = grid_.nDim();
@@ -129,10 +127,31 @@ void Foam::mpm::nodeReactions::add
             scalar* J = impulse_.data() + D*place_[n];
             for (int d = 0; d < D; ++d)
             {
-                J[d] += sign*mU[stride*n + D]*u[stride*n + d];
+                J[d] += impulse(n, d);
             }
         }
     }
+}
+
+
+void Foam::mpm::nodeReactions::add
+(
+    const labelUList& nodes,
+    const scalar sign,
+    const scalar* u,
+    const scalar* mU,
+    const int stride
+)
+{
+    const int D = grid_.nDim();
+    addAt
+    (
+        nodes,
+        [=](const label n, const int d)
+        {
+            return sign*mU[stride*n + D]*u[stride*n + d];
+        }
+    );
 }
 
 
@@ -146,17 +165,15 @@ void Foam::mpm::nodeReactions::addProjected
 )
 {
     const int D = grid_.nDim();
-    for (const label n : nodes)
-    {
-        if (place_[n] >= 0)
+    addAt
+    (
+        nodes,
+        [=](const label n, const int d)
         {
-            scalar* J = impulse_.data() + D*place_[n];
-            for (int d = 0; d < D; ++d)
-            {
-                J[d] += share*(mU[stride*n + D]*u[stride*n + d] - mU[stride*n + d]);
-            }
+            return
+                share*(mU[stride*n + D]*u[stride*n + d] - mU[stride*n + d]);
         }
-    }
+    );
 }
 
 // ************************************************************************* //

@@ -11,17 +11,21 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace
+namespace Foam
+{
+namespace mpm
 {
 
-using namespace Foam::mpm;
-
-const addShapeTransfer addCubicBSplinePasses
+typedef shapeFunction<cubicBSplineShape> cubicBSpline;
+addNamedToRunTimeSelectionTable
 (
-    "cubicBSpline",
-    newShapePasses<cubicBSplineShape>
+    pointGridTransfer,
+    cubicBSpline,
+    grid,
+    cubicBSpline
 );
 
+}
 }
 
 // ************************************************************************* //

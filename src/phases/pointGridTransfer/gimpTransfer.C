@@ -11,13 +11,15 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace
+namespace Foam
+{
+namespace mpm
 {
 
-using namespace Foam::mpm;
+typedef shapeFunction<gimpShape> GIMP;
+addNamedToRunTimeSelectionTable(pointGridTransfer, GIMP, grid, GIMP);
 
-const addShapeTransfer addGimpPasses("GIMP", newShapePasses<gimpShape>);
-
+}
 }
 
 // ************************************************************************* //

@@ -12,24 +12,27 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace
+namespace Foam
+{
+namespace mpm
 {
 
-using namespace Foam;
-using namespace Foam::mpm;
-
-//- linear: by products of 1D functions on a lattice, through the cells' own
-//  coordinates elsewhere
-autoPtr<pointGridTransfer> newLinearPasses(const pointGrid& grid)
+//- By products of 1D functions on a lattice, through the cells' own coordinates
+//  elsewhere
+struct linear
 {
-    return
-        grid.hasLattice()
-      ? newShapePasses<linearShape>(grid)
-      : newShapePasses<hexShape>(grid);
+    static autoPtr<pointGridTransfer> New(const pointGrid& grid)
+    {
+        return
+            grid.hasLattice()
+          ? shapeFunction<linearShape>::New(grid)
+          : shapeFunction<hexShape>::New(grid);
+    }
+};
+
+addNamedToRunTimeSelectionTable(pointGridTransfer, linear, grid, linear);
+
 }
-
-const addShapeTransfer addLinearPasses("linear", newLinearPasses);
-
 }
 
 // ************************************************************************* //

@@ -11,17 +11,21 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace
+namespace Foam
+{
+namespace mpm
 {
 
-using namespace Foam::mpm;
-
-const addShapeTransfer addQuadraticBSplinePasses
+typedef shapeFunction<quadraticBSplineShape> quadraticBSpline;
+addNamedToRunTimeSelectionTable
 (
-    "quadraticBSpline",
-    newShapePasses<quadraticBSplineShape>
+    pointGridTransfer,
+    quadraticBSpline,
+    grid,
+    quadraticBSpline
 );
 
+}
 }
 
 // ************************************************************************* //

@@ -168,216 +168,31 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress
     scalar* f
 ) const
 {
-    // Blocks of cells whose velocity gradients stay in the cache while the
-    // law works on them
-    constexpr label blockSize = 256;
-    constexpr int N = DIM*DIM + (HOOP ? 1 : 0);
-    alignas(64) static thread_local scalar dL[N][bufferSize + W];
-
-    alignas(64) static thread_local scalar width[bufferSize + W];
-    alignas(64) static thread_local scalar shift[bufferSize + W];
+    static thread_local typename stressPass::buffers room;
+    stressPass pass(*this, cloud, room, dt, square);
     const bool needsWidth =
         law.needsWidth() || (failure && failure->needsWidth());
-
-    const geometry geo(cloud, false);
-    column& stress = cloud.stress();
-    scalar* volume = cloud.volume()[0];
-    const scalar* mass = cloud.mass()[0];
-    const scalar* damage = cloud.damage() ? (*cloud.damage())[0] : nullptr;
     const labelList& cells = cloud.cells();
     const labelList& first = cloud.start();
     stressResult result{0, -1, 0, -1};
 
-    for (label k0 = 0; k0 < cells.size();)
+    while (pass.next())
     {
-        // Whole cells while they fit; a cell with more points than the buffer
-        // goes in pieces
-        label k1 = k0 + 1;
-        while
-        (
-            k1 < cells.size()
-         && first[k1 + 1] - first[k0] <= blockSize
-        )
+        for (; pass.begin < first[pass.k1]; pass.begin += bufferSize)
         {
-            ++k1;
-        }
+            pass.end = min(first[pass.k1], pass.begin + bufferSize);
+            if (needsWidth)
+            {
+                pass.findWidths();
+            }
+            for (label k = pass.k0; k < pass.k1; ++k)
+            {
+                pass.velocityGradient(cells[k], pass.part(k), u);
+            }
+            pass.changeVolumes();
 
-        for
-        (
-            label begin = first[k0];
-            begin < first[k1];
-            begin += bufferSize
-        )
-        {
-            const label end = min(first[k1], begin + bufferSize);
-
-            for (label k = k0; needsWidth && k < k1; ++k)
-            {
-                scalar product = 1;
-                for (int d = 0; d < DIM; ++d)
-                {
-                    product *= cloud.grid().width(cells[k], d);
-                }
-                const scalar l =
-                    DIM == 1 ? product
-                  : DIM == 2 ? std::sqrt(product)
-                  : std::cbrt(product);
-                std::fill
-                (
-                    width + (max(first[k], begin) - begin),
-                    width + (min(first[k + 1], end) - begin),
-                    l
-                );
-            }
-
-            // Velocity gradient and volume
-            for (label k = k0; k < k1; ++k)
-            {
-                stencil s;
-                shape_.prepare(cells[k], s);
-                const label pEnd = min(first[k + 1], end);
-                for (label p = max(first[k], begin); p < pEnd; p += W)
-                {
-                    T X[DIM], L[DIM], G[DIM*DIM];
-                    geo.load(p, X, L);
-                    gradientsType S;
-                    shape_.evaluate(s, X, L, S);
-                    shapeType::template gatherGradient<P>(S, s.nodes, u, G);
-                    shape_.toPhysical(S, G);
-                    for (int i = 0; i < DIM*DIM; ++i)
-                    {
-                        G[i] *= dt;
-                    }
-                    for (int i = 0; i < DIM; ++i)
-                    {
-                        for (int j = 0; j < DIM; ++j)
-                        {
-                            T GG = G[i*DIM]*G[j];
-                            for (int k = 1; k < DIM; ++k)
-                            {
-                                GG += G[i*DIM + k]*G[k*DIM + j];
-                            }
-                            store<W>
-                            (
-                                dL[i*DIM + j] + (p - begin),
-                                G[i*DIM + j] + square*GG
-                            );
-                        }
-                    }
-                    if constexpr (HOOP)
-                    {
-                        T U[DIM];
-                        shapeType::template gather<DIM, P>(S, s.nodes, u, U);
-                        const T hoop = dt*U[radial_]*inverseRadius(s, X);
-                        store<W>
-                        (
-                            dL[N - 1] + (p - begin),
-                            hoop + square*hoop*hoop
-                        );
-                    }
-                }
-                const label pBegin = max(first[k], begin);
-                if (cellMeans && pBegin < pEnd)
-                {
-                    const label i = pBegin - begin;
-                    const scalar* diagonal[nDiagonal];
-                    for (int d = 0; d < nDiagonal; ++d)
-                    {
-                        diagonal[d] = dL[d < DIM ? d*(DIM + 1) : N - 1] + i;
-                    }
-                    shiftToMean
-                    (
-                        diagonal,
-                        volume + pBegin,
-                        damage ? damage + pBegin : nullptr,
-                        pEnd - pBegin,
-                        shift + i
-                    );
-                    for (int d = 0; d < nDiagonal; ++d)
-                    {
-                        scalar* to = dL[d < DIM ? d*(DIM + 1) : N - 1];
-                        for (label j = i; j < pEnd - begin; ++j)
-                        {
-                            to[j] += shift[j];
-                        }
-                    }
-                }
-            }
-
-            // v <- v det f = v exp(tr log f)
-            T largest = {};
-            const label nHere = end - begin;
-            for (label i = nHere; i < nHere + W; ++i)
-            {
-                for (int c = 0; c < N; ++c)
-                {
-                    dL[c][i] = 0;
-                }
-            }
-            const auto trace = [&](const label i) __attribute__((always_inline))
-            {
-                T tr = load<W>(dL[0] + i);
-                for (int d = 1; d < DIM; ++d)
-                {
-                    tr += load<W>(dL[d*(DIM + 1)] + i);
-                }
-                if constexpr (HOOP)
-                {
-                    tr += load<W>(dL[N - 1] + i);
-                }
-                return tr;
-            };
-            for (label i = 0; i < nHere; i += W)
-            {
-                largest = laneMax(largest, laneAbs(trace(i)));
-            }
-            const int terms = expTerms(min(horizontalMax(largest), 2.0));
-            for (label i = 0; i < nHere; i += W)
-            {
-                const int n = int(min(label(W), nHere - i));
-                const T v =
-                    load<W>(volume + begin + i)*expSeries(trace(i), terms);
-                if (n == W)
-                {
-                    store<W>(volume + begin + i, v);
-                }
-                else
-                {
-                    storePart<W>(volume + begin + i, v, n);
-                }
-            }
-
-            // Law and failure
-            pointBlock block;
-            block.nDim = DIM;
-            block.n = nHere;
-            block.dt = dt;
-            for (int i = 0; i < DIM*DIM; ++i)
-            {
-                block.dL[i] = dL[i];
-            }
-            block.hoop = HOOP ? dL[N - 1] : nullptr;
-            block.mass = mass + begin;
-            block.volume = volume + begin;
-            for (int i = 0; i < nStress(DIM); ++i)
-            {
-                block.stress[i] = stress[i] + begin;
-            }
-            int h = 0;
-            for (column& c : cloud.history())
-            {
-                for (int i = 0; i < c.nComponents(); ++i)
-                {
-                    block.history[h++] = c[i] + begin;
-                }
-            }
-            block.damage =
-                cloud.damage() ? (*cloud.damage())[0] + begin : nullptr;
-            block.strength =
-                cloud.strength() ? (*cloud.strength())[0] + begin : nullptr;
-
-            block.width = needsWidth ? width : nullptr;
-
+            pointBlock block(pass.block());
+            block.width = needsWidth ? room.width : nullptr;
             if (failure)
             {
                 failure->start(block);
@@ -386,7 +201,7 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress
             if (block.waveSpeed > result.waveSpeed)
             {
                 result.waveSpeed = block.waveSpeed;
-                result.fastest = begin;
+                result.fastest = pass.begin;
             }
             if (failure)
             {
@@ -396,65 +211,17 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress
             // Zero times a number that is not finite is not zero: one sum
             // tells for the block
             T notFinite = {};
-            for (label p = begin; !f && p < end; ++p)
+            if (f)
             {
-                notFinite[0] += 0.0*volume[p];
-                for (int i = 0; i < nStress(DIM); ++i)
+                for (label k = pass.k0; k < pass.k1; ++k)
                 {
-                    notFinite[0] += 0.0*stress[i][p];
+                    pass.addForce(cells[k], pass.part(k), f, notFinite);
                 }
             }
-
-            // Force of the new stress
-            for (label k = k0; f && k < k1; ++k)
+            else
             {
-                stencil s;
-                shape_.prepare(cells[k], s);
-                accumulator acc;
-                const label pBegin = max(first[k], begin);
-                const label pEnd = min(first[k + 1], end);
-                if (cellMeans && pBegin < pEnd)
-                {
-                    shiftStress
-                    (
-                        stress,
-                        volume,
-                        damage,
-                        pBegin,
-                        pEnd,
-                        shift + (pBegin - begin)
-                    );
-                }
-                for (label p = pBegin; p < pEnd; p += W)
-                {
-                    T X[DIM], L[DIM], F[DIM*DIM];
-                    geo.load(p, X, L);
-                    gradientsType S;
-                    shape_.evaluate(s, X, L, S);
-                    const T more =
-                        cellMeans ? load<W>(shift + (p - begin)) : T{};
-                    minusVolumeStress(stress, volume, p, more, F);
-                    for (int i = 0; i < DIM*DIM; ++i)
-                    {
-                        notFinite += 0.0*F[i];
-                    }
-                    const int n = int(min(label(W), pEnd - p));
-                    if constexpr (HOOP)
-                    {
-                        T q[DIM];
-                        minusHoopForce(s, stress, volume, p, more, X, q);
-                        shapeType::template scatter<DIM>(S, q, n, acc);
-                        for (int d = 0; d < DIM; ++d)
-                        {
-                            notFinite += 0.0*q[d];
-                        }
-                    }
-                    shape_.toLocal(S, F);
-                    shapeType::scatterGradient(S, F, n, acc);
-                }
-                shapeType::flush(acc, s.nodes, f);
+                pass.addNotFinite(notFinite);
             }
-
             bool allFinite = true;
             for (int l = 0; l < W; ++l)
             {
@@ -462,22 +229,9 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress
             }
             if (!allFinite && result.badPoint < 0)
             {
-                // Lanes of the next points are seen here and found later
-                for (label p = begin; p < end && result.badPoint < 0; ++p)
-                {
-                    scalar sum = 0*volume[p];
-                    for (int i = 0; i < nStress(DIM); ++i)
-                    {
-                        sum += 0*stress[i][p];
-                    }
-                    if (!(sum == 0))
-                    {
-                        result.badPoint = p;
-                    }
-                }
+                result.badPoint = pass.firstBad();
             }
         }
-        k0 = k1;
     }
     return result;
 }

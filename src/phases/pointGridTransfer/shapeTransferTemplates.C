@@ -83,33 +83,21 @@ void shapeTransfer<Shape, DIM, HOOP>::project
         return;
     }
 
-    const geometry geo(cloud, state == tentative);
     const scalar* mass = cloud.mass()[0];
-    const scalar* U[DIM];
-    for (int d = 0; d < DIM; ++d)
-    {
-        U[d] = state == current ? cloud.U()[d] : cloud.UNew()[d];
-    }
-
-    accumulator acc;
-    forGroups
+    const vectors U(state == current ? cloud.U() : cloud.UNew());
+    scatterPoints<DIM + 1>
     (
         cloud,
-        [&](const stencil&) { acc.clear(); },
-        [&](const stencil& s, label, const label p, const int n)
+        state == tentative,
+        mU,
+        [&](const stencil&, const weightsType&, const label p, T (&q)[DIM + 1])
         {
-            T X[DIM], L[DIM], q[DIM + 1];
-            geo.load(p, X, L);
-            weightsType S;
-            shape_.evaluate(s, X, L, S);
             q[DIM] = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {
-                q[d] = q[DIM]*load<W>(U[d] + p);
+                q[d] = q[DIM]*load<W>(U.q[d] + p);
             }
-            shapeType::template scatter<DIM + 1>(S, q, n, acc);
-        },
-        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); }
+        }
     );
 }
 
@@ -125,11 +113,7 @@ void shapeTransfer<Shape, DIM, HOOP>::projectAffine
     const geometry geo(cloud, state == tentative);
     const scalar* mass = cloud.mass()[0];
     const column& C = state == current ? *cloud.affine() : *cloud.affineNew();
-    const scalar* U[DIM];
-    for (int d = 0; d < DIM; ++d)
-    {
-        U[d] = state == current ? cloud.U()[d] : cloud.UNew()[d];
-    }
+    const vectors U(state == current ? cloud.U() : cloud.UNew());
 
     accumulator acc;
     forGroups
@@ -143,7 +127,7 @@ void shapeTransfer<Shape, DIM, HOOP>::projectAffine
             q[DIM] = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {
-                q[d] = q[DIM]*load<W>(U[d] + p);
+                q[d] = q[DIM]*load<W>(U.q[d] + p);
             }
             for (int i = 0; i < DIM*DIM; ++i)
             {
@@ -280,28 +264,21 @@ void shapeTransfer<Shape, DIM, HOOP>::addBodyForce
     scalar* f
 ) const
 {
-    const geometry geo(cloud, false);
     const scalar* mass = cloud.mass()[0];
-
-    accumulator acc;
-    forGroups
+    const vectors B(b);
+    scatterPoints<DIM>
     (
         cloud,
-        [&](const stencil&) { acc.clear(); },
-        [&](const stencil& s, label, const label p, const int n)
+        false,
+        f,
+        [&](const stencil&, const weightsType&, const label p, T (&q)[DIM])
         {
-            T X[DIM], L[DIM], q[DIM];
-            geo.load(p, X, L);
-            weightsType S;
-            shape_.evaluate(s, X, L, S);
             const T m = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {
-                q[d] = m*load<W>(b[d] + p);
+                q[d] = m*load<W>(B.q[d] + p);
             }
-            shapeType::template scatter<DIM>(S, q, n, acc);
-        },
-        [&](const stencil& s) { shapeType::flush(acc, s.nodes, f); }
+        }
     );
 }
 
@@ -545,29 +522,21 @@ void shapeTransfer<Shape, DIM, HOOP>::massTimes
     scalar* mU
 ) const
 {
-    const geometry geo(cloud, tentative);
     const scalar* mass = cloud.mass()[0];
-
-    accumulator acc;
-    forGroups
+    scatterPoints<DIM>
     (
         cloud,
-        [&](const stencil&) { acc.clear(); },
-        [&](const stencil& s, label, const label p, const int n)
+        tentative,
+        mU,
+        [&](const stencil& s, const weightsType& S, const label p, T (&q)[DIM])
         {
-            T X[DIM], L[DIM], q[DIM];
-            geo.load(p, X, L);
-            weightsType S;
-            shape_.evaluate(s, X, L, S);
             shapeType::template gather<DIM, P>(S, s.nodes, u, q);
             const T m = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {
                 q[d] *= m;
             }
-            shapeType::template scatter<DIM>(S, q, n, acc);
-        },
-        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); }
+        }
     );
 }
 

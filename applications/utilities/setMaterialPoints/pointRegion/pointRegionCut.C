@@ -219,6 +219,80 @@ bool Foam::mpm::pointRegion::isBox(const label celli, const cutPoint& c) const
 }
 
 
+Foam::label Foam::mpm::pointRegion::fullestBeside
+(
+    const label k,
+    const label p,
+    const boolList& gone,
+    scalar& part
+) const
+{
+    label best = -1;
+    part = 0;
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        for (int side = 0; side < 2; ++side)
+        {
+            const label q = beside(k, sub_[p], d, side);
+            if (q < 0 || gone[q])
+            {
+                continue;
+            }
+            const auto cut = cutOf_.cfind(q);
+            const scalar area =
+                cut.found()
+              ? cut_[*cut].area/cut_[*cut].whole
+              : scalar(1);
+            if (area > part)
+            {
+                part = area;
+                best = q;
+            }
+        }
+    }
+    return best;
+}
+
+
+void Foam::mpm::pointRegion::join(const label p, const label best)
+{
+    materialPointCloud::newPoint& to = points_[best];
+    if (!cutOf_.found(best))
+    {
+        cutPoint full;
+        full.point = best;
+        full.whole = 1;
+        full.mean = to.x;
+        full.variance = cmptMultiply(to.halfSize, to.halfSize)/3;
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            full.whole *= 2*to.halfSize[grid_.direction(d)];
+        }
+        full.area = full.whole;
+        cutOf_.insert(best, cut_.size());
+        cut_.append(full);
+    }
+    cutPoint& a = cut_[cutOf_[best]];
+    const cutPoint& b = cut_[cutOf_[p]];
+    const scalar area = a.area + b.area;
+    const vector apart(b.mean - a.mean);
+    a.variance =
+        (a.area*a.variance + b.area*b.variance)/area
+      + a.area*b.area/sqr(area)*cmptMultiply(apart, apart);
+    a.mean += (b.area/area)*apart;
+    a.area = area;
+    for (const label s : b.surfaces)
+    {
+        if (!a.surfaces.found(s))
+        {
+            a.surfaces.append(s);
+        }
+    }
+    to.volume += points_[p].volume;
+    to.mass += points_[p].mass;
+}
+
+
 void Foam::mpm::pointRegion::joinSmallParts()
 {
     boolList gone(points_.size(), false);
@@ -239,78 +313,24 @@ void Foam::mpm::pointRegion::joinSmallParts()
             {
                 continue;
             }
-
-            // The fullest beside it
-            label best = -1;
-            scalar bestArea = 0;
-            for (int d = 0; d < grid_.nDim(); ++d)
+            scalar partOfBest;
+            const label best = fullestBeside(k, p, gone, partOfBest);
+            if (best >= 0 && partOfBest > part)
             {
-                for (int side = 0; side < 2; ++side)
-                {
-                    const label q = beside(k, sub_[p], d, side);
-                    if (q < 0 || gone[q])
-                    {
-                        continue;
-                    }
-                    const auto cut = cutOf_.cfind(q);
-                    const scalar area =
-                        cut.found()
-                      ? cut_[*cut].area/cut_[*cut].whole
-                      : scalar(1);
-                    if (area > bestArea)
-                    {
-                        bestArea = area;
-                        best = q;
-                    }
-                }
+                join(p, best);
+                gone[p] = any = true;
             }
-            if (best < 0 || bestArea <= part)
-            {
-                continue;
-            }
-
-            materialPointCloud::newPoint& to = points_[best];
-            if (!cutOf_.found(best))
-            {
-                cutPoint full;
-                full.point = best;
-                full.whole = 1;
-                full.mean = to.x;
-                full.variance = cmptMultiply(to.halfSize, to.halfSize)/3;
-                for (int d = 0; d < grid_.nDim(); ++d)
-                {
-                    full.whole *= 2*to.halfSize[grid_.direction(d)];
-                }
-                full.area = full.whole;
-                cutOf_.insert(best, cut_.size());
-                cut_.append(full);
-            }
-            cutPoint& a = cut_[cutOf_[best]];
-            const cutPoint& b = cut_[cutOf_[p]];
-            const scalar area = a.area + b.area;
-            const vector apart(b.mean - a.mean);
-            a.variance =
-                (a.area*a.variance + b.area*b.variance)/area
-              + a.area*b.area/sqr(area)*cmptMultiply(apart, apart);
-            a.mean += (b.area/area)*apart;
-            a.area = area;
-            for (const label s : b.surfaces)
-            {
-                if (!a.surfaces.found(s))
-                {
-                    a.surfaces.append(s);
-                }
-            }
-            to.volume += points_[p].volume;
-            to.mass += points_[p].mass;
-            gone[p] = any = true;
         }
     }
-    if (!any)
+    if (any)
     {
-        return;
+        remove(gone);
     }
+}
 
+
+void Foam::mpm::pointRegion::remove(const boolList& gone)
+{
     labelList now(points_.size(), -1);
     label n = 0, nCells = 0, first = 0;
     forAll(cells_, k)

@@ -17,12 +17,28 @@ namespace Foam
 {
 namespace mpm
 {
-    defineTypeNameAndDebug(unionShape, 0);
-    addToRunTimeSelectionTable(pointRegionShape, unionShape, dictionary);
-    defineTypeNameAndDebug(intersectionShape, 0);
-    addToRunTimeSelectionTable(pointRegionShape, intersectionShape, dictionary);
-    defineTypeNameAndDebug(differenceShape, 0);
-    addToRunTimeSelectionTable(pointRegionShape, differenceShape, dictionary);
+    defineTypeNameAndDebug(compositeShape, 0);
+    addNamedToRunTimeSelectionTable
+    (
+        pointRegionShape,
+        compositeShape,
+        dictionary,
+        union
+    );
+    addNamedToRunTimeSelectionTable
+    (
+        pointRegionShape,
+        compositeShape,
+        dictionary,
+        intersection
+    );
+    addNamedToRunTimeSelectionTable
+    (
+        pointRegionShape,
+        compositeShape,
+        dictionary,
+        difference
+    );
 }
 }
 
@@ -34,7 +50,13 @@ Foam::mpm::compositeShape::compositeShape
     const dictionary& dict
 )
 :
-    pointRegionShape(grid)
+    pointRegionShape(grid),
+    joint_
+    (
+        dict.get<word>("type") == "union" ? anyOf
+      : dict.get<word>("type") == "intersection" ? allOf
+      : firstOnly
+    )
 {
     const dictionary& shapesDict = requiredDict(dict, "shapes");
     for (const word& name : shapesDict.toc())
@@ -63,107 +85,60 @@ bool Foam::mpm::compositeShape::formula(shapeFormula& f) const
         {
             return false;
         }
-        if (i > 0)
+        if (i == 0)
         {
-            join(f);
+            continue;
+        }
+        switch (joint_)
+        {
+            case anyOf: f.orLast(); break;
+            case allOf: f.andLast(); break;
+            case firstOnly: f.notLast(); f.andLast(); break;
         }
     }
     return true;
 }
 
 
-Foam::boundBox Foam::mpm::unionShape::bounds() const
+Foam::boundBox Foam::mpm::compositeShape::bounds() const
 {
     boundBox bb(shapes_[0].bounds());
     for (const pointRegionShape& s : shapes_)
     {
-        bb.add(s.bounds());
+        if (joint_ == anyOf)
+        {
+            bb.add(s.bounds());
+        }
+        else if (joint_ == allOf)
+        {
+            bb.min() = max(bb.min(), s.bounds().min());
+            bb.max() = min(bb.max(), s.bounds().max());
+        }
     }
     return bb;
 }
 
 
-bool Foam::mpm::unionShape::contains(const label celli, const point& x) const
-{
-    for (const pointRegionShape& s : shapes_)
-    {
-        if (s.contains(celli, x))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-void Foam::mpm::unionShape::join(shapeFormula& f) const
-{
-    f.orLast();
-}
-
-
-Foam::boundBox Foam::mpm::intersectionShape::bounds() const
-{
-    boundBox bb(shapes_[0].bounds());
-    for (const pointRegionShape& s : shapes_)
-    {
-        bb.min() = max(bb.min(), s.bounds().min());
-        bb.max() = min(bb.max(), s.bounds().max());
-    }
-    return bb;
-}
-
-
-bool Foam::mpm::intersectionShape::contains
+bool Foam::mpm::compositeShape::contains
 (
     const label celli,
     const point& x
 ) const
 {
-    for (const pointRegionShape& s : shapes_)
+    // The first one that decides ends the search
+    const bool first = shapes_[0].contains(celli, x);
+    if (first == (joint_ == anyOf))
     {
-        if (!s.contains(celli, x))
-        {
-            return false;
-        }
+        return first;
     }
-    return true;
-}
-
-
-void Foam::mpm::intersectionShape::join(shapeFormula& f) const
-{
-    f.andLast();
-}
-
-
-Foam::boundBox Foam::mpm::differenceShape::bounds() const
-{
-    return shapes_[0].bounds();
-}
-
-
-bool Foam::mpm::differenceShape::contains
-(
-    const label celli,
-    const point& x
-) const
-{
     for (label i = 1; i < shapes_.size(); ++i)
     {
-        if (shapes_[i].contains(celli, x))
+        if (shapes_[i].contains(celli, x) == (joint_ != allOf))
         {
-            return false;
+            return joint_ == anyOf;
         }
     }
-    return shapes_[0].contains(celli, x);
-}
-
-
-void Foam::mpm::differenceShape::join(shapeFormula& f) const
-{
-    f.notLast();
-    f.andLast();
+    return joint_ != anyOf;
 }
 
 // ************************************************************************* //

@@ -7,6 +7,18 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "impedanceFlux.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(impedanceFlux, 0);
+    addToRunTimeSelectionTable(faceFlux, impedanceFlux, dictionary);
+}
+}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -208,10 +220,8 @@ void Foam::mpm::impedanceFlux::boundaryFaces
     }
 }
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 template<bool General>
-void Foam::mpm::impedanceFlux::flux
+void Foam::mpm::impedanceFlux::all
 (
     const gasStates<General>& states,
     const result& to
@@ -222,11 +232,31 @@ void Foam::mpm::impedanceFlux::flux
     boundaryFaces<false>(states, nullptr, to);
 }
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<bool General>
 void Foam::mpm::impedanceFlux::flux
 (
-    const gasStates<General>& states,
+    const gasStates<false>& states,
+    const result& to
+) const
+{
+    all(states, to);
+}
+
+
+void Foam::mpm::impedanceFlux::flux
+(
+    const gasStates<true>& states,
+    const result& to
+) const
+{
+    all(states, to);
+}
+
+
+void Foam::mpm::impedanceFlux::flux
+(
+    const gasStates<false>& states,
     const besideSolid& solid,
     const result& to
 ) const
@@ -235,26 +265,5 @@ void Foam::mpm::impedanceFlux::flux
     insideFaces<true>(states, &solid, to);
     boundaryFaces<true>(states, &solid, to);
 }
-
-// * * * * * * * * * * * * * * * Instantiations  * * * * * * * * * * * * * * //
-
-template void Foam::mpm::impedanceFlux::flux
-(
-    const gasStates<false>&,
-    const result&
-) const;
-
-template void Foam::mpm::impedanceFlux::flux
-(
-    const gasStates<true>&,
-    const result&
-) const;
-
-template void Foam::mpm::impedanceFlux::flux
-(
-    const gasStates<false>&,
-    const besideSolid&,
-    const result&
-) const;
 
 // ************************************************************************* //

@@ -71,12 +71,7 @@ void Foam::mpm::NewtonianFluid::update(pointBlock& b) const
 
             if (b.dissipated)
             {
-                store<W>
-                (
-                    r.meanOld + (p - first),
-                    (g.get(b.stress[0]) + g.get(b.stress[1])
-                  + g.get(b.stress[2]))/3.0
-                );
+                r.keepMean(b, g, p - first);
             }
 
             const T across = step.hoop - tr/3.0;
@@ -125,14 +120,7 @@ void Foam::mpm::NewtonianFluid::update(pointBlock& b) const
             fastest,
             pressure_.advance(r, b, first, energy ? energy + first : nullptr, 0)
         );
-        for (int i = 0; i < 3; ++i)
-        {
-            scalar* s = b.stress[i] + first;
-            for (label k = 0; k < r.n; ++k)
-            {
-                s[k] -= r.p[k];
-            }
-        }
+        r.addTo(b, first);
         for (label k = 0; b.width && mu_ > 0 && k < r.n; ++k)
         {
             diffusion = max(diffusion, 1/(r.rho[k]*b.width[first + k]));

@@ -138,12 +138,7 @@ void deviatoricPlasticity<Law>::update(pointBlock& b) const
             store<W>(r.dTheta + (p - first), step.dTheta);
             if (b.dissipated && !energy)
             {
-                store<W>
-                (
-                    r.meanOld + (p - first),
-                    (g.get(b.stress[0]) + g.get(b.stress[1])
-                  + g.get(b.stress[2]))/3.0
-                );
+                r.keepMean(b, g, p - first);
 
                 // Mean of old and new deviator times the plastic strain
                 store<W>
@@ -197,14 +192,7 @@ void deviatoricPlasticity<Law>::update(pointBlock& b) const
             b.waveSpeed,
             pressure_.advance(r, b, first, energy ? energy + first : nullptr, G_)
         );
-        for (int i = 0; i < 3; ++i)
-        {
-            scalar* s = b.stress[i] + first;
-            for (label k = 0; k < r.n; ++k)
-            {
-                s[k] -= r.p[k];
-            }
-        }
+        r.addTo(b, first);
         if (Law::thermal && energy)
         {
             scalar* Tp = temperature + first;

@@ -67,7 +67,11 @@ struct nodewiseLinear : stencilShape<DIM, 8, nodewiseLinear<DIM>>
     }
 };
 
-const addShapeTransfer addNodewiseLinear("nodewiseLinear", newShapePasses<nodewiseLinear>);
+typedef shapeFunction<nodewiseLinear> nodewiseLinearPasses;
+addNamedToRunTimeSelectionTable
+(
+    pointGridTransfer, nodewiseLinearPasses, grid, nodewiseLinear
+);
 
 } // End namespace mpm
 } // End namespace Foam
