@@ -2,6 +2,7 @@
 // (x - origin).normal > 0.
 
 #include "erosionCriterion.H"
+#include "vector.H"
 #include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
