@@ -48,7 +48,8 @@ def places(name):
              for i, line in enumerate(lines) if qualified.search(line)]
     if found:
         return found
-    inside = re.compile(rf"^\s+(?!return\b|const\b\s*\w+\s*=)(?:[\w:<>,&*]+ )+{function}\s*(?:\(|$)")
+    inside = re.compile(
+        rf"^\s+(?!return\b|const\b\s*\w+\s*=)(?:[\w:<>,&*]+ )+{function}\s*(?:\(|$)")
     for path, _ in places(owner):
         for other in (path[:-1] + "C", path):
             found += [(other, i + 1) for i, line in enumerate(sources().get(other, ()))

@@ -10,9 +10,9 @@
 
     test.py -update      writes the figures of the last results into the page
 
-A row of the page: `test` | words of the test's row, … for anything | reference | figure. The figure
-is a number (of one row); "within x": the largest difference from the reference, of all rows that
-fit; "below x": all are smaller (rounding, whose digits nobody compares).
+A row of the page: `test` | words of the test's row, … for anything | reference | figure. The
+figure is a number (of one row); "within x": the largest difference from the reference, of all
+rows that fit; "below x": all are smaller (rounding, whose digits nobody compares).
 """
 
 import decimal
