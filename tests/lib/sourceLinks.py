@@ -1,11 +1,14 @@
-"""Links from the pages of doc/ to functions of the source: [`class::function`](path#Lline).
+"""Links from the pages of doc/ to functions of the source.
 
-    resolve("velocityField::velocity")      # (path, line) of its definition, or of its class
-    wrong("theory.md", text)                # links that lead elsewhere, as sentences
-    updated("theory.md", text)              # the text with the links set anew
+A page has [`class::function`], and at its end where that is:
 
-A name in braces, {class::function}, becomes such a link. A function is where a line that is
-not indented has class::function (templates too), or else where the class' header has it.
+    [`velocityField::velocity`]: ../src/phases/velocityField/velocityField.C#L226
+
+    wrong(page, text)       # number of links, and those that lead elsewhere, as sentences
+    updated(page, text)     # the text with the places at its end set anew
+
+A function is where a line that is not indented has class::function (templates too), or else
+where the class' files have it indented; a class, where its header begins it.
 """
 
 import functools
@@ -18,8 +21,8 @@ from foamCase import PROJECT
 #: Lines by which a link may be off before it is wrong
 NEAR = 25
 
-LINK = re.compile(r"\[`([\w:]+)`\]\((\.\./[\w/.]+\.[CH])(?:#L(\d+))?\)")
-BRACES = re.compile(r"(?<![\\$\w^_}])\{([a-zA-Z]\w+(?:::\w+)*)\}")
+USE = re.compile(r"\[`([A-Za-z]\w*(?:::\w+)*)`\](?![(:])")
+PLACE = re.compile(r"^\[`([\w:]+)`\]: (\S+?\.[CH])(?:#L(\d+))?$", re.M)
 
 
 @functools.lru_cache(None)
@@ -34,6 +37,7 @@ def sources():
     return found
 
 
+@functools.lru_cache(None)
 def places(name):
     """All (path, line) where a function, or a class without ::, is defined."""
     if "::" not in name:
@@ -42,8 +46,8 @@ def places(name):
                 for i, line in enumerate(lines) if struct.match(line)]
     owner, function = name.rsplit("::", 1)
     qualified = re.compile(
-        r"^\S(?:.*\W)?" + "::".join(p + "(?:<[^>]*>)?" for p in owner.split("::"))
-        + rf"::{function}\b|^{owner}::{function}\b")
+        r"^(?:\S(?:.*\W)?)?" + "::".join(p + "(?:<[^>]*>)?" for p in owner.split("::"))
+        + rf"::{function}\b")
     found = [(path, i + 1) for path, lines in sources().items()
              for i, line in enumerate(lines) if qualified.search(line)]
     if found:
@@ -57,34 +61,33 @@ def places(name):
     return found
 
 
-def resolve(name):
-    found = places(name)
-    if not found:
-        raise LookupError(f"no definition of {name} in src")
-    return found[0]
-
-
-def link(page, name):
-    path, line = resolve(name)
-    base = os.path.relpath(os.path.join(PROJECT, path),
-                           os.path.dirname(os.path.join(PROJECT, "doc", page)))
-    return f"[`{name}`]({base}{f'#L{line}' if '::' in name else ''})"
+def uses(text):
+    return sorted(set(USE.findall(text)))
 
 
 def updated(page, text):
-    text = LINK.sub(lambda m: link(page, m.group(1)), text)
-    return BRACES.sub(lambda m: link(page, m.group(1)), text)
+    text = PLACE.sub("", text).rstrip("\n") + "\n"
+    lines = []
+    for name in uses(text):
+        if not places(name):
+            raise LookupError(f"{page}: no definition of {name} in src")
+        path, line = places(name)[0]
+        path = os.path.relpath(os.path.join(PROJECT, path), os.path.join(PROJECT, "doc"))
+        lines.append(f"[`{name}`]: {path}" + (f"#L{line}" if "::" in name else ""))
+    return text + ("\n" + "\n".join(lines) + "\n" if lines else "")
 
 
 def wrong(page, text):
     """(number of links, those that are wrong)."""
-    bad, n = [], 0
-    for name, path, line in LINK.findall(text):
-        n += 1
-        path = os.path.normpath(os.path.join("doc", os.path.dirname(page), path))
+    known, bad = {}, []
+    for name, path, line in PLACE.findall(text):
+        known[name] = path
+        path = os.path.normpath(os.path.join("doc", path))
         at = [i for p, i in places(name) if p == path]
         if not at:
             bad.append(f"{name} is not in {path}")
         elif "::" in name and not any(abs(i - int(line or 0)) <= NEAR for i in at):
             bad.append(f"{name} is at line {at} of {path}, not {line}")
-    return n, bad + [f"{m} is no link" for m in BRACES.findall(text)]
+    bad += [f"{page} has no place of {name}" for name in uses(text) if name not in known]
+    bad += [f"{page} does not use {name}" for name in known if name not in uses(text)]
+    return len(uses(text)), bad

@@ -123,7 +123,7 @@ def theory(table):
     table.check("theory.md: equations (1) to (12)",
                 re.findall(r"\\tag\{(\d+)\}", page) == [str(i) for i in range(1, 13)])
     rows = re.findall(r"^\| ((?:section|\(\d+\)).*?) \| (.*?) \|", page, re.M)
-    named = {n for equation, code in rows if sourceLinks.LINK.search(code)
+    named = {n for equation, code in rows if sourceLinks.USE.search(code)
              for n in re.findall(r"\((\d+)\)", equation)}
     table.check("theory.md: each has a row with functions",
                 named == {str(i) for i in range(1, 13)}, sorted(named, key=int))
@@ -131,7 +131,7 @@ def theory(table):
                 page.count("```") % 2 == 0 and not any(
                     line.count("$") % 2 for line in re.sub(
                         r"(?s)```.*?```", "", page).split("\n\n")))
-    links(table, "theory.md", 60)
+    links(table, "theory.md", 55)
 
 
 def extending(table):
@@ -148,7 +148,7 @@ def extending(table):
     links(table, "extending.md", 16)
 
     # The commands, in an empty folder
-    commands = re.search(r"(?m)^(    cp -r .*\n(?:    .*\n)+)", page).group(1)
+    commands = re.search(r"(?m)^```sh\n# run by .*\n([^`]+)", page).group(1)
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run(["bash", "-ec", commands], cwd=folder, stdout=subprocess.PIPE,
                              stderr=subprocess.STDOUT, timeout=200,
