@@ -32,7 +32,7 @@ PAGES = ("theory.md", "extending.md", "glossary.md")
 
 
 def text(*path):
-    with open(os.path.join(PROJECT, *path), encoding="utf-8") as f:
+    with open(os.path.join(PROJECT, *path), encoding="utf-8", newline="") as f:
         return f.read()
 
 
