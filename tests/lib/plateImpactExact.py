@@ -41,7 +41,7 @@ def stress(X, t):
 
 
 if __name__ == "__main__":
-    # What validation.md 3.1 says of this case
+    # Of this case, by hand
     assert abs(C - 5091.75) < 0.01 and abs(STRESS - 687.39e6) < 1e4
     us = 1e-6
     assert np.isclose(stress(H, 0.5*us), -STRESS, rtol=1e-12) and velocity(H, 0.5*us) == -V/2

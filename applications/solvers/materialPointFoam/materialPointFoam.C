@@ -21,6 +21,7 @@ Description
 #include "simulation.H"
 #include "timeStepControl.H"
 #include "fatalMessages.H"
+#include "version.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -33,11 +34,13 @@ int main(int argc, char *argv[])
         "Material points (solids that break, flow and hit each other) on"
         " OpenFOAM's mesh."
     );
+    argList::addNote(mpm::version);
 
     #include "postProcess.H"
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    Info<< mpm::version << nl << endl;
     mpm::checkControlDict
     (
         args.rootPath()/args.globalCaseName()/"system"/"controlDict"

@@ -11,6 +11,7 @@ License
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
 #include "fullPrecision.H"
+#include "version.H"
 #include "cloud.H"
 #include "IFstream.H"
 #include "OFstream.H"
@@ -230,6 +231,7 @@ void Foam::mpm::timeStepControl::writeState() const
 
         OFstream os(file + ".part");
         os.precision(17);
+        os  << "// " << version << nl;
         state.write(os, false);
     }
     mv(file + ".part", file);

@@ -116,6 +116,7 @@ Usage
 #include "materialPointPhase.H"
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
+#include "version.H"
 #include "noTraps.H"
 #include "regionTable.H"
 #include "phaseNames.H"
@@ -396,6 +397,7 @@ int main(int argc, char *argv[])
         " constant/phaseProperties. Serial only; decomposePar distributes"
         " the points."
     );
+    argList::addNote(version);
     argList::noParallel();
     argList::addOption
     (

@@ -155,7 +155,15 @@ void Foam::mpm::eulerianGas::writeFields()
             psi[c] = W_[c].rho/(t_.empty() ? W_[c].p : t_[c].K);
         }
     }
-    for (regIOobject* field : {static_cast<regIOobject*>(&p_), static_cast<regIOobject*>(&U_), static_cast<regIOobject*>(&rho0_)})
+    for
+    (
+        regIOobject* field
+      : {
+            static_cast<regIOobject*>(&p_),
+            static_cast<regIOobject*>(&U_),
+            static_cast<regIOobject*>(&rho0_)
+        }
+    )
     {
         field->instance() = mesh_.time().timeName();
         field->write();

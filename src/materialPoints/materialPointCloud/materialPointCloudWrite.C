@@ -11,6 +11,7 @@ License
 #include "dictionaryTools.H"
 #include "noTraps.H"
 #include "fullPrecision.H"
+#include "version.H"
 #include "Cloud.H"
 #include "passiveParticle.H"
 #include "IOField.H"
@@ -40,6 +41,7 @@ void writeField
     {
         f[p] = get(p);
     }
+    f.note() = version;
     f.write(n > 0);
 }
 
@@ -73,6 +75,7 @@ void Foam::mpm::materialPointCloud::writeRecord() const
     mkDir(file.path());
     OFstream os(file);
     os.precision(17);
+    os  << "// " << version << nl;
     record.write(os, false);
 }
 

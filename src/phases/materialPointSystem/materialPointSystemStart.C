@@ -424,6 +424,9 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
     energy_ = &parts_.own(new pointEnergy(*this));
     erosion_ = &parts_.own(new pointErosion(*this));
     rigid_ = &parts_.own(new rigidBodies(*this));
+
+    // Before the points are read: parts may ask for columns
+    makeParts();
     forAll(phases_, phasei)
     {
         readPoints(phases_[phasei], erosion_->isDebris(phasei));
@@ -431,7 +434,6 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
     rate_ = largestOfAll(rate_);
     updateWaveRate();
     erosion_->countStarted();
-    makeParts();
 
     startNodes();
     parts_.within(&stepPart::started);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plate impact: accuracy as in the table of the peers (peers.md (c)).
+"""Plate impact: accuracy beside six other codes.
 
 Six open MPM codes were run on this case: rho 2700, E 70e9, nu 0, flyer 1.9 mm
 at 100 m/s on a target of 3.8 mm, one velocity field, 2 points per cell and

@@ -6,8 +6,8 @@ impulse    an elastic block meets a rigid plate of the same velocity field (fixe
            on the plate is what the block's momentum loses, to rounding; with
            gravity also M g t
 bar        a bar of 25 m hits a fixed plate: force rho c v A until the release
-           arrives, so that the impulse at L/c is the bar's momentum (validation.md
-           5.1's bar; linear elastic, nu 0): within 1 %
+           arrives, so that the impulse at L/c is the bar's momentum
+           (linear elastic, nu 0): within 1 %
 motion     positions and velocities of rigid points against the closed form:
            constant, table, sine, polynomial; rotation in 2D and 3D
 restart    stopped and continued: bit by bit

@@ -9,15 +9,15 @@ Without failure:
             half a cell of the target's mid-plane rises through half of
             rho c v/2 = 687.39 MPa; exact 3 H/c = 1.1195 us.
             FLIP + 1 % PIC: 24 ns late at 100 cells over the target, 14 ns at
-            200 with the prototype of coupling.md T3, rounded up: 25 and 16 ns.
+            200 with a prototype, rounded up: 25 and 16 ns.
             FMPM of order 2: 6 and 3 ns asked for.
     place   where the largest tension is at that instant: within 2 cells of the
-            mid-plane (validation.md 3.1)
+            mid-plane
     plateau mean of the same points over 0.60..0.95 us: -687.39 MPa +-1 %
     surface mean velocity of the outermost points of the target over
-            0.85..1.05 us: 100 +-2 m/s (validation.md 3.1)
+            0.85..1.05 us: 100 +-2 m/s
 With failure at 400 MPa: first failure within 2 cells of the mid-plane at
-1.12..1.18 us (validation.md 3.1).
+1.12..1.18 us.
 
 Carried: with cubicBSpline and FMPM 3 all moves with 500 m/s along the impact or
 across it (100 cells): t343 within 3 ns, failed rows of points within 20 % of those at
@@ -47,7 +47,7 @@ SCHEMES = {
 MAX_CO = {"FLIP": 0.4, "FMPM2": 0.5}
 
 #: Four points per cell. The prototype's figures for FLIP are for four across
-#: the wave (with 2 x 2 they are 25.7 ns: coupling-2d.md, T3-2D)
+#: the wave (with 2 x 2 they are 25.7 ns)
 POINTS = {"FLIP": "(1 4 1)", "FMPM2": 2}
 
 #: Schemes whose places have a limit. FLIP's ringing makes single points up to

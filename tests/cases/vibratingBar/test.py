@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Axial vibration of a bar: frequency and energy (validation.md 5.1).
+"""Axial vibration of a bar: frequency and energy.
 
 A bar of length L = 25, E 100, rho 1, nu 0, so c = 10, is fixed at x = 0 and free
 at x = L, in 1D with 32 cells over L, 2 points per cell, GIMP, Courant number 0.2.
@@ -12,7 +12,7 @@ T = 4 L/c = 10, and the total energy is rho L v0^2/4 = 0.0625 times the section.
 
     period  twice the mean distance of the zero crossings of the mass centre's
             velocity in 0..50: within 0.2 % of 10
-    energy  kinetic + strain at t = 50: within 1 % (validation.md: 1 to 2 %)
+    energy  kinetic + strain at t = 50: within 1 %
 
 With 1 % PIC the energy loss is printed, without limit.
 """
