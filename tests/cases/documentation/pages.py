@@ -6,6 +6,9 @@ import re
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _SPAN = re.compile(r"`([^`]+)`")
 _CLAIM = re.compile(r"<!-- read in: ([^>]*?) -->", re.S)
+_COMMANDS = ("cp|mkdir|touch|git|wmake|mpirun|blockMesh|setMaterialPoints|materialPointFoam"
+             r"|foam[A-Z]\w+|decomposePar|reconstructPar|compareMaterialPoints|paraview"
+             r"|\./All\w+|(tests|tutorials|benchmarks)/[\w/]*All\w+|\. etc/\w+")
 _SWITCHES = {"yes", "no"}
 
 
@@ -83,6 +86,22 @@ class Page:
 
     def blocks(self, language):
         return re.findall(rf"^```{language}\n(.*?)^```", self.text, re.S | re.M)
+
+    def paths(self):
+        """Files and folders of the project that stand in code quotes."""
+        return [span for span in _SPAN.findall(self._withoutBlocks())
+                if re.fullmatch(r"(src|applications|doc|etc|tests|tutorials|benchmarks)"
+                                r"/[\w./]*\w", span) and "tests/run" not in span]
+
+    def hiddenCommands(self):
+        """Commands in blocks that are not of the language sh."""
+        lines = [line for line in self._withoutBlocks().split("\n")
+                 if line.startswith("    ")]
+        for language, block in re.findall(r"^```(\w*)\n(.*?)^```", self.text, re.S | re.M):
+            if language != "sh":
+                lines += block.split("\n")
+        return [line.strip() for line in lines
+                if re.match(rf"\s*({_COMMANDS})(\s|$)", line)]
 
     def messages(self):
         """Messages in the first column of tables."""

@@ -4,8 +4,8 @@
 entries     doc/entries.md has every word of a dictionary that the sources read
             (sourceWords.py), and no other; removing a word is found
 messages    every message of doc/guide/troubleshooting.md is one of the sources
-links       links between the project's pages resolve, also to headings; lines of
-            tables have at most 160 characters
+links       links between the project's pages resolve, also to headings and lines;
+            paths in code quotes exist; lines of tables have at most 160 characters
 commands    commands of README.md and doc run, in a copy of a case
 """
 
@@ -104,6 +104,15 @@ def messages(table):
 
 # --- links -------------------------------------------------------------------
 
+def hasPlace(page, path, place):
+    """Has a page the heading, or a source the line?"""
+    if page:
+        return place in page.anchors()
+    line = re.fullmatch(r"L(\d+)", place)
+    with open(os.path.join(PROJECT, path)) as f:
+        return bool(line) and int(line.group(1)) <= len(f.readlines())
+
+
 def links(table):
     every = {os.path.relpath(p, PROJECT): Page(p) for p in pages(PROJECT)}
     bad, number, long = [], 0, []
@@ -113,11 +122,11 @@ def links(table):
             file, _, heading = target.partition("#")
             goal = os.path.normpath(os.path.join(os.path.dirname(name), file)) \
                 if file else name
-            if not os.path.exists(os.path.join(PROJECT, goal)):
+            if not os.path.exists(os.path.join(PROJECT, goal)) \
+                    or heading and not hasPlace(every.get(goal), goal, heading):
                 bad.append(f"{name}: {target}")
-            elif heading and (goal not in every
-                              or heading not in every[goal].anchors()):
-                bad.append(f"{name}: {target}")
+        bad += [f"{name}: {p}" for p in page.paths()
+                if not os.path.exists(os.path.join(PROJECT, p))]
         long += [f"{name}:{n}" for n, line in enumerate(page.text.split("\n"), 1)
                  if line.lstrip().startswith("|") and len(line) > MOST]
     table.row("links between pages", 50, number, 50, "atLeast")
@@ -129,12 +138,14 @@ def links(table):
 
 def commands(table):
     """Blocks of the language sh. The first line of a block may say that it is not run
-    here: "# on your own machine", or "# run by tests/Alltest <name>"."""
-    unknown, nBlocks = [], 0
+    here: "# on your own machine", or "# run by tests/Alltest <name>". Blocks of other
+    languages and indented ones have no commands."""
+    unknown, nBlocks, hidden = [], 0, []
     for path in [os.path.join(PROJECT, "README.md")] + sorted(glob.glob(
             os.path.join(PROJECT, "doc/**/*.md"), recursive=True)):
         name = os.path.relpath(path, PROJECT)
         here = []
+        hidden += [f"{name}: {line}" for line in Page(path).hiddenCommands()]
         for block in Page(path).blocks("sh"):
             nBlocks += 1
             other = re.match(r"# run by tests/Alltest(.*)\n", block)
@@ -146,6 +157,7 @@ def commands(table):
         if here:
             runBlocks(table, name, here)
     table.row("blocks of commands", 10, nBlocks, 10, "atLeast")
+    table.check("no commands in other blocks", not hidden, " | ".join(hidden))
     table.check("tests that run the others exist", not unknown, " ".join(unknown))
 
 
