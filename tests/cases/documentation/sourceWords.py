@@ -1,0 +1,153 @@
+"""Words of dictionaries that the sources read.
+
+    words = sourceWords(project)        # {file: {word: line}}
+
+Taken are, comments left out,
+
+- strings in the arguments of calls that read a dictionary or an option (READING);
+- lists of strings in braces that are a wordList: valid keywords, valid choices;
+- names of models, TypeName("..."), but not those of base classes, which have a
+  run-time selection table;
+- tables of quantities, {"sigma", 6, "[Pa]"}.
+
+Left out is what a run reads of the files that it has written itself (dictionaries
+with a name of STATE, files of WRITTEN), and words that are none of a dictionary
+(NOT_ENTRIES).
+"""
+
+import os
+import re
+
+READING = set("""
+    lookup get getOrDefault lookupOrDefault found findEntry lookupEntry subDict
+    subOrEmptyDict isDict New addOption addBoolOption readListIfPresent
+    requireKeyword required requiredDict positive bounded boundedOrDefault
+    boundedLabelOrDefault oneOf oneOfOrDefault checkKeywords justOne wordList
+    key keys append add failureModel addGimpPasses addLinearPasses
+    addCubicBSplinePasses addQuadraticBSplinePasses
+    """.split())
+
+#: Dictionaries of the restart state
+STATE = {"state", "energy", "body", "failed", "before", "record", "now"}
+
+#: Files that read only what a run or setMaterialPoints has written
+WRITTEN = {"materialPointCloudWrite.C", "materialPointCloudIO.C", "startState.C",
+           "caseTime.C", "materialPointSystemOutput.C"}
+
+#: Words that the above takes and that are none of a dictionary: {file: words}
+NOT_ENTRIES = {
+    # Names of classes and of parts of the step
+    "materialPointCloud.H": "materialPointCloud", "hexGrid.H": "hexGrid",
+    "materialPointSystem.H": "materialPointSystem", "pointEnergy.H": "energy",
+    "pointErosion.H": "eroded outflow", "rigidBodies.H": "rigid",
+    # Columns of points
+    "materialPointPhase.C": "failedTime", "isotropicElasticTemplates.C": "leftStretch",
+    "JohnsonCookDamage.H": "damageStrain", "TulerButcher.H": "tensileImpulse",
+    "maxPrincipalStrain.H": "leftStretch", "maxPrincipalStress.H": "crack",
+    # Files
+    "materialPointBalance.C": "total mixture", "materialPointEnergy.C": "energy",
+    "materialPointPatchForces.C": "total", "surfaceShape.C": "triSurface",
+    "phaseNames.C": "FoamFile",
+    # Asked for where they are not read
+    "simulation.C": "gas", "regionTable.C": "gas contact",
+    "setMaterialPoints.C": "gas velocity stress pressure",
+    "materialPointSystem.C": "outflow", "gasCoupling.C": "stick type",
+}
+
+_TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//[^\n]*|/\*.*?\*/', re.S)
+_STRING = re.compile(r'"([A-Za-z][A-Za-z0-9_]*)(?:\(([A-Za-z]*)\)?)?"')
+_CALL = re.compile(r"([A-Za-z_]\w*)\s*(?:<[^;(){}]*>)?\s*$")
+_TYPE = re.compile(r"TypeName\w*\s*\(\s*$")
+_TABLE = re.compile(r'\{"\w+", \d, "\[')
+_LIST = re.compile(r"(?:\bwordList\b|\bkeywords\b|\breturn\b)[^;]*$")
+
+
+def withoutComments(text):
+    """Comments blank, strings and lines as they were."""
+    def blank(match):
+        found = match.group(0)
+        return found if found[0] in "\"'" else re.sub(r"[^\n]", " ", found)
+    return _TOKEN.sub(blank, text)
+
+
+def _bracket(text, at):
+    """Place of the bracket around a place of the same statement; None: there is none."""
+    depth = 0
+    for i in range(at - 1, -1, -1):
+        c = text[i]
+        if c in ")}]":
+            depth += 1
+        elif c in "({[":
+            if depth == 0:
+                return i
+            depth -= 1
+        elif c == ";" and depth == 0:
+            return None
+    return None
+
+
+def _isRead(text, at):
+    """Is the string at this place a word of a dictionary that a user writes?"""
+    taken = False
+    i = _bracket(text, at)
+    for level in range(4):
+        if i is None:
+            break
+        before = text[max(0, i - 500):i]
+        if text[i] == "{":
+            taken = taken or level == 0 and bool(_LIST.search(before))
+        elif text[i] == "(":
+            call = _CALL.search(before)
+            if call and call.group(1) in READING:
+                taken = True
+                receiver = re.search(r"(\w+)(?:\.|->)$", before[:call.start()])
+                first = re.match(r"\s*(\w+)", text[i + 1:])
+                if (receiver or first) and (receiver or first).group(1) in STATE:
+                    return False
+        i = _bracket(text, i)
+    return taken
+
+
+def wordsOf(text):
+    """{word: line} of one source file."""
+    text = withoutComments(text)
+    base = "declareRunTimeSelectionTable" in text
+    words = {}
+    for match in _STRING.finditer(text):
+        at = match.start()
+        if _TYPE.search(text[max(0, at - 40):at]):
+            taken = not base
+        elif _TABLE.match(text, at - 1):
+            taken = True
+        else:
+            taken = _isRead(text, at)
+        if taken:
+            for word in filter(None, match.groups()):
+                words.setdefault(word, text.count("\n", 0, at) + 1)
+    return words
+
+
+def sourceFiles(project):
+    """Sources of the libraries and programs, as paths in the project."""
+    for folder in ("src", "applications"):
+        for root, folders, names in os.walk(os.path.join(project, folder)):
+            folders[:] = [f for f in folders if f not in ("lnInclude", "Make")]
+            for name in sorted(names):
+                if name.endswith((".C", ".H")):
+                    yield os.path.relpath(os.path.join(root, name), project)
+
+
+def sourceWords(project):
+    """{file: {word: line}} of all sources that read dictionaries."""
+    found = {}
+    for path in sourceFiles(project):
+        name = os.path.basename(path)
+        if name in WRITTEN:
+            continue
+        with open(os.path.join(project, path)) as f:
+            words = wordsOf(f.read())
+        for word in NOT_ENTRIES.get(name, "").split():
+            words.pop(word, None)
+        if words:
+            found[path] = words
+    return found
