@@ -28,11 +28,57 @@ static scalar dragCoefficientRe(const scalar Re)
     return Re < 1000 ? 24*(1 + 0.15*std::pow(Re, 0.687)) : 0.44*Re;
 }
 
+
+//- K of spheres of diameter d, C_D rho u/d = (C_D Re) mu/(theta_g d^2)
+static scalar SchillerNaumannK(const dragModel::state& s, const scalar d)
+{
+    return 0.75*dragCoefficientRe(s.rho*s.U*d/s.mu)*s.mu/sqr(d)*s.thetaS;
+}
+
+
+static scalar WenYuK(const dragModel::state& s, const scalar d)
+{
+    const scalar Re = s.thetaG*s.rho*s.U*d/s.mu;
+    return
+        0.75*dragCoefficientRe(Re)*s.mu/(s.thetaG*sqr(d))
+       *s.thetaS*std::pow(s.thetaG, -1.65);
+}
+
+
+static scalar ErgunK(const dragModel::state& s, const scalar d)
+{
+    return
+        150*sqr(s.thetaS)*s.mu/(s.thetaG*sqr(d))
+      + 1.75*s.thetaS*s.rho*s.U/d;
+}
+
+
+static scalar GidaspowK(const dragModel::state& s, const scalar d)
+{
+    return s.thetaG < 0.8 ? ErgunK(s, d) : WenYuK(s, d);
+}
+
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+//- Models whose K has no viscosity
+class inviscid
+:
+    public dragModel
+{
+public:
+
+    using dragModel::dragModel;
+
+    bool needsViscosity() const override
+    {
+        return false;
+    }
+};
+
 
 class noDrag
 :
-    public dragModel
+    public inviscid
 {
 public:
 
@@ -40,17 +86,12 @@ public:
 
     explicit noDrag(const dictionary& dict)
     :
-        dragModel(dict, wordList())
+        inviscid(dict, wordList())
     {}
 
     scalar K(const state&) const override
     {
         return 0;
-    }
-
-    bool needsViscosity() const override
-    {
-        return false;
     }
 
     bool none() const override
@@ -62,7 +103,7 @@ public:
 
 class stick
 :
-    public dragModel
+    public inviscid
 {
 public:
 
@@ -70,24 +111,19 @@ public:
 
     explicit stick(const dictionary& dict)
     :
-        dragModel(dict, wordList())
+        inviscid(dict, wordList())
     {}
 
     scalar K(const state& s) const override
     {
         return s.thetaS > 0 ? sticking : 0;
     }
-
-    bool needsViscosity() const override
-    {
-        return false;
-    }
 };
 
 
 class constant
 :
-    public dragModel
+    public inviscid
 {
     const scalar value_;
 
@@ -97,18 +133,13 @@ public:
 
     explicit constant(const dictionary& dict)
     :
-        dragModel(dict, {"value"}),
+        inviscid(dict, {"value"}),
         value_(positive(dict, "value"))
     {}
 
     scalar K(const state& s) const override
     {
         return s.thetaS*s.thetaG*value_;
-    }
-
-    bool needsViscosity() const override
-    {
-        return false;
     }
 };
 
@@ -136,14 +167,17 @@ public:
 };
 
 
-//- Spheres of one diameter
+//- Spheres of one diameter, with one of the functions above
+template<scalar Law(const dragModel::state&, const scalar)>
 class spheres
 :
     public dragModel
 {
-protected:
-
     const scalar d_;
+
+public:
+
+    TypeName("spheres");
 
     explicit spheres(const dictionary& dict)
     :
@@ -151,101 +185,9 @@ protected:
         d_(positive(dict, "d"))
     {}
 
-    scalar WenYuK(const state& s) const
-    {
-        const scalar Re = s.thetaG*s.rho*s.U*d_/s.mu;
-        // C_D rho u/d = (C_D Re) mu/(theta_g d^2)
-        return
-            0.75*dragCoefficientRe(Re)*s.mu/(s.thetaG*sqr(d_))
-           *s.thetaS*std::pow(s.thetaG, -1.65);
-    }
-
-    scalar ErgunK(const state& s) const
-    {
-        return
-            150*sqr(s.thetaS)*s.mu/(s.thetaG*sqr(d_))
-          + 1.75*s.thetaS*s.rho*s.U/d_;
-    }
-};
-
-
-class SchillerNaumann
-:
-    public spheres
-{
-public:
-
-    TypeName("SchillerNaumann");
-
-    explicit SchillerNaumann(const dictionary& dict)
-    :
-        spheres(dict)
-    {}
-
     scalar K(const state& s) const override
     {
-        return
-            0.75*dragCoefficientRe(s.rho*s.U*d_/s.mu)*s.mu/sqr(d_)*s.thetaS;
-    }
-};
-
-
-class WenYu
-:
-    public spheres
-{
-public:
-
-    TypeName("WenYu");
-
-    explicit WenYu(const dictionary& dict)
-    :
-        spheres(dict)
-    {}
-
-    scalar K(const state& s) const override
-    {
-        return WenYuK(s);
-    }
-};
-
-
-class Ergun
-:
-    public spheres
-{
-public:
-
-    TypeName("Ergun");
-
-    explicit Ergun(const dictionary& dict)
-    :
-        spheres(dict)
-    {}
-
-    scalar K(const state& s) const override
-    {
-        return ErgunK(s);
-    }
-};
-
-
-class Gidaspow
-:
-    public spheres
-{
-public:
-
-    TypeName("Gidaspow");
-
-    explicit Gidaspow(const dictionary& dict)
-    :
-        spheres(dict)
-    {}
-
-    scalar K(const state& s) const override
-    {
-        return s.thetaG < 0.8 ? ErgunK(s) : WenYuK(s);
+        return Law(s, d_);
     }
 };
 
@@ -255,16 +197,22 @@ public:
     defineTypeNameAndDebug(model, 0);                                          \
     addToRunTimeSelectionTable(dragModel, model, dictionary)
 
+#define addSpheres(model)                                                      \
+    typedef spheres<model##K> model;                                           \
+    defineTemplateTypeNameAndDebugWithName(model, #model, 0);                  \
+    addToRunTimeSelectionTable(dragModel, model, dictionary)
+
 addDrag(noDrag);
 addDrag(stick);
 addDrag(constant);
 addDrag(Darcy);
-addDrag(SchillerNaumann);
-addDrag(WenYu);
-addDrag(Ergun);
-addDrag(Gidaspow);
+addSpheres(SchillerNaumann);
+addSpheres(WenYu);
+addSpheres(Ergun);
+addSpheres(Gidaspow);
 
 #undef addDrag
+#undef addSpheres
 
 } // End namespace dragModels
 } // End namespace mpm

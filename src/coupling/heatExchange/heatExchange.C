@@ -23,10 +23,10 @@ void Foam::mpm::heatExchange::read
     if (!gas_.thermo().hasTemperature())
     {
         FatalIOErrorInFunction(heatDict)
-            << "The gas " << gas_.name() << " (" << gas_.thermo().description().c_str()
+            << "The gas " << gas_.name() << " ("
+            << gas_.thermo().description().c_str()
             << ") has no temperature and exchanges no heat. Use thermo"
-            << " perfectGas."
-            << exit(FatalIOError);
+            << " perfectGas." << exit(FatalIOError);
     }
     if (models_[phasei].needsConductivity() && !(mu_ > 0 && Pr_ > 0))
     {

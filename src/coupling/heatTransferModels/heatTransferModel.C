@@ -63,16 +63,16 @@ protected:
 
     const scalar d_;
 
+    virtual scalar Nu(const state& s) const = 0;
+
+public:
+
     explicit spheres(const dictionary& dict)
     :
         d_(positive(dict, "d"))
     {
         checkKeywords(dict, {"type", "d"});
     }
-
-    virtual scalar Nu(const state& s) const = 0;
-
-public:
 
     scalar H(const state& s) const override
     {
@@ -94,10 +94,7 @@ public:
 
     TypeName("RanzMarshall");
 
-    explicit RanzMarshall(const dictionary& dict)
-    :
-        spheres(dict)
-    {}
+    using spheres::spheres;
 };
 
 
@@ -118,10 +115,7 @@ public:
 
     TypeName("Gunn");
 
-    explicit Gunn(const dictionary& dict)
-    :
-        spheres(dict)
-    {}
+    using spheres::spheres;
 };
 
 

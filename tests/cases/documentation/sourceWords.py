@@ -37,7 +37,7 @@ WRITTEN = {"materialPointCloudWrite.C", "materialPointCloudIO.C", "startState.C"
 #: Words that the above takes and that are none of a dictionary: {file: words}
 NOT_ENTRIES = {
     # Names of classes and of parts of the step
-    "materialPointCloud.H": "materialPointCloud", "hexGrid.H": "hexGrid",
+    "materialPointCloud.H": "materialPointCloud", "pointGrid.H": "pointGrid",
     "materialPointSystem.H": "materialPointSystem", "pointEnergy.H": "energy",
     "pointErosion.H": "eroded outflow", "rigidBodies.H": "rigid",
     # Columns of points
