@@ -18,7 +18,7 @@ namespace
 using namespace Foam;
 using namespace Foam::mpm;
 
-//- linear: by products of 1D functions on a lattice, through the cells' own
+//- linear: by products of 1D functions on a lattice, by the cells' own
 //  coordinates elsewhere
 autoPtr<pointGridTransfer> newLinearPasses(const hexGrid& grid)
 {
