@@ -63,12 +63,7 @@ int main(int argc, char *argv[])
 
 
     #include "createFields.H"
-    mpm::timeStepControl control
-    (
-        runTime,
-        simulation.points(),
-        simulation.gas()
-    );
+    mpm::timeStepControl control(runTime, simulation);
     if (control.dryRun(args))
     {
         return 0;
@@ -79,6 +74,10 @@ int main(int argc, char *argv[])
     control.setDeltaT();
     while (runTime.run())
     {
+        if (control.rebuilds())
+        {
+            simulation = mpm::simulation(mesh, simulation.takeDown());
+        }
         simulation.readModified();
 
         // Equations (5) to (9) of the paper, then stress (section 3.1)

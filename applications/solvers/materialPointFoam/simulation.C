@@ -18,44 +18,98 @@ License
 
 Foam::mpm::simulation::simulation(const fvMesh& mesh)
 :
-    mesh_(mesh),
+    mesh_(&mesh),
+    properties_
+    (
+        IOdictionary
+        (
+            IOobject
+            (
+                "phaseProperties",
+                mesh.time().constant(),
+                mesh,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            )
+        )
+    ),
     seconds_(0)
 {
-    const IOdictionary phaseProperties
-    (
-        IOobject
-        (
-            "phaseProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    if (phaseNames(phaseProperties, {"materialPoints", "rigid"}).size())
+    makePhases(nullptr);
+}
+
+
+Foam::mpm::simulation::simulation(const fvMesh& mesh, rows&& from)
+:
+    mesh_(&mesh),
+    properties_(from.points.properties),
+    seconds_(0)
+{
+    if (from.time != mesh.time().value())
     {
-        points_.reset(new materialPointSystem(mesh));
+        FatalErrorInFunction
+            << "The state is that of time " << from.time << ", but the time is "
+            << mesh.time().value() << "." << exit(FatalError);
     }
-    makeGas(phaseProperties);
-    if (points_ && gas_)
+    const meshPlaces::order order(from.places.orderOf(mesh));
+    for (fieldStates* fields : {&from.gas, &from.points.cellFields})
     {
-        coupling_.reset(new gasCoupling(*points_, *gas_, phaseProperties));
+        forAllIters(*fields, iter)
+        {
+            order.ofCells(iter.val());
+        }
+    }
+    forAllIters(from.points.pointFields, iter)
+    {
+        order.ofPoints(iter.val());
+    }
+
+    Info<< "Simulation is built again from memory, time "
+        << mesh.time().timeName() << nl << endl;
+    makePhases(&from);
+    setState(from.state);
+    if (points_)
+    {
+        points_->resume(from.points);
+    }
+    if (from.gasBudget.size())
+    {
+        gasBudget sums;
+        sums.setState(from.gasBudget);
+        coupling_->setBalance(sums);
     }
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::simulation::makeGas(const dictionary& phaseProperties)
+void Foam::mpm::simulation::makePhases(rows* from)
 {
-    const wordList names(phaseNames(phaseProperties, {"gas"}));
+    if (phaseNames(properties_, {"materialPoints", "rigid"}).size())
+    {
+        points_.reset
+        (
+            new materialPointSystem(*mesh_, from ? &from->points : nullptr)
+        );
+    }
+    makeGas(from);
+    if (points_ && gas_)
+    {
+        coupling_.reset(new gasCoupling(*points_, *gas_, properties_));
+    }
+}
+
+
+void Foam::mpm::simulation::makeGas(const rows* from)
+{
+    const wordList names(phaseNames(properties_, {"gas"}));
     if (names.empty())
     {
         return;
     }
     if (names.size() > 1)
     {
-        FatalIOErrorInFunction(phaseProperties)
+        FatalIOErrorInFunction(properties_)
             << "There are " << names.size() << " phases of type gas "
             << flatOutput(names) << "; there may be one."
             << exit(FatalIOError);
@@ -64,8 +118,8 @@ void Foam::mpm::simulation::makeGas(const dictionary& phaseProperties)
     IOobject header
     (
         "g",
-        mesh_.time().constant(),
-        mesh_,
+        mesh_->time().constant(),
+        *mesh_,
         IOobject::MUST_READ,
         IOobject::NO_WRITE,
         false
@@ -73,16 +127,17 @@ void Foam::mpm::simulation::makeGas(const dictionary& phaseProperties)
     if (header.typeHeaderOk<uniformDimensionedVectorField>(true))
     {
         g = uniformDimensionedVectorField(header).value();
-        checkGravity(header.objectPath(), g, mesh_.geometricD());
+        checkGravity(header.objectPath(), g, mesh_->geometricD());
     }
     gas_.reset
     (
         new eulerianGas
         (
-            mesh_,
+            *mesh_,
             names[0],
-            requiredDict(phaseProperties, names[0]),
-            g
+            requiredDict(properties_, names[0]),
+            g,
+            from ? &from->gas : nullptr
         )
     );
 }
@@ -152,6 +207,66 @@ void Foam::mpm::simulation::write()
     {
         gas_->writeFields();
     }
+}
+
+
+Foam::dictionary Foam::mpm::simulation::state() const
+{
+    dictionary state;
+    if (points_)
+    {
+        state.add("points", points_->state());
+    }
+    if (gas_)
+    {
+        state.add("gas", gas_->state());
+    }
+    return state;
+}
+
+
+void Foam::mpm::simulation::setState
+(
+    const dictionary& state,
+    const bool ofPoints
+)
+{
+    if (points_ && ofPoints)
+    {
+        points_->setState(requiredDict(state, "points"));
+    }
+    if (gas_)
+    {
+        gas_->setState(requiredDict(state, "gas"));
+    }
+}
+
+
+Foam::mpm::simulation::rows Foam::mpm::simulation::takeDown()
+{
+    rows r;
+    r.time = mesh_->time().value();
+    r.places = meshPlaces(*mesh_);
+    r.state = state();
+    if (coupling_ && coupling_->hasBudget())
+    {
+        r.gasBudget = coupling_->balance().state();
+    }
+    if (points_)
+    {
+        r.points = points_->takeDown();
+    }
+    if (gas_)
+    {
+        r.gas = gas_->takeDown();
+    }
+    r.points.properties = properties_;
+
+    coupling_.clear();
+    gas_.clear();
+    points_.clear();
+    pointGrid::Delete(*mesh_);
+    return r;
 }
 
 

@@ -38,13 +38,11 @@ fileName stateFile(const fileName& path, const word& instance)
 Foam::mpm::timeStepControl::timeStepControl
 (
     Time& time,
-    materialPointSystem* points,
-    eulerianGas* gas
+    mpm::simulation& simulation
 )
 :
     time_(time),
-    points_(points),
-    gas_(gas),
+    simulation_(simulation),
     origin_(time.value()),
     startTime_(time.value()),
     nSteps_(0),
@@ -93,14 +91,7 @@ Foam::mpm::timeStepControl::timeStepControl
         origin_ = bounded(state, "origin", -GREAT, value);
         growFrom_ = positive(state, "growFrom");
         // Not of points that setMaterialPoints has put there since
-        if (points && !state.found("newPoints"))
-        {
-            points->setState(requiredDict(state, "points"));
-        }
-        if (gas)
-        {
-            gas->setState(requiredDict(state, "gas"));
-        }
+        simulation.setState(state, !state.found("newPoints"));
     }
 }
 
@@ -219,14 +210,7 @@ void Foam::mpm::timeStepControl::writeState() const
         state.add("value", time_.value());
         state.add("origin", origin_);
         state.add("growFrom", growFrom_);
-        if (points_)
-        {
-            state.add("points", points_->state());
-        }
-        if (gas_)
-        {
-            state.add("gas", gas_->state());
-        }
+        state.merge(simulation_.state());
         state.add("complete", true);
 
         OFstream os(file + ".part");
@@ -294,19 +278,19 @@ Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
 {
     const dictionary& dict = time_.controlDict();
     scalar dt = GREAT;
-    if (points_)
+    if (points())
     {
         // The rate of a rigid body at rest is 0
         dt = bounded(dict, "maxCo", 1e-6, 1)
-           /max(points_->courantRate(), VSMALL);
+           /max(points()->courantRate(), VSMALL);
     }
-    if (gas_)
+    if (gas())
     {
         dt = min
         (
             dt,
             boundedOrDefault(dict, "maxCoGas", 0.4, 1e-6, 1)
-           /gas_->courantRate()
+           /gas()->courantRate()
         );
     }
     return dt;
@@ -320,7 +304,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
         // Time::run() ends by the time step of the last step
         return;
     }
-    if (points_ && points_->erosion().empty() && !gas_)
+    if (points() && points()->erosion().empty() && !gas())
     {
         // Read like this: the run before has ended with it
         Info<< "All material points have left through the patches of outflow."
@@ -384,14 +368,14 @@ void Foam::mpm::timeStepControl::setDeltaT()
     checkAdvances();
 
     const scalar CoPoints =
-        points_ ? points_->courantRate()*time_.deltaTValue() : 0;
+        points() ? points()->courantRate()*time_.deltaTValue() : 0;
     const scalar CoGas =
-        gas_ ? gas_->courantRate()*time_.deltaTValue() : 0;
+        gas() ? gas()->courantRate()*time_.deltaTValue() : 0;
     const scalar Co = max(CoPoints, CoGas);
     if (!nSteps_ || reports())
     {
         Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
-        if (points_ && gas_)
+        if (points() && gas())
         {
             Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
                 << CoGas << nl;
@@ -464,6 +448,20 @@ Foam::label Foam::mpm::timeStepControl::reportInterval(const label step) const
         1,
         labelMax
     );
+}
+
+
+bool Foam::mpm::timeStepControl::rebuilds() const
+{
+    const label interval = boundedLabelOrDefault
+    (
+        time_.controlDict(),
+        "rebuildInterval",
+        0,
+        0,
+        labelMax
+    );
+    return interval > 0 && nSteps_ > 0 && time_.timeIndex() % interval == 0;
 }
 
 

@@ -36,8 +36,8 @@ void Foam::mpm::timeStepControl::stop(const string& reason)
 
 Foam::string Foam::mpm::timeStepControl::limiter() const
 {
-    const scalar points = points_ ? points_->courantRate() : 0;
-    const scalar gas = gas_ ? gas_->courantRate() : 0;
+    const scalar pointRate = points() ? points()->courantRate() : 0;
+    const scalar gasRate = gas() ? gas()->courantRate() : 0;
     const dictionary& dict = time_.controlDict();
     OStringStream os;
     if (dict.getOrDefault<bool>("adjustTimeStep", false))
@@ -54,12 +54,12 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
         }
         if
         (
-            gas_
-         && gas/dict.getOrDefault<scalar>("maxCoGas", 0.4)
-          > points/max(dict.getOrDefault<scalar>("maxCo", 1), VSMALL)
+            gas()
+         && gasRate/dict.getOrDefault<scalar>("maxCoGas", 0.4)
+          > pointRate/max(dict.getOrDefault<scalar>("maxCo", 1), VSMALL)
         )
         {
-            os  << "the gas: Courant number " << gas*time_.deltaTValue();
+            os  << "the gas: Courant number " << gasRate*time_.deltaTValue();
             return os.str();
         }
     }
@@ -67,7 +67,7 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
     {
         os  << "deltaT of controlDict; the least is that of ";
     }
-    os  << (points_ ? points_->limiter().c_str() : "the gas");
+    os  << (points() ? points()->limiter().c_str() : "the gas");
     return os.str();
 }
 
@@ -109,11 +109,11 @@ void Foam::mpm::timeStepControl::watchDeltaT()
 
 void Foam::mpm::timeStepControl::watchEnergy()
 {
-    if (!points_)
+    if (!points())
     {
         return;
     }
-    const scalar growth = points_->energy().growth();
+    const scalar growth = points()->energy().growth();
     const dictionary& dict = time_.controlDict();
     const scalar most =
         boundedOrDefault(dict, "maxEnergyGrowth", GREAT, 0, GREAT);
@@ -148,7 +148,7 @@ void Foam::mpm::timeStepControl::endStep()
           + ") was received."
         );
     }
-    if (points_ && points_->erosion().empty() && !gas_)
+    if (points() && points()->erosion().empty() && !gas())
     {
         stop("All material points have left through the patches of outflow.");
     }

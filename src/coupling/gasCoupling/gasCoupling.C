@@ -31,7 +31,7 @@ Foam::mpm::gasCoupling::gasCoupling
     drag_(points, gas, *fraction_, properties),
     heat_(points, gas, *fraction_, properties),
     watch_(points, gas, *fraction_, grains_),
-    hasBudget_(false)
+    books_(false)
 {
     if (!gas_.thermo().isGammaLaw())
     {
@@ -82,7 +82,7 @@ void Foam::mpm::gasCoupling::moved(const scalar)
 {
     const noTraps guard;
     fraction_->depart();
-    if (hasBudget_)
+    if (books_)
     {
         pressure_.sumWork();
     }
@@ -100,7 +100,7 @@ void Foam::mpm::gasCoupling::end(const scalar dt)
     const noTraps guard;
     fraction_->arrive(dt);
     drag_.updateFaces();
-    if (hasBudget_)
+    if (books_)
     {
         drag_.addWork(budget_);
         pressure_.addWork(budget_);
@@ -134,7 +134,7 @@ void Foam::mpm::gasCoupling::needEnergy() const
 
 void Foam::mpm::gasCoupling::startBudget()
 {
-    hasBudget_ = true;
+    books_ = true;
     gas_.startBudget();
     budget_ = gasBudget();
     budget_.mass0 = gas_.mass();

@@ -251,7 +251,8 @@ Foam::mpm::eulerianGas::eulerianGas
     const fvMesh& mesh,
     const word& name,
     const dictionary& dict,
-    const vector& g
+    const vector& g,
+    const fieldStates* states
 )
 :
     mesh_(mesh),
@@ -273,16 +274,12 @@ Foam::mpm::eulerianGas::eulerianGas
     thetaB_(Wb_.size(), 1),
     t_(thermo_.isGammaLaw() ? 0 : W_.size()),
     tb_(thermo_.isGammaLaw() ? 0 : Wb_.size()),
-    p_(present(header("p", IOobject::MUST_READ), name), mesh),
+    p_(startField<volScalarField>("p", states)),
     T_
     (
         !thermo_.hasTemperature() ? nullptr
       : thermo_.isGammaLaw()
-      ? new volScalarField
-        (
-            present(header("T", IOobject::MUST_READ), name),
-            mesh
-        )
+      ? new volScalarField(startField<volScalarField>("T", states))
       : new volScalarField
         (
             header("T", IOobject::NO_READ),
@@ -290,15 +287,11 @@ Foam::mpm::eulerianGas::eulerianGas
             dimensionedScalar(dimTemperature, Zero)
         )
     ),
-    U_(present(header("U", IOobject::MUST_READ), name), mesh),
+    U_(startField<volVectorField>("U", states)),
     rho0_
     (
         readsRho()
-      ? volScalarField
-        (
-            present(header("rho", IOobject::MUST_READ), name),
-            mesh
-        )
+      ? startField<volScalarField>("rho", states)
       : volScalarField
         (
             header("rho", IOobject::NO_READ),
@@ -349,7 +342,7 @@ Foam::mpm::eulerianGas::eulerianGas
     }
 
     sortFaces();
-    readState();
+    readState(states);
 
     Info<< "Gas " << name_ << ": " << thermo_.description().c_str();
     Info<< ", " << returnReduce(mesh.nCells(), sumOp<label>()) << " cells"
@@ -358,11 +351,29 @@ Foam::mpm::eulerianGas::eulerianGas
 }
 
 
-void Foam::mpm::eulerianGas::readState()
+template<class FieldType>
+FieldType Foam::mpm::eulerianGas::startField
+(
+    const word& name,
+    const fieldStates* states
+) const
+{
+    const IOobject io(header(name, IOobject::MUST_READ));
+    return fileOrState<FieldType>
+    (
+        states ? io : present(io, name_),
+        mesh_,
+        states
+    );
+}
+
+
+void Foam::mpm::eulerianGas::readState(const fieldStates* states)
 {
     IOobject io(header("thetaRho", IOobject::MUST_READ));
     restarted_ =
-        returnReduce
+        states
+     || returnReduce
         (
             io.typeHeaderOk<volScalarField::Internal>(false),
             andOp<bool>()
@@ -378,21 +389,25 @@ void Foam::mpm::eulerianGas::readState()
         return;
     }
 
-    theta_ = volScalarField
+    const auto read = [&](const word& name)
+    {
+        return fileOrState<volScalarField::Internal>
+        (
+            header(name, IOobject::MUST_READ), mesh_, states
+        ).field();
+    };
+    theta_ = fileOrState<volScalarField>
     (
-        header("theta", IOobject::MUST_READ), mesh_
+        header("theta", IOobject::MUST_READ), mesh_, states
     ).primitiveField();
-    rho_ = volScalarField::Internal(io, mesh_).field();
-    rhoU_ = volVectorField::Internal
+    rho_ = read("thetaRho");
+    rhoU_ = fileOrState<volVectorField::Internal>
     (
-        header("thetaRhoU", IOobject::MUST_READ), mesh_
+        header("thetaRhoU", IOobject::MUST_READ), mesh_, states
     ).field();
     if (thermo_.hasEnergy())
     {
-        rhoE_ = volScalarField::Internal
-        (
-            header("thetaRhoE", IOobject::MUST_READ), mesh_
-        ).field();
+        rhoE_ = read("thetaRhoE");
     }
     porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
 

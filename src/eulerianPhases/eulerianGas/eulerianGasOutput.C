@@ -68,6 +68,79 @@ void Foam::mpm::eulerianGas::stop(const label celli)
     FatalErrorInFunction << texts[teller].c_str() << exit(FatalError);
 }
 
+
+void Foam::mpm::eulerianGas::updateTemperature()
+{
+    forAll(W_, c)
+    {
+        (*T_)[c] = thermo_.T(W_[c].rho, W_[c].p);
+    }
+    for (fvPatchScalarField& T : T_->boundaryFieldRef())
+    {
+        const label start = T.patch().start() - mesh_.nInternalFaces();
+        forAll(T, i)
+        {
+            const gasState& w = Wb_[start + i];
+            T[i] = thermo_.T(w.rho, w.p);
+        }
+    }
+}
+
+
+template<class Function>
+void Foam::mpm::eulerianGas::forState(const Function& f)
+{
+    const auto object = [&](const word& name)
+    {
+        IOobject io(header(name, IOobject::NO_READ));
+        io.instance() = mesh_.time().timeName();
+        return io;
+    };
+
+    {
+        scalarField& psi = psi_.primitiveFieldRef();
+        forAll(psi, c)
+        {
+            psi[c] = W_[c].rho/(t_.empty() ? W_[c].p : t_[c].K);
+        }
+    }
+    f(p_);
+    f(U_);
+    f(rho0_);
+    if (T_ && !thermo_.isGammaLaw())
+    {
+        updateTemperature();
+    }
+    if (T_)
+    {
+        f(*T_);
+    }
+
+    volScalarField theta
+    (
+        object("theta"), mesh_, dimensionedScalar(dimless, Zero), "zeroGradient"
+    );
+    theta.primitiveFieldRef() = theta_;
+    theta.correctBoundaryConditions();
+    f(theta);
+
+    volScalarField::Internal rho(object("thetaRho"), mesh_, dimDensity, rho_);
+    f(rho);
+    volVectorField::Internal rhoU
+    (
+        object("thetaRhoU"), mesh_, dimDensity*dimVelocity, rhoU_
+    );
+    f(rhoU);
+    if (thermo_.hasEnergy())
+    {
+        volScalarField::Internal rhoE
+        (
+            object("thetaRhoE"), mesh_, dimPressure, rhoE_
+        );
+        f(rhoE);
+    }
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::mpm::eulerianGas::report() const
@@ -119,88 +192,31 @@ Foam::scalar Foam::mpm::eulerianGas::energy() const
 }
 
 
-void Foam::mpm::eulerianGas::updateTemperature()
-{
-    forAll(W_, c)
-    {
-        (*T_)[c] = thermo_.T(W_[c].rho, W_[c].p);
-    }
-    for (fvPatchScalarField& T : T_->boundaryFieldRef())
-    {
-        const label start = T.patch().start() - mesh_.nInternalFaces();
-        forAll(T, i)
-        {
-            const gasState& w = Wb_[start + i];
-            T[i] = thermo_.T(w.rho, w.p);
-        }
-    }
-}
-
-
 void Foam::mpm::eulerianGas::writeFields()
 {
     const fullPrecision allDigits;
-
-    const auto object = [&](const word& name)
-    {
-        IOobject io(header(name, IOobject::NO_READ));
-        io.instance() = mesh_.time().timeName();
-        return io;
-    };
-
-    {
-        scalarField& psi = psi_.primitiveFieldRef();
-        forAll(psi, c)
+    forState
+    (
+        [&](auto& field)
         {
-            psi[c] = W_[c].rho/(t_.empty() ? W_[c].p : t_[c].K);
+            field.instance() = mesh_.time().timeName();
+            field.write();
         }
-    }
-    for
+    );
+}
+
+
+Foam::mpm::fieldStates Foam::mpm::eulerianGas::takeDown()
+{
+    fieldStates states;
+    forState
     (
-        regIOobject* field
-      : {
-            static_cast<regIOobject*>(&p_),
-            static_cast<regIOobject*>(&U_),
-            static_cast<regIOobject*>(&rho0_)
+        [&](const auto& field)
+        {
+            states.set(field.name(), fieldDictionary(field));
         }
-    )
-    {
-        field->instance() = mesh_.time().timeName();
-        field->write();
-    }
-    if (T_ && !thermo_.isGammaLaw())
-    {
-        updateTemperature();
-    }
-    if (T_)
-    {
-        T_->instance() = mesh_.time().timeName();
-        T_->write();
-    }
-
-    volScalarField theta
-    (
-        object("theta"), mesh_, dimensionedScalar(dimless, Zero), "zeroGradient"
     );
-    theta.primitiveFieldRef() = theta_;
-    theta.correctBoundaryConditions();
-    theta.write();
-
-    volScalarField::Internal rho(object("thetaRho"), mesh_, dimDensity, rho_);
-    rho.write();
-    volVectorField::Internal rhoU
-    (
-        object("thetaRhoU"), mesh_, dimDensity*dimVelocity, rhoU_
-    );
-    rhoU.write();
-    if (thermo_.hasEnergy())
-    {
-        volScalarField::Internal rhoE
-        (
-            object("thetaRhoE"), mesh_, dimPressure, rhoE_
-        );
-        rhoE.write();
-    }
+    return states;
 }
 
 

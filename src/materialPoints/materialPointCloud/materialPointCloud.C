@@ -99,7 +99,7 @@ Foam::mpm::materialPointCloud::materialPointCloud
             columnRules(columnRules::sinceStart, "stress").changesWithStress()
         )
     ),
-    // Labels in the files, by writePoints() and readIds()
+    // Written and read as labels: writePoints(), readIds()
     id_(declare("id", column::scalars, columnRules(columnRules::none))),
     xNew_(x_.tentative()),
     UNew_(U_.tentative()),
@@ -215,7 +215,7 @@ void Foam::mpm::materialPointCloud::take
     const label n = n_ + cells.size();
     reserve(n);
 
-    // A column that only one of both has: initial values, or left behind
+    // A column that the source lacks starts from its initial values
     forCarried
     (
         [&](cloudColumn& c)

@@ -34,7 +34,7 @@ void Foam::mpm::materialPointCloud::reserve(label n)
 {
     if (n > x_.capacity() || x_.capacity() == 0)
     {
-        // Once full, it will happen again
+        // Grow by a tenth at least: a full cloud is likely to grow again
         n = max(n, label(1.1*x_.capacity()));
         const label nOld = n_ + nArrived_;
         for (cloudColumn& c : columns_)
@@ -202,7 +202,7 @@ void Foam::mpm::materialPointCloud::needStrength()
 
 void Foam::mpm::materialPointCloud::needReference()
 {
-    // Absent where another tool has made the points: they start here
+    // Absent if another tool made the points: they start where they are
     reference_ = &need
     (
         "X",
@@ -232,7 +232,7 @@ void Foam::mpm::materialPointCloud::needTemperature()
 
 void Foam::mpm::materialPointCloud::needAffine()
 {
-    // Another transfer may have written the time
+    // Absent if the time was written with another transfer
     affine_ = &need
     (
         "C",

@@ -67,7 +67,7 @@ void Foam::mpm::materialPointCloud::sendRows()
         );
     };
 
-    // How many, then what
+    // First the number of values, then the values
     labelList nSend(procs_.size()), nReceive(procs_.size(), label(0));
     label request = UPstream::nRequests();
     forAll(procs_, i)
@@ -103,7 +103,7 @@ void Foam::mpm::materialPointCloud::sendRows()
 
 void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
 {
-    // The cell, then all columns
+    // A row is the cell followed by all columns
     const label row = 1 + rowSize();
     label n = 0;
     for (const DynamicList<scalar>& rows : arriving_)
@@ -133,7 +133,7 @@ void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
             label celli = grid_.locate(announced, x);
             if (celli < 0 || (grid_.locatesAtOnce() && celli >= grid_.nCells()))
             {
-                // Outside its cell by rounding
+                // Outside the announced cell by rounding only
                 celli = announced;
             }
             else
@@ -211,7 +211,7 @@ void Foam::mpm::materialPointCloud::exchange(DynamicList<cellChange>& cellChange
         arriving_.setSize(procs_.size());
     }
 
-    // Without a lattice a point may have to go through a third processor
+    // Without a lattice a point may travel by way of a third processor
     label first = 0;
     bool more = true;
     while (more)

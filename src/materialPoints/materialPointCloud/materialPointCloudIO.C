@@ -59,7 +59,7 @@ tmp<Field<Type>> readField
 {
     const IOobject object(c.columnObject(name, IOobject::MUST_READ));
 
-    // Before there is memory for a wrong number of them
+    // Check the size before memory is allocated for it
     const label nAnnounced = n < 0 ? -1 : announced(c, name);
     if (nAnnounced >= 0 && nAnnounced != n)
     {
@@ -158,7 +158,7 @@ bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
     if
     (
         onDisk(*this, c.name())
-        // OpenFOAM says which file it misses
+        // OpenFOAM's own message names the missing file
      || (
             rules.inFiles() == columnRules::required
          && rules.remedySentence().empty()
@@ -302,7 +302,7 @@ Foam::scalarField Foam::mpm::materialPointCloud::readMasses()
     {
         return scalarField();
     }
-    // Wrong if it agrees with neither of two other columns
+    // The number is wrong if it agrees with neither of two other columns
     const bool agrees = announced(*this, "m") == announced(*this, "x");
     return readField<scalar>
     (
@@ -346,7 +346,7 @@ void Foam::mpm::materialPointCloud::readIds()
         id_[0][p] = id[p];
     }
 
-    // Ids must be unique: they name points for ever
+    // Ids must be unique: a point keeps its id for the whole run
     Foam::sort(id);
     for (label i = 1; i < id.size(); ++i)
     {
@@ -364,7 +364,6 @@ void Foam::mpm::materialPointCloud::readIds()
 
 void Foam::mpm::materialPointCloud::readPositions(labelList& cell)
 {
-    const int D = grid_.nDim();
     const label n = cell.size();
 
     vectorField x;
@@ -392,8 +391,19 @@ void Foam::mpm::materialPointCloud::readPositions(labelList& cell)
             << " masses." << exit(FatalError);
     }
 
+    findCells(x, cell);
+}
+
+
+void Foam::mpm::materialPointCloud::findCells
+(
+    const UList<point>& x,
+    labelList& cell
+)
+{
+    const int D = grid_.nDim();
     label near = -1;
-    for (label p = 0; p < n; ++p)
+    forAll(cell, p)
     {
         scalar xp[3];
         for (int d = 0; d < D; ++d)
@@ -445,7 +455,7 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         return -1;
     }
 
-    // One field at a time is in memory beside the columns
+    // Only one field at a time is held in memory beside the columns
     scalarField mass(readMasses());
     const label n = mass.size();
     checkRecord(returnReduce(n, sumOp<label>()));

@@ -68,7 +68,7 @@ Foam::label Foam::mpm::materialPointCloud::countPoints
 {
     forAll(cells_, k)
     {
-        // One more marks a listed cell, so that an emptied one is known
+        // The extra 1 marks a listed cell, so that an emptied cell is noticed
         count_[cells_[k]] = 1 + start_[k + 1] - start_[k];
     }
     label nLeft = 0;
@@ -98,7 +98,7 @@ Foam::label Foam::mpm::materialPointCloud::countPoints
     }
     for (; m < cellChanges.size(); ++m)
     {
-        // Arrived
+        // Points that came from other processors
         comes(cellChanges[m].cell);
     }
     Foam::sort(fresh);
@@ -165,7 +165,7 @@ void Foam::mpm::materialPointCloud::findOrder
             from_[left++] = mv.point;
             continue;
         }
-        // Into its place by id among those already there
+        // Insert by id among the points already in the cell
         const label celli = mv.cell;
         const label first = first_[celli];
         label at = count_[celli]++;

@@ -89,7 +89,7 @@ void Foam::mpm::pointContact::computeImpulses
             const scalar approach = m.gap > 0 ? m.gap/max(dt, VSMALL) : 0;
             const scalar Jn = max(scalar(0), m.Jn - M*(approach + un));
 
-            // Tangential: all of the slip, within what friction holds
+            // Tangential: the impulse that ends the slip, limited by friction
             scalar slip[3], size = 0;
             for (int d = 0; d < nDim_; ++d)
             {

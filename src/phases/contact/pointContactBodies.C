@@ -62,7 +62,7 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness
         P = n*n.transpose();
         if (Jt > 0 && kind != filtered)
         {
-            // |J_t| follows J_n, its direction the slip
+            // |J_t| is proportional to J_n and points along the slip
             Eigen::Matrix3d across(-n*n.transpose());
             if (kind == tangent)
             {
@@ -269,7 +269,7 @@ void Foam::mpm::pointContact::solveBodies
             settled = true;
             break;
         }
-        // Where nodes open and close by turns, half of the way
+        // Half the step length where nodes keep opening and closing
         length = size < before || i == 10 ? 1 : max(0.5*length, scalar(0.1));
         before = size;
         forAll(bodies_, b)
@@ -313,7 +313,7 @@ void Foam::mpm::pointContact::solveBodies
     }
     J = pushes();
 
-    // velocityField::addImpulse gives the nodes their change
+    // The nodes get their change in velocityField::addImpulse
     forAll(fields_, fieldi)
     {
         fields_[fieldi].rigid().impose(u[fieldi], step, false, false);
@@ -331,7 +331,7 @@ void Foam::mpm::pointContact::solveBodies
 
 void Foam::mpm::pointContact::shareIncrement()
 {
-    // r of W = 0: what the others' increments push
+    // r for W = 0: impulses from the increments of the other side
     List<vector> sums(2*bodies_.size(), vector(Zero));
     for (const contactNode& m : contactNodes_)
     {

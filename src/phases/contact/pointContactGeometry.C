@@ -53,7 +53,7 @@ void Foam::mpm::pointContact::forPoints
                     gridTransfer_.weights(celli, x, half ? l : nullptr, nodes, S, gradS);
                     if (!half)
                     {
-                        // A box like the cell's with the point's volume
+                        // A box of the cell's shape and the point's volume
                         const scalar part = 0.5*std::pow
                         (
                             cloud.volume()[0][p]/grid_.mesh().cellVolumes()[celli],
@@ -77,7 +77,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
     const contactPair& pair = pairs_[pairi];
     const velocityField& A = fields_[pair.a];
 
-    // 1/m where a field has mass or is prescribed, else -1
+    // 1/m where a field has mass (0: prescribed), -1 elsewhere
     const auto inverse = [&](const velocityField& field, const label n)
     {
         const scalar m = field.momentum()[field.stride()*n + nDim_];
@@ -160,7 +160,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         m.bodyB = bodyB;
         if (ia + ib <= 0)
         {
-            // The lighter of two
+            // The lighter of two bodies gives way
             constexpr scalar soft = 1e-4;
             const scalar a = bodyA < 0 ? 0 : soft/bodies_[bodyA].body->mass();
             const scalar b = bodyB < 0 ? 0 : soft/bodies_[bodyB].body->mass();
@@ -221,7 +221,7 @@ void Foam::mpm::pointContact::sumGradients()
                 const UList<scalar>& gradS
             )
             {
-                // Section of a ring: its volume also grows with the radius
+                // Section of the ring, whose volume also grows with the radius
                 const scalar v =
                     cloud.volume()[0][p]/(radial < 0 ? scalar(1) : x[radial]);
                 forAll(nodes, i)
@@ -248,7 +248,7 @@ void Foam::mpm::pointContact::sumGradients()
 
 void Foam::mpm::pointContact::setNormals()
 {
-    // |g| where the normal is that of the points
+    // |g| where the normal comes from the points
     DynamicList<scalar> steep;
     scalarList steepest(pairs_.size(), scalar(0));
     label kept = 0;

@@ -48,7 +48,7 @@ void Foam::mpm::pointEnergy::noteEnergy
 {
     if (!(largestEnergy_ > 0))
     {
-        // Less than this is rounding
+        // Energies below this are rounding
         scalar least = 0;
         for (const materialPointPhase& phase : points_.phases())
         {
@@ -68,7 +68,7 @@ void Foam::mpm::pointEnergy::noteEnergy
             largestEnergy_,
             max(energy, mag(b->hasGas ? b->gas.energy - b->gas.energy0 : 0))
         );
-        // remap too: what forces and stresses do not agree on can grow
+        // With remap: a mismatch of forces and stresses can grow as well
         energyGrowth_ =
             (b->residual() + b->remap())/max(largestEnergy_, VSMALL);
     }
@@ -100,7 +100,7 @@ void Foam::mpm::pointEnergy::update() const
     sums_.kinetic = sums_.strain = 0;
     for (const materialPointPhase& phase : points_.phases())
     {
-        // What moves as prescribed does work on the others: boundary
+        // Prescribed bodies do work on the others, booked as boundary
         if (!phase.prescribed())
         {
             sums_.kinetic += phase.kineticEnergy();

@@ -50,8 +50,8 @@ void Foam::mpm::pointErosion::end(const scalar dt)
     }
     const noTraps guard;
 
-    // Phases that give points to others come last: what they give has had
-    // its step
+    // Phases whose points go to another phase come last: these points have
+    // taken their step already
     labelList order;
     for (const bool gives : {false, true})
     {
@@ -108,7 +108,7 @@ void Foam::mpm::pointErosion::end(const scalar dt)
             << exit(FatalError);
     }
 
-    // The nodes know only those that are left
+    // Make the nodes anew from the points that are left
     points_.projectAnew(dt);
 }
 

@@ -272,12 +272,13 @@ Foam::wordList Foam::mpm::materialPointPhase::names(const dictionary& dict)
 void Foam::mpm::materialPointPhase::read
 (
     const bool mayBeEmpty,
-    const bool losesPoints
+    const bool losesPoints,
+    const pointRows* rows
 )
 {
-    const label n = cloud_.readPoints();
+    const label n = rows ? cloud_.setRows(*rows) : cloud_.readPoints();
 
-    // All points of a phase may have eroded
+    // A phase may have lost all its points to erosion or outflow
     const bool gone =
         losesPoints
      && isFile
@@ -285,7 +286,7 @@ void Foam::mpm::materialPointPhase::read
             cloud_.time().path()/cloud_.time().timeName()/"uniform"
            /"materialPointState"
         );
-    if (n <= 0 && !gone && !mayBeEmpty)
+    if (n <= 0 && !rows && !gone && !mayBeEmpty)
     {
         FatalErrorInFunction
             << "Phase " << name_ << " has no material points in "
@@ -317,7 +318,7 @@ void Foam::mpm::materialPointPhase::read
         return;
     }
 
-    // Points that start without the law's history, maybe with a stress
+    // Points that start without the law's history, perhaps with a stress
     bool history = false;
     pointBlock b(block());
     int h = 0;

@@ -73,7 +73,7 @@ Foam::label Foam::mpm::materialPointPhase::fastestPoint()
         return -1;
     }
 
-    // In the block; elsewhere only if points have eroded since
+    // Within the block, unless points have eroded since
     const pointBlock all(block());
     const label last = min
     (

@@ -126,7 +126,7 @@ void Foam::mpm::materialPointSystem::couple(pointCoupling& coupling)
     parts_.add(coupling);
     if (shares)
     {
-        // In a gas rigid bodies have whole nodes
+        // In a gas rigid bodies do not share nodes
         startNodes();
     }
 }

@@ -16,11 +16,13 @@ License
 void Foam::mpm::materialPointSystem::readNumerics()
 {
     const dictionary& dict =
-        requiredDict(mesh_.solutionDict(), "materialPoints");
+        from_
+      ? from_->numerics
+      : requiredDict(mesh_.solutionDict(), "materialPoints");
 
     checkNumerics(dict);
     numerics_ = dict;
-    numericsRead_ = dict;
+    numericsRead_ = from_ ? from_->numericsRead : dict;
     transfer_ = transferScheme::New(dict);
     stressUpdate_ = stressUpdate::New(dict);
     readLimits(dict);
@@ -64,8 +66,8 @@ void Foam::mpm::materialPointSystem::readModified()
     }
     numericsRead_ = dict;
 
-    // Entries that are fixed during a run, and with another transfer those that
-    // belong to it
+    // Entries that are fixed during a run; if the transfer has changed, its own
+    // entries too
     wordList fixed({"shapeFunction", "dilatation", "transfer", "stressUpdate"});
     if
     (

@@ -21,13 +21,13 @@ namespace
 
 using namespace Foam;
 
-//- A speed over a width: in words, and of which processor
+//- Largest speed over width, and a description of its point
 struct fastest
 {
     scalar rate = 0;
     string words;
 
-    //- The words of the processor with the largest rate; 0 everywhere: none.
+    //- Take the words of the processor with the largest rate; 0: none.
     //  Collective
     void combine()
     {
@@ -387,6 +387,54 @@ void Foam::mpm::materialPointSystem::setState(const dictionary& state)
     if (parts_.timeDependent())
     {
         startNodes();
+    }
+}
+
+
+Foam::mpm::materialPointSystem::rows Foam::mpm::materialPointSystem::takeDown()
+{
+    rows r;
+    for (materialPointPhase& phase : phases_)
+    {
+        r.points.set(phase.name(), phase.cloud().rows());
+    }
+    for (const mpm::velocityField& field : fields_)
+    {
+        r.pointFields.set
+        (
+            field.field().name(),
+            fieldDictionary(field.field())
+        );
+        if (field.reactions())
+        {
+            r.reactions.append(field.name());
+        }
+    }
+    parts_.addFields(r.cellFields);
+    r.numerics = numerics_;
+    r.numericsRead = numericsRead_;
+    r.clock = clock_;
+    for (const stepPart* part : parts_.all())
+    {
+        r.seconds.set(part->name(), part->seconds());
+    }
+    return r;
+}
+
+
+void Foam::mpm::materialPointSystem::resume(const rows& from)
+{
+    for (mpm::velocityField& field : fields_)
+    {
+        if (from.reactions.found(field.name()))
+        {
+            field.needReactions();
+        }
+    }
+    clock_ = from.clock;
+    for (stepPart* part : parts_.all())
+    {
+        part->seconds() += from.seconds.lookup(part->name(), 0);
     }
 }
 

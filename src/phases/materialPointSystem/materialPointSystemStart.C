@@ -88,7 +88,7 @@ void Foam::mpm::materialPointSystem::readPhases()
                 grid_,
                 names[phasei],
                 requiredDict(properties_, names[phasei]),
-                // Contact sees the points' boxes with every shape function
+                // Contact needs the points' boxes whatever the shape function
                 gridTransfer_->hasExtent() || properties_.found("contact"),
                 transfer_->affine() != transferScheme::none
             )
@@ -131,7 +131,8 @@ void Foam::mpm::materialPointSystem::readFields()
                     (
                         grid_,
                         fieldNames[fieldi],
-                        gridTransfer_->reach()
+                        gridTransfer_->reach(),
+                        from_ ? &from_->pointFields : nullptr
                     );
                 }
             )
@@ -155,7 +156,16 @@ void Foam::mpm::materialPointSystem::readPoints
     const bool isDebris
 )
 {
-    phase.read(isDebris, phase.erosion() || (outflow_ && !phase.motion()));
+    phase.read
+    (
+        isDebris,
+        phase.erosion() || (outflow_ && !phase.motion()),
+        from_ ? &from_->points[phase.name()] : nullptr
+    );
+    if (from_)
+    {
+        from_->points.erase(phase.name());
+    }
     Info<< "Phase " << phase.name() << ": "
         << returnReduce(phase.cloud().size(), sumOp<label>()) << " points of ";
     if (phase.motion())
@@ -379,7 +389,11 @@ void Foam::mpm::materialPointSystem::reportStart() const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
+Foam::mpm::materialPointSystem::materialPointSystem
+(
+    const fvMesh& mesh,
+    rows* from
+)
 :
     regIOobject
     (
@@ -394,6 +408,7 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
     ),
     mesh_(mesh),
     grid_(pointGrid::New(mesh)),
+    from_(from),
     properties_
     (
         IOobject
@@ -401,9 +416,10 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
             "phaseProperties",
             mesh.time().constant(),
             mesh,
-            IOobject::MUST_READ,
+            from ? IOobject::NO_READ : IOobject::MUST_READ,
             IOobject::NO_WRITE
-        )
+        ),
+        from ? from->properties : dictionary::null
     ),
     g_(Zero),
     coupling_(nullptr),
@@ -461,6 +477,7 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh)
     }
     parts_.own(new phaseWatches(*this));
     reportStart();
+    from_ = nullptr;
 }
 
 // ************************************************************************* //

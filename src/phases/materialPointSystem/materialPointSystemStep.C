@@ -156,7 +156,7 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
     rule.energy = energy_->active();
     rule.outflow = outflow_.get();
 
-    // Share of their velocity that points take from the nodes
+    // Share of the points' velocity that comes from the nodes
     List<moveCoefficients> take(fields_.size());
     forAll(fields_, fieldi)
     {
@@ -205,7 +205,7 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
         momentum += result.momentum;
         body += result.bodyWork;
 
-        // Too far is no reason to stop yet: a smaller step may end inside
+        // Moving too far does not stop the run: a smaller step may stay inside
         if
         (
             bad.phase < 0
@@ -273,7 +273,7 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
     }
     strain = largestOfAll(strain);
 
-    // Cells of different sizes
+    // c/h changes with the cell where cells differ in size
     if (grid_.sameWidth() <= 0)
     {
         updateWaveRate();

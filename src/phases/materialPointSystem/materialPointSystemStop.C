@@ -36,7 +36,7 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
     const noTraps guard;
     const string written(writeBeforeStop());
 
-    // One processor tells; it ends the others, which wait
+    // One processor reports and ends the others, which wait
     const label teller = returnReduce
     (
         bad.phase < 0 ? labelMax : Pstream::myProcNo(),

@@ -159,7 +159,7 @@ void Foam::mpm::materialPointSystem::correctStress
     const scalar dtForce
 )
 {
-    // A part that changes the force makes it anew at the start of the step
+    // If a part changes the force it is made anew at the start of the step
     const bool makesForce = withForce && !parts_.changesForce();
     const noTraps guard;
     const timer t(clock_.stress);

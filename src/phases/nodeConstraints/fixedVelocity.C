@@ -41,7 +41,7 @@ void Foam::mpm::fixedVelocity::read()
 
 Foam::Map<Foam::labelPair> Foam::mpm::fixedVelocity::winners() const
 {
-    // Of each shared fixed node the key and the patch on every processor
+    // Key and patch of each shared fixed node, from every processor
     labelHashSet isShared;
     isShared.insert(shared_.nodes());
     Map<label> nodeOfKey;
@@ -64,7 +64,7 @@ Foam::Map<Foam::labelPair> Foam::mpm::fixedVelocity::winners() const
     Pstream::gatherList(known);
     Pstream::scatterList(known);
 
-    // The first patch wins, of the lowest processor that knows it
+    // The first patch wins, on the lowest processor that has it
     Map<labelPair> best;
     forAll(known, proci)
     {
@@ -184,7 +184,7 @@ void Foam::mpm::fixedVelocity::update(const scalar dt)
         return;
     }
 
-    // The velocity that the step ends with: time is set on for the evaluation
+    // The velocity at the end of the step: evaluate at the time t + dt
     Time& time = const_cast<Time&>(grid_.mesh().time());
     const scalar now = time.value();
     time.setTime(now + dt, time.timeIndex());

@@ -78,7 +78,7 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
     const nodeSet& set = tentative ? next_ : now_;
     const int D = grid_.nDim();
 
-    // The vector, then the upper half of A
+    // The vector followed by the upper half of A
     scalarList sums(A ? 27 : 6, scalar(0));
     freeBody::vector6 rhs(freeBody::vector6::Zero());
     freeBody::matrix6 mass(freeBody::matrix6::Zero());

@@ -73,7 +73,7 @@ Foam::scalar* Foam::mpm::rigidNodes::clearSums(const labelList& active)
         }
     }
 
-    // Nodes that addSums() looks for
+    // Nodes that addSums() needs
     near_.setSize(grid_.nNodes());
     near_ = false;
     forAll(now_.node, i)

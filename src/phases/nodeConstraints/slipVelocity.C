@@ -102,7 +102,7 @@ Foam::mpm::slipVelocity::normalsOfNodes Foam::mpm::slipVelocity::byNode
         }
     }
 
-    // In an order that all processors share
+    // In an order that is the same on all processors
     for (auto& entry : ofNode)
     {
         std::sort

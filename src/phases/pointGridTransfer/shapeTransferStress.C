@@ -105,7 +105,7 @@ void shapeTransfer<Shape, DIM, HOOP>::force
         const scalar* damage = cloud.damage() ? (*cloud.damage())[0] : nullptr;
         for (label k = 0; k < cloud.cells().size(); ++k)
         {
-            // In the pieces that correctStress() takes
+            // In the same pieces as correctStress()
             for (label p = first[k]; p < first[k + 1]; p += bufferSize)
             {
                 const label end = min(first[k + 1], p + bufferSize);

@@ -42,7 +42,7 @@ void shapeTransfer<Shape, DIM, HOOP>::weights
     S.clear();
     gradS.clear();
 
-    // Through the same sums as the passes: unit values at one point
+    // By the same sums as the passes, with unit values at one point
     accumulator value;
     T one[1] = {broadcast<W>(1)};
     shapeType::template scatter<1>(g, one, 1, value);
@@ -361,7 +361,7 @@ void shapeTransfer<Shape, DIM, HOOP>::changeCell
             to.displacement[radial_][point] += 2*x[radial_];
         }
     }
-    // A point that goes too far is not followed: the step will be redone
+    // A point that moves too far is not located: the step will be redone
     const scalar beyond[3] = {x[0], x[1], x[2]};
     label cell =
         finite && way <= 2 ? grid.locate(celli, x)

@@ -190,7 +190,7 @@ void Foam::mpm::rigidBodies::projected(const pointGridTransfer::states state)
         }
     }
 
-    // An impulse on a node of several processors counts once
+    // Count the impulse on a node of several processors once
     boolList done(points_.fields().size(), false);
     forAll(points_.phases(), phasei)
     {

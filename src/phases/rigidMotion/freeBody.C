@@ -29,7 +29,7 @@ namespace
 
 using namespace Foam;
 
-//- Six numbers of all processors
+//- Sum of six numbers over processors
 mpm::freeBody::vector6 sumOfAll(const mpm::freeBody::vector6& v)
 {
     mpm::freeBody::vector6 sum(v);
@@ -54,7 +54,7 @@ vector part(const mpm::freeBody::vector6& v, const int from)
 }
 
 
-//- exp(w): the turn by |w| about w
+//- exp(w): rotation by |w| about w
 quaternion turn(const vector& w)
 {
     const scalar angle = mag(w);
@@ -164,7 +164,7 @@ void Foam::mpm::freeBody::measure(const materialPointCloud& cloud)
     reduce(mx, sumOp<vector>());
     const point centre(mx/m);
 
-    // Inertia of the points as boxes
+    // Inertia of the points taken as boxes
     symmTensor I(Zero);
     forAll(cloud.cells(), k)
     {
@@ -391,7 +391,7 @@ void Foam::mpm::freeBody::setState(const scalar, const dictionary& state)
             << "Mass and inertia of a body stay those of its start."
             << exit(FatalError);
     }
-    // constraints may have changed
+    // The constraints may have changed since the time was written
     bool turns = false;
     for (int d = 0; d < 3; ++d)
     {

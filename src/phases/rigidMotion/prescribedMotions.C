@@ -55,7 +55,7 @@ template void prescribedMotion::kinks
 
 // * * * * * * * * * * * * * * * * * Classes * * * * * * * * * * * * * * * * //
 
-//- Stays where it is
+//- At rest
 class fixedMotion
 :
     public prescribedMotion
@@ -137,7 +137,7 @@ public:
 };
 
 
-//- Turns about an axis that stays
+//- Rotates about a fixed axis
 class rotationMotion
 :
     public prescribedMotion

@@ -116,7 +116,7 @@ Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
             const point x(placement_.position(X));
             const vector U(placement_.velocityAt(x));
 
-            // The place of the motion may be whole periods away
+            // The motion's position may be whole periods away
             scalar at[3], old[3] = {0, 0, 0};
             const bool finite = std::isfinite(magSqr(x));
             for (int d = 0; d < D; ++d)
@@ -129,7 +129,7 @@ Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
                 }
             }
 
-            // Through cyclic sides as often as it takes
+            // Pass cyclic sides as often as necessary
             label to = -1;
             bool wrapped = finite;
             while (to < 0 && wrapped)

@@ -148,6 +148,15 @@ void Foam::mpm::stepParts::setState(const dictionary& state)
 }
 
 
+void Foam::mpm::stepParts::addFields(fieldStates& fields) const
+{
+    for (const stepPart* part : all_)
+    {
+        part->addFields(fields);
+    }
+}
+
+
 void Foam::mpm::stepParts::report() const
 {
     for (const stepPart* part : all_)

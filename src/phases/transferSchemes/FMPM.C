@@ -27,7 +27,7 @@ namespace
 
 using namespace Foam;
 
-//- Points without an extent take the whole filter: see materialPointSystem
+//- The full filter for points without extent: see materialPointSystem
 scalar strainFilter(const dictionary& dict)
 {
     const word shape(dict.getOrDefault<word>("shapeFunction", ""));

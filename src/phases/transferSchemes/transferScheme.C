@@ -41,7 +41,7 @@ autoPtr<transferScheme> make(const word& name, const dictionary& dict)
 }
 
 
-//- Entries of a scheme; none if it has required ones
+//- Entries of a scheme; none if some of them are required
 wordList keywordsOf(const word& name)
 {
     dictionary defaults;
@@ -68,7 +68,7 @@ Foam::mpm::transferScheme::New(const dictionary& dict)
     const word name(oneOf(dict, "transfer", schemes()));
     autoPtr<transferScheme> scheme(make(name, dict));
 
-    // An entry that the chosen transfer does not read is a mistake
+    // An entry that the selected transfer does not read is an error
     const wordList own(scheme->keywords());
     for (const word& key : dict.toc())
     {

@@ -16,7 +16,8 @@ Foam::mpm::velocityField::velocityField
 (
     const pointGrid& grid,
     const word& name,
-    const label reach
+    const label reach,
+    const fieldStates* states
 )
 :
     grid_(grid),
@@ -25,15 +26,19 @@ Foam::mpm::velocityField::velocityField
     stride_(grid.nDim() == 1 ? 2 : 4),
     Ufield_
     (
-        IOobject
+        fileOrState<pointVectorField>
         (
-            IOobject::groupName("U", name),
-            grid.mesh().time().timeName(),
-            grid.mesh(),
-            IOobject::MUST_READ,
-            IOobject::AUTO_WRITE
-        ),
-        pointMesh::New(grid.mesh())
+            IOobject
+            (
+                IOobject::groupName("U", name),
+                grid.mesh().time().timeName(),
+                grid.mesh(),
+                IOobject::MUST_READ,
+                IOobject::AUTO_WRITE
+            ),
+            pointMesh::New(grid.mesh()),
+            states
+        )
     ),
     mU_(stride_*grid.nNodes()),
     mUNew_(stride_*grid.nNodes()),
@@ -85,7 +90,7 @@ void Foam::mpm::velocityField::activate
     ++stampNow_;
     DynamicList<label> nodes(active_.size() + active_.size()/8 + 16);
 
-    // Always: other processors send their sums
+    // Always active: other processors send sums for them
     for (const label n : shared_.nodes())
     {
         stamp_[n] = stampNow_;
@@ -260,7 +265,7 @@ Foam::labelList Foam::mpm::velocityField::constrained() const
     {
         constraint->mark(nodes);
     }
-    // Columns of other nodes are of a step long ago
+    // Other nodes hold values of an earlier step
     nodes &= labelHashSet(active_);
     return nodes.sortedToc();
 }
@@ -311,7 +316,7 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
         const scalar rm = m > 0 ? 1/m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            // du takes what is left after boundary conditions
+            // du gets the change that is left after boundary conditions
             dU[stride_*n + d] -= UL[stride_*n + d];
             UL[stride_*n + d] += rm*impulse[stride_*n + d];
         }

@@ -127,7 +127,7 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
         }
     }
 
-    // The sum keeps the fixed velocities: increments have none there
+    // Increments are zero at fixed nodes: the sum keeps their velocity
     rigid_.takeIncrement(v, mU, stride_, s != ofStrain);
     if (s == ofStrain)
     {

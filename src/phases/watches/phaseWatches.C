@@ -55,10 +55,20 @@ void Foam::mpm::phaseWatches::readWeights()
         IOobject::MUST_READ,
         IOobject::AUTO_WRITE
     );
-    const bool found = header.typeHeaderOk<volScalarField>(true);
+    const fieldStates* states = points_.startFields();
+    const bool found =
+        states
+      ? states->found(header.name())
+      : header.typeHeaderOk<volScalarField>(true);
     if (returnReduce(found, andOp<bool>()))
     {
-        weights_.reset(new volScalarField(header, points_.mesh()));
+        weights_.reset
+        (
+            new volScalarField
+            (
+                fileOrState<volScalarField>(header, points_.mesh(), states)
+            )
+        );
     }
 }
 
@@ -70,7 +80,7 @@ void Foam::mpm::phaseWatches::updateWeights()
         return;
     }
 
-    // As setMaterialPoints -cellWeights
+    // The weights that setMaterialPoints -cellWeights writes
     weights_->primitiveFieldRef() = 0.02;
     for (const materialPointPhase& phase : points_.phases())
     {
@@ -149,6 +159,15 @@ void Foam::mpm::phaseWatches::warnOfOverlap
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::phaseWatches::addFields(fieldStates& fields) const
+{
+    if (weights_)
+    {
+        fields.set(weights_->name(), fieldDictionary(*weights_));
+    }
+}
+
 
 void Foam::mpm::phaseWatches::write()
 {

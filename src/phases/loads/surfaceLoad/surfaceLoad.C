@@ -57,7 +57,7 @@ Foam::mpm::surfaceLoad::surfaceLoad
         normal_ /= mag(normal_);
     }
 
-    // Where corners are typed as nodes are computed
+    // min and max as typed may miss nodes by rounding: margin
     const vector low(dict.getOrDefault<vector>("min", -GREAT*vector::one));
     const vector high(dict.getOrDefault<vector>("max", GREAT*vector::one));
     const scalar margin = 1e-9*grid.mesh().bounds().mag();

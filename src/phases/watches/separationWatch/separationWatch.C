@@ -134,7 +134,7 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
     const pointGrid& grid = cloud.grid();
     const int D = grid.nDim();
 
-    // Place and cell width of the points that are here; width 0: elsewhere
+    // Position and cell width of local points; width 0: on other processors
     vectorField x(id_.size(), Zero), h(id_.size(), Zero);
     labelList failed(id_.size(), label(0));
     forAll(cloud.cells(), k)
@@ -187,7 +187,7 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
         }
     }
 
-    // Sheared past each other, or a gap: is there something in the middle?
+    // Shear or a gap? It is a gap if no point lies in the middle
     labelList filled(apart.size(), label(0));
     forAll(apart, i)
     {
