@@ -6,7 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "coupledFaces.H"
+#include "coupledCells.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
@@ -14,7 +14,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::coupledFaces::coupledFaces
+Foam::mpm::coupledCells::coupledCells
 (
     const polyMesh& mesh,
     ghostCells& ghosts
