@@ -126,7 +126,12 @@ struct simplexShape
     }
 };
 
-const addShapeTransfer addSimplex("testSimplex", newShapePasses<simplexShape>);
+autoPtr<pointGridTransfer> newSimplexPasses(const pointGrid& grid)
+{
+    return autoPtr<pointGridTransfer>(new shapeTransfer<simplexShape, 3>(grid));
+}
+
+const addShapeTransfer addSimplex("testSimplex", newSimplexPasses);
 
 
 //- A cube of n^3 cubes of six tetrahedra each, inner points moved
