@@ -27,10 +27,9 @@ struct nodewiseLinear : stencilShape<DIM, 8, nodewiseLinear<DIM>>
         base::setNodes(grid, celli, s);
         for (int d = 0; d < DIM; ++d)
         {
-            const auto of = [&](int i) { return s.x[i][d]; };
-            s.low[d] = s.high[d] = of(0);
-            for (int i = 1; i < s.n; ++i) s.low[d] = min(s.low[d], of(i));
-            for (int i = 1; i < s.n; ++i) s.high[d] = max(s.high[d], of(i));
+            s.low[d] = s.high[d] = s.x[0][d];
+            for (int i = 1; i < s.n; ++i) s.low[d] = min(s.low[d], s.x[i][d]);
+            for (int i = 1; i < s.n; ++i) s.high[d] = max(s.high[d], s.x[i][d]);
             s.ih[d] = 1/(s.high[d] - s.low[d]);
         }
     }

@@ -126,10 +126,20 @@ struct simplexShape
     }
 };
 
-typedef shapeFunction<simplexShape> simplexShapePasses;
+struct simplexPasses
+{
+    static autoPtr<pointGridTransfer> New(const pointGrid& grid)
+    {
+        return autoPtr<pointGridTransfer>
+        (
+            new shapeTransfer<simplexShape, 3>(grid)
+        );
+    }
+};
+
 addNamedToRunTimeSelectionTable
 (
-    pointGridTransfer, simplexShapePasses, grid, testSimplex
+    pointGridTransfer, simplexPasses, grid, testSimplex
 );
 
 

@@ -177,7 +177,7 @@ void Foam::mpm::hexCells::setNeighbours
 (
     const label celli,
     const cellSides& s,
-    const cellsBehind& c
+    const coupledCells& c
 )
 {
     const polyMesh& mesh = mesh_;
@@ -241,7 +241,7 @@ Foam::mpm::hexCells::hexCells
     labelList corners(nc*mesh.nCells());
     cellPoints_.setSize(nc*mesh.nCells());
 
-    const cellsBehind coupled(mesh, ghosts);
+    const coupledCells coupled(mesh, ghosts);
     if (coupled.cyclic)
     {
         shift_.setSize(2*nDim_*mesh.nCells(), vector(Zero));
