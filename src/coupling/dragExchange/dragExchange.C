@@ -95,7 +95,7 @@ Foam::vector Foam::mpm::dragExchange::impulse
     const label celli,
     const scalar M,
     const vector& Us,
-    const scalar v,
+    const scalar thetaS,
     const scalar dt
 )
 {
@@ -120,14 +120,7 @@ Foam::vector Foam::mpm::dragExchange::impulse
       ? dragModel::sticking
       : model.K
         (
-            dragModel::state
-            {
-                fraction_.ofPoints(v, fraction_.mesh().V()[celli]),
-                theta,
-                rho/theta,
-                mu_,
-                mag(relative)
-            }
+            dragModel::state{thetaS, theta, rho/theta, mu_, mag(relative)}
         );
     if (!(K > 0))
     {
@@ -196,8 +189,9 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
                 }
             }
             const scalar V = fraction_.mesh().V()[celli];
-            const scalar v = cellSum(cloud, k, volume);
-            const vector J(impulse(phasei, celli, M/V, mU/M, v, dt));
+            const scalar thetaS =
+                fraction_.ofPoints(cellSum(cloud, k, volume), V);
+            const vector J(impulse(phasei, celli, M/V, mU/M, thetaS, dt));
             forAll(nodes, i)
             {
                 const scalar part = share[i]*V/M;
@@ -222,14 +216,20 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
     forAll(cloud.cells(), k)
     {
         const label celli = cloud.cells()[k];
+        const scalar V = fraction_.mesh().V()[celli];
         const scalar m = cellSum(cloud, k, mass);
-        const scalar v = cellSum(cloud, k, volume);
-        const vector U(cellMomentum(cloud, k)/m);
-        const vector J
+        const scalar thetaS = fraction_.ofPoints(cellSum(cloud, k, volume), V);
+        const vector mU
         (
-            fraction_.mesh().V()[celli]
-           *impulse(phasei, celli, GREAT, U, v, dt)
+            cellSumOf
+            (
+                cloud,
+                k,
+                [&](const label p) { return mass[p]*cloud.velocity(p); }
+            )
         );
+        const vector U(mU/m);
+        const vector J(V*impulse(phasei, celli, GREAT, U, thetaS, dt));
         rigid.addLoad(phasei, -J);
         if (body)
         {

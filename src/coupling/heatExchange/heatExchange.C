@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "heatExchange.H"
-#include "cellSums.H"
 #include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -54,12 +53,18 @@ void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
     {
         const label c = cloud.cells()[k];
         const scalar V = fraction_.mesh().V()[c];
-        const scalar M = cellSum(cloud, k, m);
-        const scalar volume = cellSum(cloud, k, v);
-        const scalar mT =
-            cellSumOf(cloud, k, [&](const label p) { return m[p]*T[p]; });
-        const vector mU(cellMomentum(cloud, k));
+        const label begin = cloud.start()[k], end = cloud.start()[k + 1];
 
+        // One pass for all sums: points are read once
+        scalar M = 0, mT = 0, volume = 0;
+        vector mU(Zero);
+        for (label p = begin; p < end; ++p)
+        {
+            M += m[p];
+            mT += m[p]*T[p];
+            volume += v[p];
+            mU += m[p]*cloud.velocity(p);
+        }
         const scalar rho = gas_.rho()[c], theta = gas_.theta()[c];
         const vector u(gas_.rhoU()[c]/rho);
         const scalar Tg =
@@ -82,8 +87,7 @@ void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
         const scalar TgNew = (Tg*(1 + b) + g*mT/M)/(1 + b + g);
 
         scalar gained = 0;
-        const label end = cloud.start()[k + 1];
-        for (label p = cloud.start()[k]; p < end; ++p)
+        for (label p = begin; p < end; ++p)
         {
             const scalar change = (TgNew - T[p])*(b/(1 + b));
             gained += m[p]*change;

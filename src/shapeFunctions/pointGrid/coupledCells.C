@@ -6,11 +6,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-<<<<<<<< HEAD:src/shapeFunctions/pointGrid/cellsBehind.C
-#include "cellsBehind.H"
-========
 #include "coupledCells.H"
->>>>>>>> h1:src/shapeFunctions/pointGrid/coupledCells.C
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
@@ -18,11 +14,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-<<<<<<<< HEAD:src/shapeFunctions/pointGrid/cellsBehind.C
-Foam::mpm::cellsBehind::cellsBehind
-========
 Foam::mpm::coupledCells::coupledCells
->>>>>>>> h1:src/shapeFunctions/pointGrid/coupledCells.C
 (
     const polyMesh& mesh,
     ghostCells& ghosts
