@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Transfer schemes and a stress update of a user's library (library/), loaded with
-libs and selected by name.
+"""Transfer schemes, a stress update and a shape function of a user's library
+(library/), loaded with libs and selected by name.
 
     compiles    wmake outside the tree of the project, without a warning; each in one
                 file under 60 lines
@@ -10,7 +10,8 @@ libs and selected by name.
     crash       two halves of a block run against each other: the user's PIC is FLIP with
                 PICfraction 1 and his fullStepAtL is USL bit by bit; FLIP with 0 and MUSL
                 are not (the velocity differs by more than 1e-3)
-    choices     an unknown transfer and an unknown stressUpdate: the error names the
+    shape       the user's tent is the shape function linear in 2D, bit by bit
+    choices     an unknown transfer, stressUpdate and shapeFunction: the error names the
                 user's among the valid ones; an entry of FLIP belongs to midpoint too
 """
 
@@ -86,7 +87,9 @@ def crash(table):
             "FLIP1": {"transfer": "FLIP", "PICfraction": 1},
             "MUSL": {"transfer": "FLIP"},
             "fullStepAtL": {"transfer": "FLIP", "stressUpdate": "fullStepAtL"},
-            "USL": {"transfer": "FLIP", "stressUpdate": "USL"}}.items():
+            "USL": {"transfer": "FLIP", "stressUpdate": "USL"},
+            "linear": {"transfer": "FLIP", "shapeFunction": "linear"},
+            "tent": {"transfer": "FLIP", "shapeFunction": "tent"}}.items():
         cases[name] = makeCase("crash" + name, numerics, 60, 2e-4, True)
         cases[name].run("materialPointFoam")
 
@@ -98,6 +101,8 @@ def crash(table):
               difference("PIC", "FLIP1"), 0)
     table.row("PIC against FLIP", 1e-3, difference("PIC", "MUSL"), 1e-3, "atLeast")
     table.row("fullStepAtL of the user against USL", 0, difference("fullStepAtL", "USL"), 0)
+    table.row("tent of the user against linear", 0, difference("tent", "linear"), 0)
+    table.row("tent against GIMP", 1e-3, difference("tent", "MUSL"), 1e-3, "atLeast")
     table.row("fullStepAtL against MUSL", 1e-3, difference("fullStepAtL", "MUSL"), 1e-3,
               "atLeast")
 
@@ -107,6 +112,8 @@ def choices(table):
             ("transfer", {"transfer": "PIC9"}, ("PIC9", "APIC", "FLIP", "PIC", "midpoint")),
             ("stressUpdate", {"transfer": "FLIP", "stressUpdate": "best"},
              ("best", "MUSL", "fullStepAtL")),
+            ("shapeFunction", {"transfer": "FLIP", "shapeFunction": "tnt"},
+             ("tnt", "GIMP", "linear", "tent")),
             ("entry", {"transfer": "PIC", "PICfraction": 0.1},
              ("PICfraction belongs to transfer FLIP or midpoint, not to PIC",))):
         case = makeCase("choices" + label, numerics, 1, DT, False)
