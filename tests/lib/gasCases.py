@@ -108,7 +108,7 @@ def gasCase(folder, name, cells, high, initial, endTime, low=(0, 0, 0), ends=OPE
     writeVolField(case, "p", p, conditionsOf(0))
     if thermo and "equationOfState" in thermo:
         writeVolField(case, "rho" + suffix, rho, conditionsOf(1))
-    elif not thermo or thermo["thermo"] == "perfectGas":
+    elif not thermo or thermo["thermo"] != "isentropic":
         writeVolField(case, "T" + suffix, p/rho, conditionsOf(1))
     writeVolField(case, "U" + suffix, u, conditionsOf(2))
 

@@ -396,7 +396,7 @@ int main(int argc, char *argv[])
 
     const word processors
     (
-        args.lookupOrDefault<word>("processors", "none")
+        args.getOrDefault<word>("processors", "none")
     );
     if (!wordList({"none", "first", "second", "both"}).found(processors))
     {
@@ -404,7 +404,7 @@ int main(int argc, char *argv[])
             << "Unknown -processors " << processors << nl
             << "Valid choices are: first second both" << exit(FatalError);
     }
-    const scalar tolerance = args.lookupOrDefault<scalar>("tolerance", 0);
+    const scalar tolerance = args.getOrDefault<scalar>("tolerance", 0);
     if (tolerance < 0)
     {
         FatalErrorInFunction
@@ -419,14 +419,14 @@ int main(int argc, char *argv[])
     (
         caseOf(args[1]),
         !args.found("time"),
-        args.lookupOrDefault<scalar>("time", 0),
+        args.getOrDefault<scalar>("time", 0),
         processors == "first" || processors == "both"
     );
     const caseTime b
     (
         caseOf(args[2]),
         false,
-        args.lookupOrDefault<scalar>("time2", a.value()),
+        args.getOrDefault<scalar>("time2", a.value()),
         processors == "second" || processors == "both"
     );
     describe("First ", a);

@@ -332,6 +332,8 @@ Foam::mpm::eulerianGas::eulerianGas
             "pressureClosure"
         })
     );
+    valid.append(faceFlux_->keywords());
+    valid.append(closure_->keywords());
     checkKeywords(dict, valid);
     checkDimensions(p_, dimPressure);
     checkDimensions(U_, dimVelocity);

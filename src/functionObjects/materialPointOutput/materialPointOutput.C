@@ -21,7 +21,7 @@ Foam::functionObjects::materialPointOutput::findPoints() const
 }
 
 
-Foam::OFstream* Foam::functionObjects::materialPointOutput::newFile
+Foam::OFstream* Foam::functionObjects::materialPointOutput::openFile
 (
     const word& name
 ) const
@@ -196,7 +196,7 @@ Foam::Ostream& Foam::functionObjects::materialPointOutput::row
 
     if (!files_.set(filei))
     {
-        files_.set(filei, newFile(fileNames_[filei]));
+        files_.set(filei, openFile(fileNames_[filei]));
 
         OFstream& os = files_[filei];
         std::istringstream lines(headers_[filei]);

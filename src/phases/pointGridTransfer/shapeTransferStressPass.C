@@ -17,7 +17,8 @@ namespace mpm
 // * * * * * * * * * * * * * * * Nested Classes  * * * * * * * * * * * * * * //
 
 //- The pieces of correctStress(), which takes the points in blocks of cells
-//  whose velocity gradients stay in the cache while the law works on them
+//  whose velocity gradients stay in the cache while the law works on them. All
+//  are inlined: the members then live in registers
 template<template<int> class Shape, int DIM, bool HOOP>
 struct shapeTransfer<Shape, DIM, HOOP>::stressPass
 {
@@ -109,7 +110,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         return range{max(first[k], begin), min(first[k + 1], end)};
     }
 
-    void findWidths() const
+    MPM_INLINE void findWidths() const
     {
         for (label k = k0; k < k1; ++k)
         {
@@ -193,7 +194,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     }
 
     //- The trace of the points of a cell is their mean
-    void meanOfTraces(const range r) const
+    MPM_INLINE void meanOfTraces(const range r) const
     {
         const label i = r.begin - begin;
         const scalar* diagonal[nDiagonal];
@@ -352,7 +353,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     }
 
     //- Zero times volume and stress of a point
-    scalar zero(const label p) const
+    MPM_INLINE scalar zero(const label p) const
     {
         scalar sum = 0*volume[p];
         for (int i = 0; i < nStress(DIM); ++i)
@@ -363,7 +364,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     }
 
     //- Where no force is asked for
-    void addNotFinite(T& notFinite) const
+    MPM_INLINE void addNotFinite(T& notFinite) const
     {
         for (label p = begin; p < end; ++p)
         {
@@ -373,7 +374,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
 
     //- First point of the block that is not finite, -1: lanes of the next
     //  points are seen here and found later
-    label firstBad() const
+    MPM_INLINE label firstBad() const
     {
         for (label p = begin; p < end; ++p)
         {

@@ -10,6 +10,9 @@ each against an exact value.
     equation    NobleAbel, of the gas alone: the shock that runs back from a wall has the
                 pressure of a perfect gas of the specific volume 1/rho - b (200 cells,
                 0.2 % as the plateaus of tests/cases/riemannEquations)
+    gas         mixture, a thermo: of two gases with the mean R and gamma of one, bit by bit
+                as this one. quadraticViscosity, a face flux: the shock is another (1e-3),
+                the pressure behind it the exact one
     drag        quadratic: dust with another velocity than the air around. Per volume both
                 have M_s and M_g: the slip is w0/(1 + t/t0) with
                 1/t0 = K/w (1/M_s + 1/M_g) w0. The implicit step has it exactly
@@ -111,11 +114,11 @@ def centre(case):
     return series[:, 0], series[:, 1:4]
 
 
-def unknown(table, case, user, words):
+def unknown(table, case, user, words, key="type"):
     """Another name in place of the user's: the error names his among the valid ones."""
-    case.change("constant/phaseProperties", f"type {user};", "type best;")
+    case.change("constant/phaseProperties", f"{key} {user};", f"{key} best;")
     case.run("materialPointFoam", fails=True)
-    case.change("constant/phaseProperties", "type best;", f"type {user};")
+    case.change("constant/phaseProperties", f"{key} best;", f"{key} {user};")
     log = " ".join(case.log().split())
     error = log[log.find("FATAL IO ERROR"):]
     table.check(f"unknown name in place of {user}: the error names all",
@@ -171,6 +174,31 @@ def equation(table):
     measured = volField(case, case.timeName(end), "p")[3*n//4:-n//20]
     table.row("equation: pressure behind the shock", exact, measured.mean(), 2e-3, "relative")
     unknown(table, case, "NobleAbel", ("equationOfState", "stiffenedGas"))
+
+
+# --- gas ---------------------------------------------------------------------
+
+def gas(table):
+    n, end, p = 200, 0.2, {}
+    perfect = {"thermo": "perfectGas", "R": 1, "gamma": 1.4}
+    for name, thermo in (
+            ("one", perfect),
+            ("mixture", {"thermo": "mixture", "components": {
+                "light": {"Y": 0.5, "R": 1.2, "Cp": 4}, "heavy": {"Y": 0.5, "R": 0.8, "Cp": 3}}}),
+            ("viscosity", {**perfect, "faceFlux": "quadraticViscosity", "C": 1})):
+        case = gasCase("userLibrary", name, (n, 1, 1), (1, 0.01, 0.01),
+                       lambda x, y, z: (1 + 0*x, 1 + 0*x, 1 + 0*x), end, ends=WALL,
+                       thermo=thermo, control=LIBS)
+        case.run("materialPointFoam")
+        p[name] = volField(case, case.timeName(end), "p")
+        if name == "mixture":
+            unknown(table, case, "mixture", ("perfectGas", "isentropic"), "thermo")
+    table.row("gas: mixture against one gas", 0, np.max(abs(p["mixture"] - p["one"])), 0)
+    table.row("gas: quadraticViscosity against none", 1e-3,
+              np.max(abs(p["viscosity"] - p["one"])), 1e-3, "atLeast")
+    table.row("gas: pressure behind the shock with it", wallPressure(1, 1, 1, 1.4),
+              p["viscosity"][3*n//4:-n//20].mean(), 2e-3, "relative")
+    unknown(table, case, "quadraticViscosity", ("impedance",), "faceFlux")
 
 
 # --- drag --------------------------------------------------------------------
@@ -451,5 +479,5 @@ def choices(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("userLibrary", compiles, law, equation, drag, friction, spring, force,
+    sys.exit(runParts("userLibrary", compiles, law, equation, gas, drag, friction, spring, force,
                       failure, erosion, heat, pressure, column, nodes, choices))

@@ -12,7 +12,7 @@ etc/codeTemplates), loaded with libs and selected by name.
     stencil     the same crash with the user's nodewiseLinear, whose number of nodes is known
                 at run time only: linear to rounding (1e-10 of the largest value after 60
                 steps), with FLIP and APIC; GIMP is not (1e-3)
-    choices     an unknown transfer and an unknown stressUpdate: the error names the
+    choices     an unknown transfer, stressUpdate and shapeFunction: the error names the
                 user's among the valid ones; an entry of FLIP belongs to midpoint too
 """
 
@@ -125,6 +125,8 @@ def choices(table):
             ("transfer", {"transfer": "PIC9"}, ("PIC9", "APIC", "FLIP", "PIC", "midpoint")),
             ("stressUpdate", {"transfer": "FLIP", "stressUpdate": "best"},
              ("best", "MUSL", "fullStepAtL")),
+            ("shapeFunction", {"transfer": "FLIP", "shapeFunction": "tnt"},
+             ("tnt", "GIMP", "linear", "nodewiseLinear")),
             ("entry", {"transfer": "PIC", "PICfraction": 0.1},
              ("PICfraction belongs to transfer FLIP or midpoint, not to PIC",))):
         case = makeCase("choices" + label, numerics, 1, DT, False)

@@ -240,7 +240,7 @@ Foam::label Foam::mpm::pointRegion::fullestBeside
             }
             const auto cut = cutOf_.cfind(q);
             const scalar area =
-                cut.found()
+                cut.good()
               ? cut_[*cut].area/cut_[*cut].whole
               : scalar(1);
             if (area > part)
@@ -303,7 +303,7 @@ void Foam::mpm::pointRegion::joinSmallParts()
         for (label p = start_[k]; p < start_[k + 1]; ++p)
         {
             const auto small = cutOf_.cfind(p);
-            if (!small.found())
+            if (!small.good())
             {
                 continue;
             }
