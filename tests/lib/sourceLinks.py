@@ -42,8 +42,9 @@ def places(name):
     """All (path, line) where a function, or a class without ::, is defined."""
     if "::" not in name:
         struct = re.compile(rf"^(?:class|struct) {name}\b(?!;)")
-        return [(path, i + 1) for path, lines in sources().items() if path.endswith(".H")
-                for i, line in enumerate(lines) if struct.match(line)]
+        found = [(path, i + 1) for path, lines in sources().items() if path.endswith(".H")
+                 for i, line in enumerate(lines) if struct.match(line)]
+        return found or [(path, 1) for path in sources() if path.endswith(f"/{name}.H")]
     owner, function = name.rsplit("::", 1)
     qualified = re.compile(
         r"^(?:\S(?:.*\W)?)?" + "::".join(p + "(?:<[^>]*>)?" for p in owner.split("::"))
