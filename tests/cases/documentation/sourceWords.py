@@ -46,7 +46,7 @@ NOT_ENTRIES = {
     # Files
     "materialPointBalance.C": "total mixture", "materialPointEnergy.C": "energy",
     "materialPointPatchForces.C": "total", "surfaceShape.C": "triSurface",
-    "phaseNames.C": "FoamFile",
+    "phaseNames.C": "FoamFile", "meshPlaces.C": "boundaryField",
     # Asked for where they are not read
     "simulation.C": "gas", "regionTable.C": "gas contact",
     "setMaterialPoints.C": "gas velocity stress pressure",
@@ -58,8 +58,8 @@ _STRING = re.compile(r'"([A-Za-z][A-Za-z0-9_]*)(?:\(([A-Za-z]*)\)?)?"')
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*(?:<[^;(){}]*>)?\s*$")
 _TYPE = re.compile(r"TypeName\w*\s*\(\s*$")
 _CLASS = re.compile(r"\bclass (\w+)\s*:")
-_ADD = re.compile(r"\baddToRunTimeSelectionTable\s*\(\s*\w+,\s*(\w+),|"
-                  r"^\s*add[A-Z]\w*\((\w+)\)", re.M)
+_ADD = re.compile(r"\baddToRunTimeSelectionTable\s*\(\s*\w+,\s*(\w+),")
+_ADD_BY_MACRO = re.compile(r"^\s*add[A-Z]\w*\((\w+)\)", re.M)
 _ADD_NAMED = re.compile(
     r"\baddNamedToRunTimeSelectionTable\s*\(\s*\w+,\s*\w+,\s*\w+,\s*(\w+)\s*\)")
 _TABLE = re.compile(r'\{"\w+", \d, "\[')
@@ -112,10 +112,14 @@ def _isRead(text, at):
     return taken
 
 
-def wordsOf(text, selectable):
-    """{word: line} of one source without comments; selectable: names of classes."""
+def wordsOf(text, selectable, classes):
+    """{word: line} of one source without comments; selectable: classes that are in a table;
+    classes: all. A macro may add a template by the name that it is given."""
     words = {match.group(1): text.count("\n", 0, match.start()) + 1
              for match in _ADD_NAMED.finditer(text)}
+    words.update({match.group(1): text.count("\n", 0, match.start()) + 1
+                  for match in _ADD_BY_MACRO.finditer(text)
+                  if match.group(1) not in classes})
     for match in _STRING.finditer(text):
         at = match.start()
         if _TYPE.search(text[max(0, at - 40):at]):
@@ -147,15 +151,16 @@ def sourceWords(project):
     for path in sourceFiles(project):
         with open(os.path.join(project, path)) as f:
             texts[path] = withoutComments(f.read())
+    classes = {name for text in texts.values() for name in _CLASS.findall(text)}
     selectable = {name for text in texts.values()
-                  for names in _ADD.findall(text) for name in names}
+                  for pattern in (_ADD, _ADD_BY_MACRO) for name in pattern.findall(text)}
 
     found = {}
     for path, text in texts.items():
         name = os.path.basename(path)
         if name in WRITTEN:
             continue
-        words = wordsOf(text, selectable)
+        words = wordsOf(text, selectable, classes)
         for word in NOT_ENTRIES.get(name, "").split():
             words.pop(word, None)
         if words:
