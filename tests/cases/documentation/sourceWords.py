@@ -59,7 +59,7 @@ _CALL = re.compile(r"([A-Za-z_]\w*)\s*(?:<[^;(){}]*>)?\s*$")
 _TYPE = re.compile(r"TypeName\w*\s*\(\s*$")
 _CLASS = re.compile(r"\bclass (\w+)\s*:")
 _ADD = re.compile(r"\baddToRunTimeSelectionTable\s*\(\s*\w+,\s*(\w+),")
-_ADD_BY_MACRO = re.compile(r"^\s*add[A-Z]\w*\((\w+)\)", re.M)
+_MACRO = re.compile(r"#define (add\w+)\(")
 _ADD_NAMED = re.compile(
     r"\baddNamedToRunTimeSelectionTable\s*\(\s*\w+,\s*\w+,\s*\w+,\s*(\w+)\s*\)")
 _TABLE = re.compile(r'\{"\w+", \d, "\[')
@@ -112,13 +112,19 @@ def _isRead(text, at):
     return taken
 
 
+def addedByMacro(text):
+    """Names that macros of the file add to a table."""
+    for macro in _MACRO.findall(text):
+        yield from re.finditer(rf"^\s*{macro}\((\w+)\)", text, re.M)
+
+
 def wordsOf(text, selectable, classes):
     """{word: line} of one source without comments; selectable: classes that are in a table;
     classes: all. A macro may add a template by the name that it is given."""
     words = {match.group(1): text.count("\n", 0, match.start()) + 1
              for match in _ADD_NAMED.finditer(text)}
     words.update({match.group(1): text.count("\n", 0, match.start()) + 1
-                  for match in _ADD_BY_MACRO.finditer(text)
+                  for match in addedByMacro(text)
                   if match.group(1) not in classes})
     for match in _STRING.finditer(text):
         at = match.start()
@@ -152,8 +158,8 @@ def sourceWords(project):
         with open(os.path.join(project, path)) as f:
             texts[path] = withoutComments(f.read())
     classes = {name for text in texts.values() for name in _CLASS.findall(text)}
-    selectable = {name for text in texts.values()
-                  for pattern in (_ADD, _ADD_BY_MACRO) for name in pattern.findall(text)}
+    selectable = {name for text in texts.values() for name in _ADD.findall(text)}
+    selectable |= {match.group(1) for text in texts.values() for match in addedByMacro(text)}
 
     found = {}
     for path, text in texts.items():
