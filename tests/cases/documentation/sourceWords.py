@@ -6,8 +6,8 @@ Taken are, comments left out,
 
 - strings in the arguments of calls that read a dictionary or an option (READING);
 - lists of strings in braces that are a wordList: valid keywords, valid choices;
-- names of models, TypeName("..."), but not those of base classes, which have a
-  run-time selection table;
+- names of models: TypeName("...") of classes that are in a run-time selection table,
+  and other names under which they are there;
 - tables of quantities, {"sigma", 6, "[Pa]"}.
 
 Left out is what a run reads of the files that it has written itself (dictionaries
@@ -36,10 +36,9 @@ WRITTEN = {"materialPointCloudWrite.C", "materialPointCloudIO.C", "startState.C"
 
 #: Words that the above takes and that are none of a dictionary: {file: words}
 NOT_ENTRIES = {
-    # Names of classes and of parts of the step
-    "materialPointCloud.H": "materialPointCloud", "pointGrid.H": "pointGrid",
-    "materialPointSystem.H": "materialPointSystem", "pointEnergy.H": "energy",
-    "pointErosion.H": "eroded outflow", "rigidBodies.H": "rigid",
+    # Names of parts of the step
+    "pointEnergy.H": "energy", "pointErosion.H": "eroded outflow",
+    "rigidBodies.H": "rigid",
     # Columns of points
     "materialPointPhase.C": "failedTime", "isotropicElasticTemplates.C": "leftStretch",
     "JohnsonCookDamage.H": "damageStrain", "TulerButcher.H": "tensileImpulse",
@@ -47,7 +46,7 @@ NOT_ENTRIES = {
     # Files
     "materialPointBalance.C": "total mixture", "materialPointEnergy.C": "energy",
     "materialPointPatchForces.C": "total", "surfaceShape.C": "triSurface",
-    "phaseNames.C": "FoamFile",
+    "phaseNames.C": "FoamFile", "meshPlaces.C": "boundaryField",
     # Asked for where they are not read
     "simulation.C": "gas", "regionTable.C": "gas contact",
     "setMaterialPoints.C": "gas velocity stress pressure",
@@ -58,6 +57,11 @@ _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//[^\n]*|/\*.*?\*/',
 _STRING = re.compile(r'"([A-Za-z][A-Za-z0-9_]*)(?:\(([A-Za-z]*)\)?)?"')
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*(?:<[^;(){}]*>)?\s*$")
 _TYPE = re.compile(r"TypeName\w*\s*\(\s*$")
+_CLASS = re.compile(r"\bclass (\w+)\s*:")
+_ADD = re.compile(r"\baddToRunTimeSelectionTable\s*\(\s*\w+,\s*(\w+),")
+_MACRO = re.compile(r"#define (add\w+)\(")
+_ADD_NAMED = re.compile(
+    r"\baddNamedToRunTimeSelectionTable\s*\(\s*\w+,\s*\w+,\s*\w+,\s*(\w+)\s*\)")
 _TABLE = re.compile(r'\{"\w+", \d, "\[')
 _LIST = re.compile(r"(?:\bwordList\b|\bkeywords\b|\breturn\b)[^;]*$")
 
@@ -108,15 +112,25 @@ def _isRead(text, at):
     return taken
 
 
-def wordsOf(text):
-    """{word: line} of one source file."""
-    text = withoutComments(text)
-    base = "declareRunTimeSelectionTable" in text
-    words = {}
+def addedByMacro(text):
+    """Names that macros of the file add to a table."""
+    for macro in _MACRO.findall(text):
+        yield from re.finditer(rf"^\s*{macro}\((\w+)\)", text, re.M)
+
+
+def wordsOf(text, selectable, classes):
+    """{word: line} of one source without comments; selectable: classes that are in a table;
+    classes: all. A macro may add a template by the name that it is given."""
+    words = {match.group(1): text.count("\n", 0, match.start()) + 1
+             for match in _ADD_NAMED.finditer(text)}
+    words.update({match.group(1): text.count("\n", 0, match.start()) + 1
+                  for match in addedByMacro(text)
+                  if match.group(1) not in classes})
     for match in _STRING.finditer(text):
         at = match.start()
         if _TYPE.search(text[max(0, at - 40):at]):
-            taken = not base
+            names = _CLASS.findall(text, 0, at)
+            taken = bool(names) and names[-1] in selectable
         elif _TABLE.match(text, at - 1):
             taken = True
         else:
@@ -139,13 +153,20 @@ def sourceFiles(project):
 
 def sourceWords(project):
     """{file: {word: line}} of all sources that read dictionaries."""
-    found = {}
+    texts = {}
     for path in sourceFiles(project):
+        with open(os.path.join(project, path)) as f:
+            texts[path] = withoutComments(f.read())
+    classes = {name for text in texts.values() for name in _CLASS.findall(text)}
+    selectable = {name for text in texts.values() for name in _ADD.findall(text)}
+    selectable |= {match.group(1) for text in texts.values() for match in addedByMacro(text)}
+
+    found = {}
+    for path, text in texts.items():
         name = os.path.basename(path)
         if name in WRITTEN:
             continue
-        with open(os.path.join(project, path)) as f:
-            words = wordsOf(f.read())
+        words = wordsOf(text, selectable, classes)
         for word in NOT_ENTRIES.get(name, "").split():
             words.pop(word, None)
         if words:
