@@ -150,6 +150,27 @@ TEST_CASE("a column of one line starts, is ordered, put back and sent with its p
     CHECK(other.id()[0][0] == cloud.id()[0][p]);
     CHECK(other.x()[1][0] == 1.1);
     CHECK(wrong(other, w2, 1) == 0);
+
+    // All points as rows, taken by a cloud with another column before
+    materialPointCloud third(g, "third");
+    column& late = third.need
+    (
+        "late", column::scalars, columnRules().initial(7)
+    );
+    column& w3 = wear(third);
+    CHECK(third.setRows(cloud.rows()) == N);
+    CHECK(wrong(third, w3, N) == 0);
+    CHECK(third.cells() == cloud.cells());
+    CHECK(third.start() == cloud.start());
+    label differing = 0;
+    for (label p = 0; p < N; ++p)
+    {
+        differing += third.id()[0][p] != cloud.id()[0][p];
+        differing += third.x()[0][p] != cloud.x()[0][p];
+        differing += third.x()[1][p] != cloud.x()[1][p];
+        differing += late[0][p] != 7;
+    }
+    CHECK(differing == 0);
 }
 
 

@@ -244,6 +244,8 @@ void Foam::mpm::simulation::setState
 
 Foam::mpm::simulation::rows Foam::mpm::simulation::takeDown()
 {
+    // A vector in a dictionary has the digits of its text
+    const fullPrecision allDigits;
     rows r;
     r.time = mesh_->time().value();
     r.places = meshPlaces(*mesh_);

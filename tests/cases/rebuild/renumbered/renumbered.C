@@ -17,8 +17,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "simulation.H"
-#include "emptyPolyPatch.H"
+// Of the solver, not of a library
+#include "simulation.C"
 #include "fatalMessages.H"
 #include <algorithm>
 #include <random>
