@@ -18,7 +18,7 @@ using namespace Foam::mpm;
 namespace
 {
 
-//- Identities of theory.md section 2 at random points of random cells, with
+//- Identities of shapeConcept.H at random points of random cells, with
 //  many of them in wall cells and on sides
 scalar worstIdentity
 (

@@ -479,7 +479,7 @@ def velocity(case, phase, d=0):
 
 
 def roll(table):
-    """shared/cases/roll_rigid2D: R = 0.05 m, slope 45 degrees, mu 0.6."""
+    """A rigid cylinder: R = 0.05 m, slope 45 degrees, mu 0.6."""
     g = 9.81*np.sqrt(0.5)
     for D, n, limit in ((2, 1, 2.5), (2, 2, 1.5)) + (((2, 4, 1.0),) if VERIFY else ()) \
             + ((3, 1, 6.7),):
@@ -534,7 +534,7 @@ def slope(table):
 
 
 def sphere(table):
-    """shared/cases/hertz_axi_R100_d1 in a smaller block; a = 10 h."""
+    """Hertz, R 0.1 m, in a small block; a = 10 h."""
     E, nu, R, d, h = 1e8, 0.3, 0.1, 1e-3, 1e-3
     ramp = 1.2265e-3
     speed = d/(3*ramp)
