@@ -115,8 +115,8 @@ def gasAlone():
     """Stiffened gas between an open end and a wall: boundary conditions with a state."""
     return gasCase("rebuild", "gas-alone", (60, 1, 1), (1, 0.1, 0.1),
                    lambda x, y, z: (1 + (x < 0.5), 0*x, 1 + (x < 0.5)), 0.5,
-                   thermo={"equationOfState": {"type": "stiffenedGas", "gamma": 4.4,
-                                               "pInf": 6}})
+                   thermo={"rho": 1, "equationOfState": {
+                       "type": "stiffenedGas", "gamma": 4.4, "pInf": 6, "p0": 1}})
 
 
 def grainsInGas():
