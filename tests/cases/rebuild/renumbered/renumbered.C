@@ -105,7 +105,14 @@ autoPtr<fvMesh> renumbered(autoPtr<fvMesh>& old, std::mt19937& random)
     (
         new fvMesh
         (
-            IOobject(fvMesh::defaultRegion, time.constant(), time),
+            // Schemes are read as those of the case, the mesh is not
+            IOobject
+            (
+                fvMesh::defaultRegion,
+                "inMemory",
+                time,
+                IOobject::READ_IF_PRESENT
+            ),
             std::move(points),
             std::move(faces),
             std::move(owner),
