@@ -53,7 +53,7 @@ struct nodewiseLinear : stencilShape<DIM, 8, nodewiseLinear<DIM>>
             S[i] = broadcast<base::W>(1);
             for (int d = 0; d < DIM; ++d)
             {
-                slope[d] = s.x[i][d] > s.low[d] ? s.ih[d] : -s.ih[d];
+                slope[d] = 2*s.x[i][d] > s.low[d] + s.high[d] ? s.ih[d] : -s.ih[d];
                 w[d] = offSides<base::W>(1.0 + slope[d]*(x[d] - s.x[i][d]));
                 S[i] *= w[d];
             }

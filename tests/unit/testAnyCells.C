@@ -16,6 +16,7 @@ Description
 #include "shapeTransfer.H"
 #include "stencilShape.H"
 #include "cellModel.H"
+#include "faceLocator.H"
 #include <Eigen/LU>
 #include <random>
 
@@ -286,8 +287,6 @@ TEST_CASE("tetrahedra: nodes of cells, cells of nodes, points found through face
         {
             wrong += g.locate(from, x) != celli;
         }
-        CHECK(g.width(celli, 0) > 0.05);
-        CHECK(g.width(celli, 0) < 0.25);
     }
     CHECK(wrong == 0);
 
@@ -303,6 +302,38 @@ TEST_CASE("tetrahedra: nodes of cells, cells of nodes, points found through face
     CHECK(wrong == 0);
     scalar beyond[3] = {0.5, 0.5, 1.001};
     CHECK(g.find(beyond) == -1);
+}
+
+
+TEST_CASE("through the faces of boxes: cells and widths of the lattice")
+{
+    const testMesh m(5, 4, 3, graded);
+    const pointGrid& g = m.grid();
+    ghostCells ghosts(m());
+    const faceLocator faces(m(), g, ghosts);
+
+    std::mt19937 gen(2);
+    std::uniform_real_distribution<scalar> u(0, 1);
+    for (label celli = 0; celli < g.nCells(); ++celli)
+    {
+        scalar corner[24], x[3];
+        g.hexes().cornerPositions(celli, corner);
+        for (int d = 0; d < 3; ++d)
+        {
+            x[d] = corner[d] + u(gen)*g.width(celli, d);
+            CHECK(mag(faces.width(celli, d) - g.width(celli, d)) < 1e-13);
+            for (int side = 0; side < 2; ++side)
+            {
+                CHECK
+                (
+                    faces.neighbour(celli, d, side)
+                 == g.neighbour(celli, d, side)
+                );
+            }
+        }
+        CHECK(faces.locate(0, x) == celli);
+        CHECK(g.locate(0, x) == celli);
+    }
 }
 
 

@@ -10,7 +10,7 @@ etc/codeTemplates), loaded with libs and selected by name.
                 PICfraction 1 and his fullStepAtL is USL bit by bit; FLIP with 0 and MUSL
                 are not (the velocity differs by more than 1e-3)
     stencil     the same crash with the user's nodewiseLinear, whose number of nodes is known
-                at run time only: linear to rounding (1e-10 of the largest value after 60
+                at run time only: linear to rounding (1e-12 of the largest value after 60
                 steps), with FLIP and APIC; GIMP is not (1e-3)
     choices     an unknown transfer, stressUpdate and shapeFunction: the error names the
                 user's among the valid ones; an entry of FLIP belongs to midpoint too
@@ -116,7 +116,7 @@ def stencil(table):
             return cases["linear"].largestDifference(cases[shape], time, ["block"], COLUMNS)
 
         table.row(f"{transfer}: nodewiseLinear of the user against linear", 0,
-                  difference("nodewiseLinear"), 1e-10)
+                  difference("nodewiseLinear"), 1e-12)
         table.row(f"{transfer}: GIMP against linear", 1e-3, difference("GIMP"), 1e-3, "atLeast")
 
 
