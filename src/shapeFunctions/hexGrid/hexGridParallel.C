@@ -10,7 +10,7 @@ License
 #include "processorPolyPatch.H"
 #include "globalIndex.H"
 #include "syncTools.H"
-#include "PackedBoolList.H"
+#include "bitSet.H"
 #include "ListOps.H"
 #include <algorithm>
 
@@ -53,7 +53,7 @@ void Foam::mpm::hexGrid::makeSharedNodes(const labelUList& root)
     forAll(key, pointi)
     {
         const auto iter = nodeOfKey.cfind(key[pointi]);
-        if (iter.found())
+        if (iter.good())
         {
             pointToNode_[pointi] = iter.val();
         }
@@ -71,7 +71,7 @@ void Foam::mpm::hexGrid::makeSharedNodes(const labelUList& root)
 
 Foam::labelList Foam::mpm::hexGrid::coupledNodes() const
 {
-    PackedBoolList coupled(nNodes());
+    bitSet coupled(nNodes());
     for (const polyPatch& pp : mesh().boundaryMesh())
     {
         if (isA<processorPolyPatch>(pp))
@@ -101,7 +101,7 @@ Foam::label Foam::mpm::hexGrid::ghost(const label proci, const label celli)
 
 Foam::labelList Foam::mpm::hexGrid::cellsAtCoupledNodes() const
 {
-    PackedBoolList coupled(nNodes());
+    bitSet coupled(nNodes());
     coupled.set(coupledNodes());
 
     const label nc = label(1) << nDim_;
@@ -177,7 +177,7 @@ std::unordered_map<int64_t, Foam::label> Foam::mpm::hexGrid::latticeGhosts()
             for (label n = 0; n < nc; ++n)
             {
                 const auto iter = nodeOfKey.cfind(keys[n]);
-                touches = touches || (iter.found() && iter.val() < nOwn);
+                touches = touches || (iter.good() && iter.val() < nOwn);
             }
             if (!touches)
             {
@@ -195,7 +195,7 @@ std::unordered_map<int64_t, Foam::label> Foam::mpm::hexGrid::latticeGhosts()
             for (label n = 0; n < nc; ++n)
             {
                 const auto iter = nodeOfKey.cfind(keys[n]);
-                label node = iter.found() ? iter.val() : -1;
+                label node = iter.good() ? iter.val() : -1;
                 if (node < 0)
                 {
                     node = nodeKey_.size();
@@ -291,7 +291,7 @@ bool Foam::mpm::hexGrid::anyRefusal()
 
 Foam::labelList Foam::mpm::hexGrid::candidateNodes(const label reach) const
 {
-    PackedBoolList candidate(nNodes());
+    bitSet candidate(nNodes());
     candidate.set(coupledNodes());
     if (reach)
     {

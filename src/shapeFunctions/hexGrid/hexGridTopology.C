@@ -15,7 +15,7 @@ License
 #include "HashSet.H"
 #include "EdgeMap.H"
 #include "SubField.H"
-#include "PackedBoolList.H"
+#include "bitSet.H"
 #include "processorPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
 #include "syncTools.H"
@@ -58,9 +58,9 @@ public:
 
 
 //- True for faces on empty and wedge patches
-PackedBoolList emptyFaces(const polyMesh& mesh)
+bitSet emptyFaces(const polyMesh& mesh)
 {
-    PackedBoolList isEmpty(mesh.nFaces());
+    bitSet isEmpty(mesh.nFaces());
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
@@ -81,7 +81,7 @@ PackedBoolList emptyFaces(const polyMesh& mesh)
 void Foam::mpm::hexGrid::makeNodes()
 {
     const polyMesh& mesh = this->mesh();
-    const PackedBoolList isEmpty(emptyFaces(mesh));
+    const bitSet isEmpty(emptyFaces(mesh));
 
     joinedLabels joined(mesh.nPoints());
 
@@ -256,7 +256,7 @@ Foam::mpm::hexGrid::coupledSides Foam::mpm::hexGrid::findCoupled()
 void Foam::mpm::hexGrid::pairFaces
 (
     const label celli,
-    const PackedBoolList& isEmpty,
+    const bitSet& isEmpty,
     const bool atAxis,
     cellSides& s
 ) const
@@ -308,7 +308,7 @@ void Foam::mpm::hexGrid::pairFaces
 Foam::mpm::hexGrid::cellSides Foam::mpm::hexGrid::sidesOf
 (
     const label celli,
-    const PackedBoolList& isEmpty,
+    const bitSet& isEmpty,
     const bool atAxis
 ) const
 {
@@ -459,7 +459,7 @@ void Foam::mpm::hexGrid::setNeighbours
 void Foam::mpm::hexGrid::makeCells()
 {
     const polyMesh& mesh = this->mesh();
-    const PackedBoolList isEmpty(emptyFaces(mesh));
+    const bitSet isEmpty(emptyFaces(mesh));
     hexMatcher hex;
     prismMatcher prism;
     labelHashSet onAxis;
