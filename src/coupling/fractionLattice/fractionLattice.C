@@ -133,7 +133,7 @@ void Foam::mpm::fractionLattice::makeShared()
     for (label celli = 0; celli < grid_.nCells(); ++celli)
     {
         auto iter = keyOfPlace.find(placeOf_[celli]);
-        if (iter.found() && iter.val() == -1)
+        if (iter.good() && iter.val() == -1)
         {
             label key = 0, stride = 1;
             for (int d = 0; d < D; ++d)

@@ -44,7 +44,19 @@ Foam::autoPtr<Foam::mpm::gasThermo> Foam::mpm::gasThermo::New
             dictionaryConstructorTablePtr_->sortedToc()
         );
     }
-    return dictionaryConstructorTablePtr_->cfind(name).val()(dict);
+    autoPtr<gasThermo> thermo
+    (
+        dictionaryConstructorTablePtr_->cfind(name).val()(dict)
+    );
+    const word equation("equationOfState");
+    if (dict.found(equation) && !thermo->keywords().found(equation))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries thermo " << name << " and " << equation << " in "
+            << dict.name() << " exclude each other; give one of them."
+            << exit(FatalIOError);
+    }
+    return thermo;
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

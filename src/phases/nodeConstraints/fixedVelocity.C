@@ -71,7 +71,7 @@ Foam::Map<Foam::labelPair> Foam::mpm::fixedVelocity::winners() const
         for (const labelPair& entry : known[proci])
         {
             const auto iter = nodeOfKey.cfind(entry.first());
-            if (!iter.found())
+            if (!iter.good())
             {
                 continue;
             }
@@ -101,7 +101,7 @@ void Foam::mpm::fixedVelocity::share()
             continue;
         }
         const auto at = mineAt.cfind(iter.key());
-        if (at.found())
+        if (at.good())
         {
             patch_[at.val()] = -1;
             parts_[at.val()].patch = iter.val().first();

@@ -93,7 +93,7 @@ Foam::mpm::slipVelocity::normalsOfNodes Foam::mpm::slipVelocity::byNode
             if (parallel)
             {
                 const auto iter = nodeOfKey.cfind(n);
-                n = iter.found() ? iter.val() : -1;
+                n = iter.good() ? iter.val() : -1;
             }
             if (n >= 0 && !fixed.found(n))
             {

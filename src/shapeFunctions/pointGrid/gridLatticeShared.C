@@ -73,7 +73,7 @@ Foam::mpm::gridLattice::latticeGhosts
             for (label n = 0; n < nc; ++n)
             {
                 const auto iter = nodeOfKey.cfind(keys[n]);
-                touches = touches || (iter.found() && iter.val() < nOwn);
+                touches = touches || (iter.good() && iter.val() < nOwn);
             }
             if (!touches)
             {

@@ -57,7 +57,7 @@ void Foam::mpm::gridNodes::makeNodes(const gridAxes& axes)
 {
     const polyMesh& mesh = mesh_;
     const int nDim = axes.nDim();
-    const PackedBoolList isEmpty(emptyFaces(mesh));
+    const bitSet isEmpty(emptyFaces(mesh));
 
     joinedLabels joined(mesh.nPoints());
 
@@ -175,10 +175,10 @@ Foam::mpm::gridNodes::gridNodes(const polyMesh& mesh, const gridAxes& axes)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::PackedBoolList
+Foam::bitSet
 Foam::mpm::gridNodes::emptyFaces(const polyMesh& mesh)
 {
-    PackedBoolList isEmpty(mesh.nFaces());
+    bitSet isEmpty(mesh.nFaces());
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))

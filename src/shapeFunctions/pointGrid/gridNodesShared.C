@@ -51,7 +51,7 @@ void Foam::mpm::gridNodes::makeShared(const labelUList& root)
     forAll(key, pointi)
     {
         const auto iter = nodeOfKey.cfind(key[pointi]);
-        if (iter.found())
+        if (iter.good())
         {
             pointToNode_[pointi] = iter.val();
         }
@@ -69,7 +69,7 @@ void Foam::mpm::gridNodes::makeShared(const labelUList& root)
 
 Foam::labelList Foam::mpm::gridNodes::coupled() const
 {
-    PackedBoolList coupled(size());
+    bitSet coupled(size());
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
         if (isA<processorPolyPatch>(pp))
@@ -86,7 +86,7 @@ Foam::labelList Foam::mpm::gridNodes::coupled() const
 
 Foam::labelList Foam::mpm::gridNodes::candidates(const label reach) const
 {
-    PackedBoolList candidate(size());
+    bitSet candidate(size());
     candidate.set(coupled());
     if (reach)
     {
@@ -109,7 +109,7 @@ Foam::labelList Foam::mpm::gridNodes::candidates(const label reach) const
 
 Foam::labelList Foam::mpm::gridNodes::cellsAtCoupled() const
 {
-    PackedBoolList coupled(size());
+    bitSet coupled(size());
     coupled.set(this->coupled());
 
     DynamicList<label> cells;
@@ -140,7 +140,7 @@ void Foam::mpm::gridNodes::addGhost
     for (label i = 0; i < n; ++i)
     {
         const auto iter = nodeOfKey.cfind(keys[i]);
-        label node = iter.found() ? iter.val() : -1;
+        label node = iter.good() ? iter.val() : -1;
         if (node < 0)
         {
             node = key_.size();

@@ -16,7 +16,7 @@ License
 void Foam::mpm::hexCells::pairFaces
 (
     const label celli,
-    const PackedBoolList& isEmpty,
+    const bitSet& isEmpty,
     const bool atAxis,
     cellSides& s
 ) const
@@ -68,7 +68,7 @@ void Foam::mpm::hexCells::pairFaces
 Foam::mpm::hexCells::cellSides Foam::mpm::hexCells::sidesOf
 (
     const label celli,
-    const PackedBoolList& isEmpty,
+    const bitSet& isEmpty,
     const bool atAxis
 ) const
 {
@@ -233,7 +233,7 @@ Foam::mpm::hexCells::hexCells
     cellCells_(2*nDim_*mesh.nCells(), label(-1)),
     walls_(mesh.nCells(), static_cast<unsigned char>(0))
 {
-    const PackedBoolList isEmpty(gridNodes::emptyFaces(mesh));
+    const bitSet isEmpty(gridNodes::emptyFaces(mesh));
     prismMatcher prism;
     labelHashSet onAxis;
     const label nc = label(1) << nDim_;

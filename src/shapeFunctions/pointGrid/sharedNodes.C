@@ -51,7 +51,7 @@ Foam::mpm::sharedNodes::sharedNodes
         for (const label key : keys[proci])
         {
             const auto iter = nodeOfKey.cfind(key);
-            if (iter.found())
+            if (iter.good())
             {
                 common.append(iter.val());
                 isShared.insert(iter.val());
