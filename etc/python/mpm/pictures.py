@@ -3,6 +3,27 @@
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.collections import PolyCollection  # noqa: E402
 
 plt.rcParams.update({"figure.constrained_layout.use": True, "legend.fontsize": 8,
                      "savefig.dpi": 130})
+
+#: Matter that has failed, in every picture
+FAILED = "#882255"
+
+
+def boxes(ax, x, side, colours=None, values=None, **options):
+    """Points as squares of these sides about x [point, 2], one colour, colours by point,
+    or values with cmap, vmin, vmax; overlapping by a twentieth, so that neighbours leave
+    no seam. Returns the collection, for a colour bar."""
+    half = 0.525*np.broadcast_to(side, len(x))
+    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    squares = PolyCollection(x[:, None, :2] + half[:, None, None]*corners, linewidths=0,
+                             antialiaseds=False, rasterized=True, **options)
+    if values is None:
+        squares.set_facecolor(colours)
+    else:
+        squares.set_array(np.asarray(values))
+    ax.add_collection(squares)
+    return squares

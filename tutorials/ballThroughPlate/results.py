@@ -1,0 +1,112 @@
+"""Reads the runs, and what theory and published fits say of them. Lengths in m, times in
+s, pressures in Pa; the ball hits the plate's face x = 0 at t = 0."""
+
+import os
+import re
+
+import numpy as np
+
+from mpm.case import Case
+
+D, T, SPEED = 10e-3, 2.5e-3, 5000.0
+ALPHA = np.radians(2.5)
+
+#: Density, sound speed and slope of the Hugoniot
+SHOCK = {"copper": (8960.0, 3940.0, 1.489), "aluminium": (2700.0, 5386.0, 1.339)}
+
+
+def metal(case):
+    """Of the ball."""
+    with open(case.file("constant/phaseProperties")) as f:
+        return "copper" if re.search("copper", f.read()) else "aluminium"
+
+
+def interfaceSpeed(ball, V=SPEED):
+    """Of two flat faces that meet: the pressures rho (C0 + S u) u are equal."""
+    (rb, cb, sb), (rp, cp, sp) = SHOCK[ball], SHOCK["aluminium"]
+    low, high = 0.0, V
+    for _ in range(60):
+        u = 0.5*(low + high)
+        if rp*(cp + sp*u)*u < rb*(cb + sb*(V - u))*(V - u):
+            low = u
+        else:
+            high = u
+    return u
+
+
+def fits(ball, V=SPEED):
+    """Hole's diameter over the ball's, of fits to experiments (README.md)."""
+    ratio, sound = SHOCK[ball][0]/SHOCK["aluminium"][0], 5100.0
+    found = {"Sawle": 3.2*(ratio*V/sound)**0.22*(T/D)**(2/3) + 1}
+    if ball == "aluminium":
+        found["Maiden & McMillan"] = 2.4*V/sound*(T/D)**(2/3) + 0.9
+        found["Nysmith & Denardo"] = 0.88*np.sqrt(2.7*V*1e-3)*(T/D)**0.45
+    return found
+
+
+def plugSpeed(ball, V=SPEED):
+    """Of the ball and the plug of its diameter that it punches out and takes along:
+    momentum alone (Recht & Ipson without losses)."""
+    return V/(1 + 1.5*SHOCK["aluminium"][0]/SHOCK[ball][0]*T/D)
+
+
+def side(p, phase):
+    """Of the squares that points are in the plane: matter that has failed is fragments and
+    keeps the size of the start."""
+    first = 2*p["halfSize"][:, 0]
+    now = np.sqrt(p["V"]/(2*p["x"][:, 1]*np.tan(ALPHA)))
+    return np.where(p["damage"] >= 1, first, now)
+
+
+def hole(case, time):
+    """Diameters of the hole: of matter that has not failed, and of all that is slow."""
+    p = case.points(time, "plate")
+    inner = p["x"][:, 1] - 0.5*side(p, "plate")
+    whole = (p["damage"] < 1) & (abs(p["x"][:, 0] - 0.5*T) < 2*T)
+    slow = np.linalg.norm(p["U"], axis=1) < 150
+    return 2*inner[whole].min(), 2*inner[slow].min()
+
+
+def radiograph(case, time, xs, ys, rays=400):
+    """Mass per area [kg/m2] along lines of sight across the axis, on bins xs, ys: each
+    point is a ring as thick as its volume says, at most 2 mm."""
+    rng = np.random.default_rng(1)
+    image = np.zeros((len(ys) - 1, len(xs) - 1))
+    for phase in ("ball", "plate"):
+        p = case.points(time, phase)
+        x, r, m = p["x"][:, 0], p["x"][:, 1], p["m"]
+        thick = np.minimum(np.sqrt(p["V"]/(2*r*np.tan(ALPHA))), 2e-3)
+        for _ in range(rays):
+            u, v, angle = rng.uniform(-0.5, 0.5, (3, len(m)))
+            y = abs(r + v*thick)*np.sin(np.pi*angle)
+            image += np.histogram2d(y, x + u*thick, bins=(ys, xs), weights=m)[0]
+    return image*np.pi/np.tan(ALPHA)/rays/np.outer(np.diff(ys), np.diff(xs))
+
+
+class Run:
+    """One run's figures."""
+
+    def __init__(self, path="."):
+        self.case = Case(path)
+        self.ball = metal(self.case)
+        self.times = self.case.times("lagrangian")
+        self.n = int(self.case.entry("system/blockMeshDict", "n"))
+        total = self.case.series("balance", "total.dat")
+        m, P = total[:, 2] + total[:, 14], total[:, 3] + total[:, 15]
+        self.mass, self.momentum = np.ptp(m)/m[0], np.ptp(P)/P[0]
+        e = self.case.series("energy", "energy.dat")
+        self.residual = abs(e[:, 7]).max()/e[0, 1]
+        self.transfer = -e[-1, 4]/e[0, 1]
+        t, u = self.case.series("face", "U_x.dat").T
+        self.face = u[(t > 0.05e-6) & (t < 0.2e-6)].mean()
+        b = self.case.series("balance", "ball.dat")
+        b = b[np.searchsorted(b[:, 0], 6e-6)]
+        self.speed = (b[3] + b[15])/(b[2] + b[14])
+        front = {p: self.case.series("extent", p + ".dat") for p in ("ball", "plate")}
+        self.front = {p: np.polyfit(*f[(f[:, 0] > 5e-6) & (f[:, 0] < 8e-6)][:, (0, 4)].T, 1)[0]
+                      for p, f in front.items()}
+        self.series = {p: (f[:, 0], f[:, 4]) for p, f in front.items()}
+
+    @classmethod
+    def of(cls, path):
+        return cls(path) if os.path.exists(os.path.join(path, "log.materialPointFoam")) else None
