@@ -18,9 +18,11 @@ for name, run in runs.items():
     print(f"{name}: hole {1e3*whole:.2f} mm (slow matter {1e3*slow:.2f}), over D"
           f" {whole/results.D:.3f}; " + ", ".join(
               f"{k} {v:.2f}" for k, v in results.fits(run.ball).items()))
-    print(f"    interface on the axis {run.face:.0f} m/s at 0.05 to 0.2 us, Hugoniots"
-          f" {exact:.0f} ({100*(run.face/exact - 1):+.1f} %); fronts: plate"
-          f" {run.front['plate']:.0f} m/s, limit {2*exact:.0f}, ball {run.front['ball']:.0f}")
+    rho, sound, slope = results.SHOCK["aluminium"]
+    print(f"    highest pressure at the face on the axis {1e-9*run.face[1]:.1f} GPa, of flat"
+          f" faces {1e-9*rho*(sound + slope*exact)*exact:.1f}; then {run.face[0]:.0f} m/s,"
+          f" {exact:.0f}; fronts: plate {run.front['plate']:.0f} m/s, limit {2*exact:.0f},"
+          f" ball {run.front['ball']:.0f}")
     print(f"    ball's mean velocity {run.speed:.0f} m/s, with its plug"
           f" {results.plugSpeed(run.ball):.0f}; mass {run.mass:.1e}, momentum"
           f" {run.momentum:.1e}, energy residual {100*run.residual:.3f} %, lost in the"

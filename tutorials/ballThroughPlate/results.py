@@ -86,7 +86,8 @@ def radiograph(case, time, xs, ys, rays=400):
 class Run:
     """One run's figures."""
 
-    def __init__(self, path="."):
+    def __init__(self, path=".", after=5e-6):
+        """after: from when on the speeds of the debris are taken, for 2 us."""
         self.case = Case(path)
         self.ball = metal(self.case)
         self.times = self.case.times("lagrangian")
@@ -97,14 +98,16 @@ class Run:
         e = self.case.series("energy", "energy.dat")
         self.residual = abs(e[:, 7]).max()/e[0, 1]
         self.transfer = -e[-1, 4]/e[0, 1]
-        t, u = self.case.series("face", "U_x.dat").T
-        self.face = u[(t > 0.05e-6) & (t < 0.2e-6)].mean()
+        # When the pressure is highest there
+        i = np.argmin(self.case.series("face", "sigma_xx.dat")[:, 1])
+        self.face = (self.case.series("face", "U_x.dat")[i, 1],
+                     -self.case.series("face", "sigma_xx.dat")[i, 1])
         b = self.case.series("balance", "ball.dat")
-        b = b[np.searchsorted(b[:, 0], 6e-6)]
+        b = b[np.searchsorted(b[:, 0], after)]
         self.speed = (b[3] + b[15])/(b[2] + b[14])
         front = {p: self.case.series("extent", p + ".dat") for p in ("ball", "plate")}
-        self.front = {p: np.polyfit(*f[(f[:, 0] > 5e-6) & (f[:, 0] < 8e-6)][:, (0, 4)].T, 1)[0]
-                      for p, f in front.items()}
+        self.front = {p: np.polyfit(*f[(f[:, 0] > after) & (f[:, 0] < after + 2e-6)][:, (0, 4)].T,
+                                    1)[0] for p, f in front.items()}
         self.series = {p: (f[:, 0], f[:, 4]) for p, f in front.items()}
 
     @classmethod

@@ -71,7 +71,7 @@ def history(radius, p, T, gauges, end, n=1500, length=0.45, Co=0.4):
     return rows[:, 0], rows[:, 1:]
 
 
-def arrival(t, p, level=2e5):
+def arrival(t, p, level):
     """When the pressure rises through the level; linear between the steps."""
     i = np.argmax(p > level)
     return t[i - 1] + (level - p[i - 1])/(p[i] - p[i - 1])*(t[i] - t[i - 1])
