@@ -1,9 +1,12 @@
 """Debris at four times, the hole and its diameter beside fits; the figures of the README."""
 
+import os
+
 import numpy as np
 from matplotlib.colors import LogNorm
 
 import results
+from mpm.case import Case
 from mpm.pictures import FAILED, boxes, plt
 
 COLOUR = {"copper": "#E08A3C", "aluminium": "#9DB7C9"}
@@ -34,9 +37,8 @@ def section(ax, run, time, sign=1):
     """Points of one half of the section."""
     for phase in ("plate", "ball"):
         p = run.case.points(time, phase)
-        x = 1e3*p["x"][:, :2]*(1, sign)
-        failed = p["damage"] >= 1
-        side = 1e3*results.side(p, phase)
+        x, side = results.inPlane(p)
+        x, side, failed = 1e3*x*(1, sign), 1e3*side, p["damage"] >= 1
         metal = run.ball if phase == "ball" else "aluminium"
         boxes(ax, x[failed], side[failed], FAILED)
         boxes(ax, x[~failed], side[~failed], COLOUR[metal])
@@ -66,3 +68,55 @@ axes[0, 0].legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c) for c in
                            (COLOUR["copper"], COLOUR["aluminium"], FAILED)],
                   labels=["copper", "aluminium", "failed"], loc="upper left", fontsize=7)
 figure.savefig("debris.png", dpi=100, pil_kwargs={"optimize": True})
+
+figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.2))
+for name, run in runs.items():
+    if "n 80" in name or run is main:
+        time = run.case.nearest(12e-6)
+        section(axes[0], run, time, 1 if run is main else -1)
+axes[0].set_aspect("equal")
+axes[0].set_xlim(-6, 9)
+axes[0].set_ylim(-16, 16)
+axes[0].axhline(0, color="k", lw=0.6)
+axes[0].set_xlabel("x [mm]")
+axes[0].set_ylabel("y [mm]; above cells of 0.25 mm, below of 0.125 mm")
+axes[0].set_title(f"the hole at {1e6*float(time):.0f} us", fontsize=10)
+for name, style in (("copper, n 40", "-"), ("copper, n 80", "--"), ("aluminium, n 40", ":")):
+    if name in runs:
+        for phase, colour in (("plate", "C0"), ("ball", "C1")):
+            t, x = runs[name].series[phase]
+            axes[1].plot(1e6*t, 1e3*x, colour + style,
+                         label=f"{name}: {'plate' if phase == 'plate' else 'ball'}")
+for ball, style in (("copper", "-"), ("aluminium", ":")):
+    t = np.array([0, 8])
+    u = 2*results.interfaceSpeed(ball)
+    axes[1].plot(t, 1e3*results.T + 1e-3*u*t, "0.6", ls=style, lw=1,
+                 label=f"limit, {ball}: {1e-3*u:.2f} km/s")
+axes[1].set_xlim(0, 12)
+axes[1].set_ylim(0, 60)
+axes[1].set_xlabel("time [us]")
+axes[1].set_ylabel("foremost point [mm]")
+axes[1].legend(fontsize=7)
+figure.savefig("hole.png", dpi=100, pil_kwargs={"optimize": True})
+
+if os.path.isdir("variants/quarter/postProcessing"):
+    case = Case("variants/quarter")
+    last = case.times("lagrangian")[-1]
+    whole, slow = results.hole(case, last)
+    print(f"quarter in 3D, n 12: hole {1e3*whole:.2f} mm (slow matter {1e3*slow:.2f}), over D"
+          f" {whole/results.D:.3f}; {case.nSteps()} steps")
+    figure, axes = plt.subplots(1, 2, figsize=(11, 3.6), sharey=True)
+    xs, ys = np.arange(-10, 50.1, 0.4), np.arange(-20, 0.1, 0.4)
+    for ax, want in zip(axes, (4e-6, 8e-6)):
+        time = case.nearest(want, "lagrangian")
+        image = 0.1*results.radiographOfQuarter(case, time, 1e-3*xs, 1e-3*ys)
+        for sign in (-1, 1):
+            shadow = ax.pcolormesh(xs, -sign*ys, np.maximum(image, 1e-9), cmap="magma",
+                                   norm=LogNorm(0.005, 10), rasterized=True)
+        ax.set_aspect("equal")
+        ax.text(0.97, 0.92, f"{1e6*float(time):.0f} us", transform=ax.transAxes, ha="right",
+                color="w")
+        ax.set_xlabel("x [mm]")
+    axes[0].set_ylabel("y [mm]")
+    figure.colorbar(shadow, ax=axes, extend="both", label="mass per area [g/cm$^2$]")
+    figure.savefig("quarter.png", dpi=100, pil_kwargs={"optimize": True})

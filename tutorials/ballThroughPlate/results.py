@@ -50,19 +50,24 @@ def plugSpeed(ball, V=SPEED):
     return V/(1 + 1.5*SHOCK["aluminium"][0]/SHOCK[ball][0]*T/D)
 
 
-def side(p, phase):
-    """Of the squares that points are in the plane: matter that has failed is fragments and
-    keeps the size of the start."""
+def inPlane(p):
+    """x and distance from the axis, and sizes of the squares, of points of a wedge or of a
+    quarter in 3D. Matter that has failed is fragments and keeps the size of the start."""
     first = 2*p["halfSize"][:, 0]
-    now = np.sqrt(p["V"]/(2*p["x"][:, 1]*np.tan(ALPHA)))
-    return np.where(p["damage"] >= 1, first, now)
+    if np.ptp(p["x"][:, 2]) > 1e-6:
+        r, now = np.hypot(p["x"][:, 1], p["x"][:, 2]), np.cbrt(p["V"])
+    else:
+        r = p["x"][:, 1]
+        now = np.sqrt(p["V"]/(2*r*np.tan(ALPHA)))
+    return np.column_stack([p["x"][:, 0], r]), np.where(p["damage"] >= 1, first, now)
 
 
 def hole(case, time):
     """Diameters of the hole: of matter that has not failed, and of all that is slow."""
     p = case.points(time, "plate")
-    inner = p["x"][:, 1] - 0.5*side(p, "plate")
-    whole = (p["damage"] < 1) & (abs(p["x"][:, 0] - 0.5*T) < 2*T)
+    x, side = inPlane(p)
+    inner = x[:, 1] - 0.5*side
+    whole = (p["damage"] < 1) & (abs(x[:, 0] - 0.5*T) < 2*T)
     slow = np.linalg.norm(p["U"], axis=1) < 150
     return 2*inner[whole].min(), 2*inner[slow].min()
 
@@ -81,6 +86,19 @@ def radiograph(case, time, xs, ys, rays=400):
             y = abs(r + v*thick)*np.sin(np.pi*angle)
             image += np.histogram2d(y, x + u*thick, bins=(ys, xs), weights=m)[0]
     return image*np.pi/np.tan(ALPHA)/rays/np.outer(np.diff(ys), np.diff(xs))
+
+
+def radiographOfQuarter(case, time, xs, ys, rays=50):
+    """The same of a quarter in 3D, seen along z."""
+    rng = np.random.default_rng(1)
+    image = np.zeros((len(ys) - 1, len(xs) - 1))
+    for phase in ("ball", "plate"):
+        p = case.points(time, phase)
+        thick = np.minimum(np.cbrt(p["V"]), 3e-3)
+        for _ in range(rays):
+            x, y = (p["x"][:, i] + rng.uniform(-0.5, 0.5, len(thick))*thick for i in (0, 1))
+            image += np.histogram2d(-abs(y), x, bins=(ys, xs), weights=2*p["m"])[0]
+    return image/rays/np.outer(np.diff(ys), np.diff(xs))
 
 
 class Run:

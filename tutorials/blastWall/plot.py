@@ -41,8 +41,8 @@ def wall(ax, run, time, sign):
         p = run.case.points(time, phase)
         x, side = p["x"][:, :2]*(1, sign), np.sqrt(p["V"])
         failed = p["damage"] >= 1
-        boxes(ax, x[~failed], side[~failed], COLOUR[phase])
-        boxes(ax, x[failed], 2*p["halfSize"][failed, 0], FAILED)
+        boxes(ax, x[~failed], side[~failed], COLOUR[phase], overlap=0.3)
+        boxes(ax, x[failed], 2*p["halfSize"][failed, 0], FAILED, overlap=0.15)
 
 
 x, y = np.linspace(-0.5, 1.3, main.nx + 1), np.linspace(0, 0.9, main.ny + 1)
@@ -73,14 +73,15 @@ figure.colorbar(below, ax=axes[1], extend="both", aspect=25,
 figure.savefig("blast.png", dpi=95, pil_kwargs={"optimize": True})
 
 figure, axes = plt.subplots(1, 2, figsize=(10.5, 4))
-t, p = blast.history(main.radius, *results.CHARGE, results.GAUGES, 0.14e-3)
-for i, place in enumerate(results.GAUGES):
+t, p = blast.history(main.radius, *results.CHARGE, main.places, 0.1e-3)
+for i in range(3):
     axes[0].plot(1e6*t, 1e-5*p[:, i], "k-", lw=0.8,
                  label="fine, without the wall" if not i else None)
     for name, run in runs.items():
         axes[0].plot(1e6*run.t, 1e-5*run.p[:, i], f"C{i}" + ("-" if run is main else "--"), lw=1,
-                     label=f"x = {1e3*place:.0f} mm, cells of {name}")
-axes[0].set_xlim(0, 140)
+                     label=f"x = {1e3*run.places[i]:.1f} mm, cells of {name}")
+axes[0].set_xlim(0, 100)
+axes[0].set_ylim(0.8, 300)
 axes[0].set_yscale("log")
 axes[0].set_xlabel("time [us]")
 axes[0].set_ylabel("pressure [bar]")

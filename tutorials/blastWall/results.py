@@ -7,7 +7,7 @@ import numpy as np
 import blast
 from mpm.case import Case
 
-GAUGES = (0.155, 0.185, 0.215)      # along the axis; the wall is at 0.25
+GAUGES = (0.1535, 0.1835, 0.2135)   # along the axis; the wall is at 0.25
 CHARGE = (600e5, 3000.0)            # pressure, temperature
 
 

@@ -13,11 +13,11 @@ plt.rcParams.update({"figure.constrained_layout.use": True, "legend.fontsize": 8
 FAILED = "#882255"
 
 
-def boxes(ax, x, side, colours=None, values=None, **options):
+def boxes(ax, x, side, colours=None, values=None, overlap=0.05, **options):
     """Points as squares of these sides about x [point, 2], one colour, colours by point,
-    or values with cmap, vmin, vmax; overlapping by a twentieth, so that neighbours leave
-    no seam. Returns the collection, for a colour bar."""
-    half = 0.525*np.broadcast_to(side, len(x))
+    or values with cmap, vmin, vmax. The squares overlap by this part, so that neighbours
+    leave no seam (bodies that turn: 0.3). Returns the collection, for a colour bar."""
+    half = 0.5*(1 + overlap)*np.broadcast_to(side, len(x))
     corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     squares = PolyCollection(x[:, None, :2] + half[:, None, None]*corners, linewidths=0,
                              antialiaseds=False, rasterized=True, **options)
