@@ -3,11 +3,11 @@
 import os
 
 import numpy as np
-from matplotlib.colors import LogNorm
+from matplotlib.colors import LogNorm, to_rgb
 
 import results
 from mpm.case import Case
-from mpm.pictures import FAILED, boxes, plt
+from mpm.pictures import FAILED, plt, save
 
 COLOUR = {"copper": "#E08A3C", "aluminium": "#9DB7C9"}
 RUNS = {"copper, n 40": ".", "copper, n 80": "variants/fine",
@@ -33,15 +33,12 @@ for name, run in runs.items():
           f" {run.case.numbers('^ExecutionTime = N s').ravel()[-1]:.0f} s")
 
 
-def section(ax, run, time, sign=1):
-    """Points of one half of the section."""
-    for phase in ("plate", "ball"):
-        p = run.case.points(time, phase)
-        x, side = results.inPlane(p)
-        x, side, failed = 1e3*x*(1, sign), 1e3*side, p["damage"] >= 1
-        metal = run.ball if phase == "ball" else "aluminium"
-        boxes(ax, x[failed], side[failed], FAILED)
-        boxes(ax, x[~failed], side[~failed], COLOUR[metal])
+def section(ax, run, time, xs, rs, sign=1):
+    """One half of the section."""
+    colours = [to_rgb(c) for c in (FAILED, COLOUR["copper"], COLOUR["aluminium"])]
+    image = results.section(run.case, time, colours, 1e-3*xs, 1e-3*rs)
+    ax.imshow(image, origin="lower" if sign > 0 else "upper",
+              extent=(xs[0], xs[-1], *sorted((sign*rs[0], sign*rs[-1]))))
 
 
 main = runs["copper, n 40"]
@@ -53,7 +50,7 @@ for ax, want in zip(axes.flat, (1e-6, 3e-6, 6e-6, 10e-6)):
     image = 0.1*results.radiograph(fine.case, time, 1e-3*xs, 1e-3*ys)
     shadow = ax.pcolormesh(xs, ys, np.maximum(image, 1e-9), cmap="magma",
                            norm=LogNorm(0.005, 10), rasterized=True)
-    section(ax, fine, time)
+    section(ax, fine, time, np.arange(-20, 60.1, 0.15), np.arange(0, 25.1, 0.15))
     ax.set_xlim(-20, 60)
     ax.set_ylim(-25, 25)
     ax.set_aspect("equal")
@@ -67,19 +64,19 @@ figure.colorbar(shadow, ax=axes, aspect=40, pad=0.01, extend="both",
 axes[0, 0].legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c) for c in
                            (COLOUR["copper"], COLOUR["aluminium"], FAILED)],
                   labels=["copper", "aluminium", "failed"], loc="upper left", fontsize=7)
-figure.savefig("debris.png", dpi=100, pil_kwargs={"optimize": True})
+save(figure, "debris.png", 100)
 
-figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.2))
-for name, run in runs.items():
-    if "n 80" in name or run is main:
-        time = run.case.nearest(12e-6)
-        section(axes[0], run, time, 1 if run is main else -1)
+figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.6),
+                            gridspec_kw={"width_ratios": (1, 1.9)})
+for run, sign in ((main, 1), (fine, -1)):
+    time = run.case.nearest(12e-6)
+    section(axes[0], run, time, np.arange(-6, 9.01, 0.05), np.arange(0, 16.01, 0.05), sign)
 axes[0].set_aspect("equal")
 axes[0].set_xlim(-6, 9)
 axes[0].set_ylim(-16, 16)
 axes[0].axhline(0, color="k", lw=0.6)
 axes[0].set_xlabel("x [mm]")
-axes[0].set_ylabel("y [mm]; above cells of 0.25 mm, below of 0.125 mm")
+axes[0].set_ylabel(f"y [mm]; n {main.n} above, n {fine.n} below")
 axes[0].set_title(f"the hole at {1e6*float(time):.0f} us", fontsize=10)
 for name, style in (("copper, n 40", "-"), ("copper, n 80", "--"), ("aluminium, n 40", ":")):
     if name in runs:
@@ -87,7 +84,8 @@ for name, style in (("copper, n 40", "-"), ("copper, n 80", "--"), ("aluminium, 
             t, x = runs[name].series[phase]
             axes[1].plot(1e6*t, 1e3*x, colour + style,
                          label=f"{name}: {'plate' if phase == 'plate' else 'ball'}")
-for ball, style in (("copper", "-"), ("aluminium", ":")):
+for ball, style in {(run.ball, "-" if run is main else ":") for run in runs.values()
+                    if run is main or run.ball != main.ball}:
     t = np.array([0, 8])
     u = 2*results.interfaceSpeed(ball)
     axes[1].plot(t, 1e3*results.T + 1e-3*u*t, "0.6", ls=style, lw=1,
@@ -97,7 +95,7 @@ axes[1].set_ylim(0, 60)
 axes[1].set_xlabel("time [us]")
 axes[1].set_ylabel("foremost point [mm]")
 axes[1].legend(fontsize=7)
-figure.savefig("hole.png", dpi=100, pil_kwargs={"optimize": True})
+save(figure, "hole.png", 100)
 
 if os.path.isdir("variants/quarter/postProcessing"):
     case = Case("variants/quarter")
@@ -119,4 +117,4 @@ if os.path.isdir("variants/quarter/postProcessing"):
         ax.set_xlabel("x [mm]")
     axes[0].set_ylabel("y [mm]")
     figure.colorbar(shadow, ax=axes, extend="both", label="mass per area [g/cm$^2$]")
-    figure.savefig("quarter.png", dpi=100, pil_kwargs={"optimize": True})
+    save(figure, "quarter.png", 100)

@@ -52,39 +52,64 @@ def plugSpeed(ball, V=SPEED):
 
 def inPlane(p):
     """x and distance from the axis, and sizes of the squares, of points of a wedge or of a
-    quarter in 3D. Matter that has failed is fragments and keeps the size of the start."""
-    first = 2*p["halfSize"][:, 0]
+    quarter in 3D."""
     if np.ptp(p["x"][:, 2]) > 1e-6:
-        r, now = np.hypot(p["x"][:, 1], p["x"][:, 2]), np.cbrt(p["V"])
+        r, size = np.hypot(p["x"][:, 1], p["x"][:, 2]), np.cbrt(p["V"])
     else:
         r = p["x"][:, 1]
-        now = np.sqrt(p["V"]/(2*r*np.tan(ALPHA)))
-    return np.column_stack([p["x"][:, 0], r]), np.where(p["damage"] >= 1, first, now)
+        size = np.sqrt(p["V"]/(2*r*np.tan(ALPHA)))
+    return np.column_stack([p["x"][:, 0], r]), size
 
 
 def hole(case, time):
     """Diameters of the hole: of matter that has not failed, and of all that is slow."""
     p = case.points(time, "plate")
     x, side = inPlane(p)
-    inner = x[:, 1] - 0.5*side
+    inner = x[:, 1] - np.minimum(0.5*side, p["halfSize"][:, 0])
     whole = (p["damage"] < 1) & (abs(x[:, 0] - 0.5*T) < 2*T)
     slow = np.linalg.norm(p["U"], axis=1) < 150
     return 2*inner[whole].min(), 2*inner[slow].min()
 
 
+def jittered(x, size, rays):
+    """x and distance from the axis of points spread over squares of their sizes, again and
+    again."""
+    rng = np.random.default_rng(1)
+    for _ in range(rays):
+        u, v = rng.uniform(-0.5, 0.5, (2, len(x)))
+        yield x[:, 0] + u*size, abs(x[:, 1] + v*size), rng
+
+
+def section(case, time, colours, xs, ys, rays=60):
+    """Picture (RGBA) of the section on bins xs, ys: matter by its colour, of failed, copper,
+    aluminium; the paler the more it has spread."""
+    cover = np.zeros((3, len(ys) - 1, len(xs) - 1))
+    for phase in ("ball", "plate"):
+        p = case.points(time, phase)
+        x, size = inPlane(p)
+        area = 4*p["halfSize"][:, 0]**2/rays
+        kind = np.where(p["damage"] >= 1, 0,
+                        1 if phase == "ball" and metal(case) == "copper" else 2)
+        for X, R, _ in jittered(x, np.minimum(size, 2e-3), rays):
+            for k in range(3):
+                some = kind == k
+                cover[k] += np.histogram2d(R[some], X[some], (ys, xs), weights=area[some])[0]
+    cover /= np.outer(np.diff(ys), np.diff(xs))
+    total = cover.sum(axis=0)
+    mixed = np.einsum("kij,kc->ijc", cover, colours)/np.maximum(total, 1e-12)[..., None]
+    return np.clip(np.dstack([mixed, 1.2*np.sqrt(total)]), 0, 1)
+
+
 def radiograph(case, time, xs, ys, rays=400):
     """Mass per area [kg/m2] along lines of sight across the axis, on bins xs, ys: each
     point is a ring as thick as its volume says, at most 2 mm."""
-    rng = np.random.default_rng(1)
     image = np.zeros((len(ys) - 1, len(xs) - 1))
     for phase in ("ball", "plate"):
         p = case.points(time, phase)
-        x, r, m = p["x"][:, 0], p["x"][:, 1], p["m"]
-        thick = np.minimum(np.sqrt(p["V"]/(2*r*np.tan(ALPHA))), 2e-3)
-        for _ in range(rays):
-            u, v, angle = rng.uniform(-0.5, 0.5, (3, len(m)))
-            y = abs(r + v*thick)*np.sin(np.pi*angle)
-            image += np.histogram2d(y, x + u*thick, bins=(ys, xs), weights=m)[0]
+        x, size = inPlane(p)
+        for X, R, rng in jittered(x, np.minimum(size, 2e-3), rays):
+            y = R*np.sin(np.pi*rng.uniform(-0.5, 0.5, len(R)))
+            image += np.histogram2d(y, X, bins=(ys, xs), weights=p["m"])[0]
     return image*np.pi/np.tan(ALPHA)/rays/np.outer(np.diff(ys), np.diff(xs))
 
 

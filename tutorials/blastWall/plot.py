@@ -5,7 +5,7 @@ from matplotlib.colors import LogNorm
 
 import blast
 import results
-from mpm.pictures import FAILED, boxes, plt
+from mpm.pictures import FAILED, boxes, plt, save
 
 COLOUR = {"blocks": "#D9CBB3", "mortar": "#8A7F70"}
 
@@ -70,7 +70,7 @@ axes[0, 0].legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c) for c in
 figure.colorbar(above, ax=axes[0], extend="both", aspect=25, label="upper halves: pressure [bar]")
 figure.colorbar(below, ax=axes[1], extend="both", aspect=25,
                 label="lower halves: density of the gas [kg/m$^3$]")
-figure.savefig("blast.png", dpi=95, pil_kwargs={"optimize": True})
+save(figure, "blast.png", 95)
 
 figure, axes = plt.subplots(1, 2, figsize=(10.5, 4))
 t, p = blast.history(main.radius, *results.CHARGE, main.places, 0.1e-3)
