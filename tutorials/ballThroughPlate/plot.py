@@ -101,8 +101,11 @@ if os.path.isdir("variants/quarter/postProcessing"):
     case = Case("variants/quarter")
     last = case.times("lagrangian")[-1]
     whole, slow = results.hole(case, last)
-    print(f"quarter in 3D, n 12: hole {1e3*whole:.2f} mm (slow matter {1e3*slow:.2f}), over D"
-          f" {whole/results.D:.3f}; {case.nSteps()} steps")
+    e = case.series("energy", "energy.dat")
+    n = case.entry("system/blockMeshDict", "n")
+    print(f"quarter in 3D, n {n:.0f}: hole {1e3*whole:.2f} mm (slow matter {1e3*slow:.2f}), over"
+          f" D {whole/results.D:.3f}; energy residual {100*abs(e[:, 7]).max()/e[0, 1]:.3f} %;"
+          f" {case.nSteps()} steps")
     figure, axes = plt.subplots(1, 2, figsize=(11, 3.6), sharey=True)
     xs, ys = np.arange(-10, 50.1, 0.4), np.arange(-20, 0.1, 0.4)
     for ax, want in zip(axes, (4e-6, 8e-6)):

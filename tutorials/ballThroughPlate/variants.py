@@ -40,9 +40,9 @@ def join(case):
 
 
 def quarter(case):
-    """y and z from the axis on, 12 cells over the ball's diameter."""
+    """y and z from the axis on, 16 cells over the ball's diameter."""
     mesh = "system/blockMeshDict"
-    case.change(mesh, r"(?s)^// Cells over.*?(?=^scale)", "n 12; nx 72; nr 30;\n\n")
+    case.change(mesh, r"(?s)^// Cells over.*?(?=^scale)", "n 16; nx 96; nr 40;\n\n")
     case.change(mesh, r"(?s)^// Sector.*", """x0 -10; x1 50; R 25;
 
 vertices
