@@ -22,7 +22,7 @@ def tutorialCase(tutorial, start="0"):
     """A copy of a tutorial, and its results.py."""
     folder = os.path.join(PROJECT, "tutorials", tutorial)
     case = FoamCase("impactAndBlast", tutorial, template=folder)
-    if case.times() not in (["0"], []) or os.path.isdir(case.file("0/lagrangian")):
+    if case.times() != (["0"] if start == "0" else []) or case.times("lagrangian"):
         raise RunFailed(f"{folder} has results: run its Allclean")
     if start != "0":
         shutil.copytree(case.file(start), case.file("0"))
