@@ -81,7 +81,7 @@ for i in range(3):
         axes[0].plot(1e6*run.t, 1e-5*run.p[:, i], f"C{i}" + ("-" if run is main else "--"), lw=1,
                      label=f"x = {1e3*run.places[i]:.1f} mm, cells of {name}")
 axes[0].set_xlim(0, 100)
-axes[0].set_ylim(0.8, 300)
+axes[0].set_ylim(0.8, 100)
 axes[0].set_yscale("log")
 axes[0].set_xlabel("time [us]")
 axes[0].set_ylabel("pressure [bar]")
