@@ -247,11 +247,13 @@ def copiedTutorial(table, case):
 def variants(table, case):
     """What the tutorials' variants change is still in their dictionaries: programs that do
     nothing stand for the solver and its tools."""
-    arguments = {"taylorBar": ["fine"], "projectile": ["fine", "tried"]}
+    arguments = {"taylorBar": ["fine"], "projectile": ["fine", "tried"],
+                 "ballThroughPlate": ["fine", "aluminium", "ductile", "strong", "oneField",
+                                      "quarter"]}
     point = "mkdir -p 0/lagrangian/slab\ncat > 0/lagrangian/slab/x <<END\n" \
         + fileHeader("x", "vectorField") + "1\n(\n(0.5 0 0)\n)\nEND\n"
     with tempfile.TemporaryDirectory() as folder:
-        for program in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
+        for program in ("blockMesh", "setFields", "setMaterialPoints", "materialPointFoam"):
             with open(os.path.join(folder, program), "w") as f:
                 f.write("#!/bin/sh\n" + (point if program == "setMaterialPoints" else ""))
             os.chmod(f.name, 0o755)
