@@ -200,6 +200,9 @@ public:
             cells.append(cellShape(tet, p));
         }
 
+        // It warns of the faces without a patch: they are to be walls
+        const int level = messageStream::level;
+        messageStream::level = 0;
         mesh_.reset
         (
             new polyMesh
@@ -222,6 +225,7 @@ public:
                 wordList()
             )
         );
+        messageStream::level = level;
     }
 
     ~tetMesh()

@@ -44,19 +44,18 @@ Foam::autoPtr<Foam::mpm::gasThermo> Foam::mpm::gasThermo::New
             dictionaryConstructorTablePtr_->sortedToc()
         );
     }
-    autoPtr<gasThermo> thermo
+    if
     (
-        dictionaryConstructorTablePtr_->cfind(name).val()(dict)
-    );
-    const word equation("equationOfState");
-    if (dict.found(equation) && !thermo->keywords().found(equation))
+        dict.found("equationOfState")
+     && (name == "perfectGas" || name == "isentropic")
+    )
     {
         FatalIOErrorInFunction(dict)
-            << "Entries thermo " << name << " and " << equation << " in "
+            << "Entries thermo " << name << " and equationOfState in "
             << dict.name() << " exclude each other; give one of them."
             << exit(FatalIOError);
     }
-    return thermo;
+    return dictionaryConstructorTablePtr_->cfind(name).val()(dict);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
