@@ -25,8 +25,8 @@ import numpy as np  # noqa: E402
 import PIL.Image  # noqa: E402
 from matplotlib.cm import ScalarMappable  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
-from matplotlib.colors import (LinearSegmentedColormap, Normalize,  # noqa: E402
-                               to_rgba)
+from matplotlib.colors import (LinearSegmentedColormap, ListedColormap,  # noqa: E402,F401
+                               Normalize, to_rgba)
 
 plt.rcParams.update({
     "figure.constrained_layout.use": True, "savefig.dpi": 130, "font.size": 9,
