@@ -3,7 +3,7 @@
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import BODY, GAS, VALUES, colourBar, drawPoints, frame, plt, save
+from mpm.pictures import BODY, GAS, PART, colourBar, drawPoints, frame, plt, save
 
 P0, R, T0, GAMMA = 1e5, 287, 290, 1.4
 N, M, H = 40, 10, 1e-3        # cells along x, and along y in the tube
@@ -33,9 +33,9 @@ for ax, wanted in zip(axes, (0, 1.6e-4)):
     # At the start no field is written yet: free air where no points are
     if float(time) > 0:
         theta = moving.field(time, "theta.air", N, N)
-        image = ax.pcolormesh(EDGES, EDGES, theta, cmap=VALUES, vmin=0, vmax=1, zorder=GAS)
+        image = ax.pcolormesh(EDGES, EDGES, theta, cmap=PART, vmin=0, vmax=1, zorder=GAS)
     else:
-        ax.set_facecolor(VALUES(1.0))
+        ax.set_facecolor(PART(1.0))
     drawPoints(ax, moving.points(time, "block"), BODY, scale=1/H, outline="k")
     ax.annotate("", (0.9, 0.9), (0.75, 0.7875), xycoords="axes fraction", zorder=5,
                 arrowprops={"arrowstyle": "-|>", "color": "k"})
@@ -43,7 +43,7 @@ for ax, wanted in zip(axes, (0, 1.6e-4)):
 colourBar(figure, image, axes[1], "volume fraction of the air")
 axes[2].semilogy(p[:, 0]*1e3, np.maximum(abs(p[:, 1:]/P0 - 1).max(axis=1), 1e-17), lw=0.7)
 axes[2].axhline(1e-10, color="k", ls=":", lw=0.8)
-axes[2].text(0, 1.3e-10, "limit", fontsize=8)
+axes[2].text(0, 0.9e-10, "limit", fontsize=8, va="top")
 axes[2].set(xlabel="time [ms]", ylabel="largest |p - p$_0$|/p$_0$")
 save(figure, "moving.png")
 

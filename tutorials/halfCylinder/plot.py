@@ -45,7 +45,7 @@ for name in present:
           f"{-100*e['failure'][-1]/start:6.1f} %  {seconds:6.1f}")
 
 figure, axes = plt.subplots(2, 3, figsize=(11.5, 4.6), sharex=True, sharey=True)
-for ax, want in zip(axes.flat, (2e-5, 6e-5, 1e-4, 1.4e-4, 2e-4, 4e-4)):
+for ax, want in zip(axes.flat, (8e-5, 1e-4, 1.2e-4, 1.4e-4, 2e-4, 4e-4)):
     name = variant(".").nearest(want, "lagrangian")
     image = draw(ax, ".", name, f"{1e6*float(name):.0f} $\\mu$s", False)
 for ax in axes[-1]:

@@ -33,14 +33,14 @@ STEP = 0.025
 shown = [t for t in times if t in ("0", "0.1", "0.2", "0.3", "0.5", times[-1])]
 figure, axes = plt.subplots(3, 2, figsize=(11, 7.2), sharex=True, sharey=True)
 layer = np.floor(places["0"][:, 1]/STEP) % 2
-for ax, t in zip(axes.T.flat, shown):
+for ax, t in zip(axes.flat, shown):
     frame(ax, (0, 0.6), (0, 0.215), None, None, f"{t} s")
-    ax.axvspan(L*3.4, L*4.6, color="#cfe0ef", lw=0, label="end of the heap in experiments")
+    ax.axvspan(L*3.4, L*4.6, color="#cfe0ef", lw=0)
     cloud = case.points(t, "sand")
-    drawPoints(ax, cloud, layer[np.argsort(np.argsort(cloud["id"]))], SAND, (0, 1), close=1)
+    drawPoints(ax, cloud, layer[np.argsort(np.argsort(cloud["id"]))], SAND, (0, 1), close=3)
 for ax in axes[-1]:
     ax.set_xlabel("x [m]")
 for ax in axes[:, 0]:
     ax.set_ylabel("y [m]")
-axes[0, 0].legend(loc="upper right")
-save(figure, "heap.png")
+axes[0, 0].text(4*L, 0.1, "end of the heap\nin experiments", ha="center", fontsize=8)
+save(figure, "sandColumn.png")

@@ -73,19 +73,18 @@ for ax in axes:
 axes[0].set_ylabel("distance from the anvil [mm]")
 save(figure, "profile.png")
 
-figure, axes = plt.subplots(1, 5, figsize=(11, 4.3), sharey=True)
+figure, axes = plt.subplots(1, 5, figsize=(11, 4), sharey=True)
 for ax, want in zip(axes, (0, 2e-5, 4e-5, 1e-4, 1e-4)):
     last = ax is axes[-1]
     cloud = Case().points(Case().nearest(want, "lagrangian"), "bar")
     frame(ax, (-8, 8), (-0.8, 26.5), "r [mm]", None,
           f"{want*1e6:.0f} $\\mu$s" + (", temperature" if last else ""))
     ax.axhspan(-0.8, 0, color=RIGID, lw=0)
-    for mirror in (False, True):
-        image = drawPoints(ax, cloud, cloud["T" if last else "plasticStrain"],
-                           HEAT if last else VALUES, None if last else (0, 2), scale=1e3,
-                           axes=(1, 0), close=1, mirror=mirror)
+    image = drawPoints(ax, cloud, cloud["T" if last else "plasticStrain"],
+                       HEAT if last else VALUES, None if last else (0, 2), scale=1e3,
+                       axes=(1, 0), close=2.5, mirror=True)
     if want == 1e-4:
         colourBar(figure, image, ax if last else axes[:-1],
-                  "temperature [K]" if last else "plastic strain", shrink=0.8)
+                  "temperature [K]" if last else "plastic strain", shrink=0.75)
 axes[0].set_ylabel("distance from the anvil [mm]")
 save(figure, "strain.png")

@@ -25,7 +25,7 @@ save(figure, "energy.png")
 figure, axes = plt.subplots(2, 3, figsize=(9.5, 6), sharex=True, sharey=True)
 for ax, want in zip(axes.flat, (0, 1.0, 1.4, 1.8, 2.2, 3.0)):
     name = case.nearest(want, "lagrangian")
-    frame(ax, (0, 1), (0, 1), None, None, f"{name} s")
+    frame(ax, (-0.05, 1.05), (-0.05, 1.05), None, None, f"{name} s")
     for phase in ("lower", "upper"):
         cloud = case.points(name, phase)
         s = cloud["sigma"]      # xx xy xz yy yz zz

@@ -26,7 +26,7 @@ import PIL.Image  # noqa: E402
 from matplotlib.cm import ScalarMappable  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
 from matplotlib.colors import (LinearSegmentedColormap, ListedColormap,  # noqa: E402,F401
-                               Normalize, to_rgba)
+                               Normalize, to_hex, to_rgba)
 
 plt.rcParams.update({
     "figure.constrained_layout.use": True, "savefig.dpi": 130, "font.size": 9,
@@ -37,6 +37,8 @@ plt.rcParams.update({
 SIGNED = LinearSegmentedColormap.from_list("signed", [
     (0, "#2166ac"), (0.318, "#92c5de"), (0.5, "#f7f7f7"), (0.676, "#fdb863"),
     (1, "#b35806")])
+#: Parts of a whole: blue to white
+PART = LinearSegmentedColormap.from_list("part", SIGNED(np.linspace(0, 0.5, 128)))
 VALUES = plt.get_cmap("viridis")
 HEAT = plt.get_cmap("cividis")
 #: From sound to failed
@@ -44,7 +46,7 @@ DAMAGE = LinearSegmentedColormap.from_list("damage", ["#e8e4da", "#e0ac72", "#88
 FAILED = "#882255"
 BODY, RIGID = "#c9c9c9", "#8a8a8a"
 #: Bytes of a picture above which it is saved with fewer colours
-LARGE = 120000
+LARGE = 148000
 #: zorder of a gas, and of points
 GAS, POINTS = 1, 2
 
@@ -110,7 +112,8 @@ def _pixels(ax, box):
 
 
 def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=None,
-               scale=1.0, axes=(0, 1), close=0.5, mirror=False, outline=None, pixels=None):
+               scale=1.0, axes=(0, 1), close=0.5, mirror=False, flip=False, outline=None, size=1.0,
+               pixels=None):
     """Points of a cloud, in the limits that the axes have (set them before).
 
     values   one per point with cmap and limits, or a colour for all
@@ -118,13 +121,12 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
     some     mask of the points that are drawn
     scale    of the places: 1e3 for millimetres
     axes     directions across and up: (1, 0) for r, x of an axisymmetric case
-    mirror   drawn at the other side of the axis
+    mirror   drawn at both sides of the axis; flip: at the other side
+    size     of the boxes drawn over theirs
     outline  colour of a line about those that have not failed
     Returns what a colour bar needs.
     """
-    x, half = cloud["x"][:, axes]*scale, cloud["halfSize"][:, axes]*scale
-    if mirror:
-        x = x*[-1, 1]
+    x, half = cloud["x"][:, axes]*scale, cloud["halfSize"][:, axes]*scale*size
     plain = isinstance(values, str)
     norm = None if plain else Normalize(*(limits or (np.min(values), np.max(values))))
     colours = np.tile(to_rgba(values), (len(x), 1)) if plain else cmap(norm(values))
@@ -132,7 +134,12 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
         colours[failed] = to_rgba(FAILED)
     if some is not None:
         x, half, colours = x[some], half[some], colours[some]
-    box = (*ax.get_xlim(), *ax.get_ylim())
+    if flip:
+        x = x*[-1, 1]
+    if mirror:
+        x, half, colours = (np.concatenate(v) for v in (
+            (x, x*[-1, 1]), (half, half), (colours, colours)))
+    box = (*sorted(ax.get_xlim()), *sorted(ax.get_ylim()))
     owner = owners(x, half, box, pixels or _pixels(ax, box), close)
     image = np.zeros((*owner.shape, 4))
     image[owner >= 0] = colours[owner[owner >= 0]]
@@ -143,7 +150,7 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
     if outline:
         sound = owner >= 0
         if failed is not None:
-            sound &= ~(failed if some is None else failed[some])[owner]
+            sound &= (colours != to_rgba(FAILED)).any(axis=1)[owner]
         if sound.any() and not sound.all():
             ax.contour(np.linspace(*box[:2], owner.shape[1]),
                        np.linspace(*box[2:], owner.shape[0]), sound, [0.5], colors=outline,
