@@ -53,7 +53,7 @@ for ax in axes[-1]:
 for ax in axes[:, 0]:
     ax.set_ylabel("y [mm]")
 colourBar(figure, image, axes, "part of the fracture energy that is spent\n(1: failed)")
-save(figure, "crack.png")
+save(figure, "crack.png", 110)
 
 e, start = results.energy()
 figure, axes = plt.subplots(1, 2, figsize=(11, 4))
