@@ -3,7 +3,7 @@
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import BODY, GAS, PART, colourBar, drawPoints, frame, plt, save
 
 P0, R, T0, GAMMA = 1e5, 287, 290, 1.4
 N, M, H = 40, 10, 1e-3        # cells along x, and along y in the tube
@@ -26,26 +26,26 @@ print(f"moving: {np.hypot(80, 60)*p[-1, 0]/H:.0f} cells in {len(p)} steps, |dP|/
       f" {Theta.max() - 1:+.1e}, velocity {abs(u - [80, 60]).max()/100:.1e}, fix-ups"
       f" {moving.fixups():.0f}")
 
-figure, axes = plt.subplots(1, 3, figsize=(14, 4.6))
+figure, axes = plt.subplots(1, 3, figsize=(11, 3.5), gridspec_kw={"width_ratios": (1, 1, 1.2)})
 for ax, wanted in zip(axes, (0, 1.6e-4)):
     time = moving.nearest(wanted)
+    frame(ax, (0, N), (0, N), title=f"{float(time)*1e3:.2f} ms")
+    # At the start no field is written yet: free air where no points are
     if float(time) > 0:
         theta = moving.field(time, "theta.air", N, N)
-        image = ax.pcolormesh(EDGES, EDGES, theta, cmap="Blues_r", vmin=0, vmax=1)
-    x = moving.points(time, "block")["x"]/H
-    ax.plot(*x[:, :2].T, "k.", ms=1.2)
-    ax.set_title(f"{float(time)*1e3:.2f} ms", fontsize=10)
-    ax.set_xlim(0, N)
-    ax.set_ylim(0, N)
-    ax.set_aspect("equal")
-    ax.set_xlabel("x [mm]")
-axes[0].set_ylabel("y [mm]")
-figure.colorbar(image, ax=axes[1], label="volume fraction of the air")
+        image = ax.pcolormesh(EDGES, EDGES, theta, cmap=PART, vmin=0, vmax=1, zorder=GAS)
+    else:
+        ax.set_facecolor(PART(1.0))
+    drawPoints(ax, moving.points(time, "block"), BODY, scale=1/H, outline="k")
+    ax.annotate("", (0.9, 0.9), (0.75, 0.7875), xycoords="axes fraction", zorder=5,
+                arrowprops={"arrowstyle": "-|>", "color": "k"})
+    ax.text(0.72, 0.9, "100 m/s", transform=ax.transAxes, ha="center", zorder=5, fontsize=8)
+colourBar(figure, image, axes[1], "volume fraction of the air")
 axes[2].semilogy(p[:, 0]*1e3, np.maximum(abs(p[:, 1:]/P0 - 1).max(axis=1), 1e-17), lw=0.7)
-axes[2].axhline(1e-10, color="k", ls=":")
-axes[2].set_xlabel("time [ms]")
-axes[2].set_ylabel("largest |dP|/P; dotted: limit")
-figure.savefig("moving.png")
+axes[2].axhline(1e-10, color="k", ls=":", lw=0.8)
+axes[2].text(0, 0.9e-10, "limit", fontsize=8, va="top")
+axes[2].set(xlabel="time [ms]", ylabel="largest |p - p$_0$|/p$_0$")
+save(figure, "moving.png")
 
 # --- carried by the air
 carried = Case("carried")
@@ -101,4 +101,4 @@ axes[1, 1].axhline((P0 + rise)*1e-5, color="k", ls=":", lw=1)
 axes[1, 1].set_ylabel("least and largest pressure [bar];\ndotted: exact, at the end")
 for ax in axes[1]:
     ax.set_xlabel("time [ms]")
-figure.savefig("carried.png")
+save(figure, "carried.png")

@@ -4,7 +4,7 @@ import numpy as np
 
 import results
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import RIGID, SIGNED, colourBar, drawPoints, frame, plt, save
 from results import EXACT
 
 t, top, bottom, kinetic, strain, residual = results.loads()
@@ -31,21 +31,19 @@ ax.axvline(time, color="0.6", lw=0.8)
 ax.set_xlabel("time [s]")
 ax.set_ylabel("load [N/m]")
 ax.legend()
-figure.savefig("load.png")
+save(figure, "load.png")
 
 case = Case()
 last = case.times("lagrangian")[-1]
-figure, axes = plt.subplots(1, 3, figsize=(14, 4.6), sharey=True)
+figure, axes = plt.subplots(1, 3, figsize=(11, 3.9), sharey=True)
 for ax, want in zip(axes, (time, t[i] + 0.01, float(last))):
     name = case.nearest(want, "lagrangian")
+    frame(ax, (-0.6, 0.6), (-0.68, 0.68), "x [m]", None, f"{float(name):.2f} s")
     for phase in ("caps", "upper", "lower"):
-        ax.scatter(*case.points(name, phase)["x"][:, :2].T, s=3, color="0.7", lw=0)
+        drawPoints(ax, case.points(name, phase), RIGID)
     disc = case.points(name, "disc")
-    x, damage, stress = disc["x"], disc["damage"], disc["sigma"][:, 0]
-    image = ax.scatter(*x[:, :2].T, s=3, c=stress, cmap="RdBu_r", vmin=-700, vmax=700, lw=0)
-    ax.scatter(*x[damage > 0][:, :2].T, s=3, c=damage[damage > 0], cmap="Greys", vmin=-0.5,
-               vmax=1, lw=0)
-    ax.set_aspect("equal")
-    ax.set_title(f"{name} s", fontsize=9)
-figure.colorbar(image, ax=axes, label="sigma_xx [Pa]; damaged: black")
-figure.savefig("crack.png", dpi=110)
+    image = drawPoints(ax, disc, disc["sigma"][:, 0], SIGNED, (-700, 700), disc["damage"] >= 0.99,
+                       outline="0.3")
+axes[0].set_ylabel("y [m]")
+colourBar(figure, image, axes, "$\\sigma_{xx}$ [Pa]; failed dark", shrink=0.9)
+save(figure, "crack.png")

@@ -16,7 +16,7 @@ import re
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import RIGID, SIGNED, colourBar, drawPoints, frame, plt, save
 
 L, HEIGHT, G = 1.0, 0.1, 10.0
 BEGIN, MASS_VOLUME = 0.95, 0.01
@@ -83,28 +83,24 @@ for name, value, reference in (("deflection", down, -loaded[1][-1]),
           f"{reference:.5f} m, {100*(value/reference - 1):+.2f} %")
 print(f"swing that is left in the last second: +-{100*swing/down:.2f} % of the deflection")
 
-figure, axes = plt.subplots(1, 2, figsize=(12, 5))
+figure, axes = plt.subplots(1, 2, figsize=(11, 3.8))
 last = case.times("lagrangian")[-1]
+frame(axes[0], (-0.03, 1.15), (-0.5, 0.1), "x [m]", "y [m]", f"{last} s")
 for phase in ("beam", "weight"):
-    places, sigma = (case.points(last, phase)[name] for name in ("x", "sigma"))
-    image = axes[0].scatter(places[:, 0], places[:, 1], c=sigma[:, 0], s=7,
-                            cmap="RdBu_r", vmin=-2000, vmax=2000, linewidths=0)
-    if phase == "weight":
-        axes[0].scatter(places[:, 0], places[:, 1], s=14, facecolors="none",
-                        edgecolors="k", linewidths=0.4, label="the weight")
-axes[0].plot(*loaded, "k-", lw=1, label="elastica with own weight")
-axes[0].plot(*bare, "k:", lw=1, label="elastica, end load alone")
-axes[0].set_aspect("equal")
-axes[0].set_xlim(0, 1.2)
-axes[0].set_xlabel("x [m]")
-axes[0].set_ylabel("y [m]")
+    cloud = case.points(last, phase)
+    image = drawPoints(axes[0], cloud, cloud["sigma"][:, 0]*1e-3 if phase == "beam" else RIGID,
+                       SIGNED, (-2, 2), close=1)
+    if phase == "beam":
+        bar = image
+axes[0].axvspan(-0.03, 0, color="0.3", lw=0)
+axes[0].plot(*loaded, "k-", zorder=5, lw=1, label="elastica with own weight")
+axes[0].plot(*bare, "k:", zorder=5, lw=1, label="elastica, end load alone")
 axes[0].legend(loc="lower left")
-axes[0].set_title(f"t = {last} s", fontsize=9)
-figure.colorbar(image, ax=axes[0], label="sigma_xx [Pa]", shrink=0.7)
+colourBar(figure, bar, axes[0], "$\\sigma_{xx}$ [kPa]", shrink=0.6)
 axes[1].plot(t, -y, "C0", label="centre of the weight")
 axes[1].axhline(-loaded[1][-1], color="k", lw=1, label="elastica with own weight")
 axes[1].axhline(-bare[1][-1], color="k", ls=":", lw=1, label="elastica, end load alone")
 axes[1].set_xlabel("time [s]")
 axes[1].set_ylabel("deflection of the end [m]")
 axes[1].legend()
-figure.savefig("cantilever.png")
+save(figure, "cantilever.png")

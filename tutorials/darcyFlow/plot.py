@@ -9,7 +9,7 @@ nor takes heat, Mach 0.01) grad p = -mu/k G/rho has the solution
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import plt, save
 
 K, MU, R, T = 4e-10, 1.8e-5, 287.0, 300.0
 LENGTH, AREA = 0.2, 1e-4
@@ -69,4 +69,4 @@ if __name__ == "__main__":
     axes[1].set_ylim(0, None)
     axes[1].set_ylabel("velocity of the air [m/s]")
     axes[1].set_xlabel("x [m]; the block is grey")
-    figure.savefig("darcy.png")
+    save(figure, "darcy.png")

@@ -4,7 +4,7 @@ of the frozen flow and of the flow in equilibrium, speed of the shock over time.
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import plt, save
 
 L, N, X0, P_LEFT, P_RIGHT, RHO_RIGHT = 3.4, 1700, 1.53, 10.13e5, 1.013e5, 1.23
 GAS = 1.4
@@ -93,4 +93,4 @@ axes[2].set_xlabel("time [ms]")
 axes[2].legend()
 for ax in axes:
     ax.grid(alpha=0.3)
-figure.savefig("dustyShockTube.png")
+save(figure, "dustyShockTube.png")

@@ -11,7 +11,7 @@ minimum fluidisation.
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import plt, save
 
 MU, D, RHO_S, G, SHARE, H, R, T = 1.8e-5, 1e-3, 2500.0, 9.81, 0.55, 0.4, 287.0, 300.0
 AREA, E = 1e-4, 1 - 0.55
@@ -74,26 +74,26 @@ if __name__ == "__main__":
     print(f"  nothing lies on the grid from {r['lifted']:.4f} m/s"
           f" ({100*(r['lifted']/Umf - 1):+.2f} %; mean of 20 ms)")
 
+    # While the stream grows; the bed also later
     weight = -SHARE*RHO_S*H*AREA*G
-    figure, axes = plt.subplots(3, 1, figsize=(8, 8.5), sharex=True)
-    axes[0].plot(t, drop, "C0-", label="this case")
-    axes[0].plot(t, ergun(U, rho), "k--", lw=1, label="Ergun, bed that does not move")
-    axes[0].plot(t, plateau, "k:", label="weight of the bed")
-    axes[0].set_ylim(0, 1.25*plateau[0])
-    axes[0].set_ylabel("pressure drop [Pa]")
-    axes[0].legend(fontsize="medium")
-    axes[1].plot(t, force/weight, "C0-")
-    axes[1].axhline(0, color="k", lw=0.5)
-    axes[1].set_ylim(-0.2, 2)
-    axes[1].set_ylabel("force on the grid / weight")
-    axes[2].plot(bed[:, 0], 1e3*(bed[:, 7] - bed[0, 7]), "C0-")
-    axes[2].set_ylabel("rise of the bed's centre [mm]")
-    axes[2].set_xlabel("time [s]")
-    above = axes[2].twinx()
-    above.plot(t, U, "C1-")
-    above.axhline(Umf, color="C1", lw=0.8, ls=":")
-    above.set_ylim(0, None)
-    above.set_ylabel("superficial velocity [m/s], orange\ndotted: minimum fluidisation")
-    for ax in axes:
-        ax.axvline(t[np.argmax(U >= Umf)], color="0.5", lw=0.8)
-    figure.savefig("fluidised.png")
+    grows = (t > 0.1) & (t < 0.3)
+    ratio = (U/Umf)[grows]
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.8))
+    axes[0].plot(ratio, (drop/plateau)[grows], lw=2, label="pressure drop")
+    axes[0].plot(ratio, smooth(t, force, 0.02)[grows]/weight, lw=2,
+                 label="force on the grid (mean of 20 ms)")
+    axes[0].plot(ratio, (ergun(U, rho)/plateau)[grows], "k--", lw=1,
+                 label="Ergun, bed that does not move")
+    axes[0].axhline(1, color="k", ls=":", lw=1, label="weight of the bed")
+    axes[0].axvline(1, color="0.5", lw=0.8)
+    axes[0].set(ylim=(-0.1, 1.3), ylabel="over the weight of the bed",
+                xlabel="superficial velocity / that of minimum fluidisation")
+    axes[0].legend(loc="center right")
+    axes[1].plot(bed[:, 0], 1e3*(bed[:, 7] - bed[0, 7]), lw=2)
+    start = t[np.argmax(U >= Umf)]
+    axes[1].axvline(start, color="0.5", lw=0.8)
+    axes[1].text(start, 9, " minimum\n fluidisation", fontsize=8)
+    axes[1].axvline(0.3, color="0.5", lw=0.8, ls=":")
+    axes[1].text(0.3, 1, " stream grows\n no further", fontsize=8)
+    axes[1].set(xlabel="time [s]", ylabel="rise of the bed's centre [mm]")
+    save(figure, "fluidised.png")

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mpm.pictures import plt
+from mpm.pictures import plt, save
 from mpm.variants import variant
 from mode import B, C0, L, RHO, RHO0, SPEED, T, W, firstOrderLoss, shape
 
@@ -70,4 +70,4 @@ axes[1].plot(probe[:, 0]/T, wall*1e-3, "k:", lw=1)
 axes[1].set_ylabel("pressure at the walls\nover 1 bar [kPa]")
 axes[1].set_xlabel("time / exact period")
 axes[1].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncol=4)
-figure.savefig("piston.png")
+save(figure, "piston.png")

@@ -6,7 +6,8 @@ import os
 import numpy as np
 
 import results
-from mpm.pictures import plt
+from mpm.case import Case
+from mpm.pictures import DAMAGE, RIGID, colourBar, drawPoints, frame, plt, save
 from mpm.variants import variant
 
 SERIES = ("coarse", ".", "fine", "seed1", "seed2", "coarseAir", "coarse3D")
@@ -16,21 +17,15 @@ def label(name):
     return "middle" if name == "." else name
 
 
-def draw(ax, case, time, title):
-    x, w = results.points(case, time, "x"), results.spent(case, time)
-    if np.ptp(x[:, 2]) > 0:     # 3D: the middle of its length
-        slab = abs(x[:, 2] - 0.06) < 0.003
-        x, w = x[slab], w[slab]
-    order = np.argsort(w)
-    x, w = x[order], w[order]
-    image = ax.scatter(*(1e3*x[:, :2].T), c=w, s=4e4/len(w), cmap="YlOrRd", vmin=0, vmax=1,
-                       linewidths=0)
-    ax.axhline(0, color="k", lw=1)
-    ax.set_aspect("equal")
-    ax.set_xlim(-58, 58)
-    ax.set_ylim(-2, 60)
-    ax.set_title(title, fontsize=9)
-    return image
+def draw(ax, case, time, title, labels=True):
+    """Part of the fracture energy that is spent; what has failed in its own colour."""
+    frame(ax, (-57, 57), (-3, 57), "x [mm]" if labels else None, "y [mm]" if labels else None,
+          title)
+    cloud, w = Case(case).points(time, "body"), results.spent(case, time)
+    z = cloud["x"][:, 2]
+    some = abs(z - 0.06) < 0.003 if np.ptp(z) > 0 else None     # 3D: its middle
+    ax.axhspan(-3, 0, color=RIGID, lw=0)
+    return drawPoints(ax, cloud, w, DAMAGE, (0, 1), w >= 1, some, 1e3)
 
 
 present = [name for name in SERIES if os.path.isdir(variant(name).path)
@@ -49,12 +44,16 @@ for name in present:
           f"{force.max()*1e-3:7.1f} kN  {100*abs(e['residual'] + e['remap']).max()/start:6.2f} %  "
           f"{-100*e['failure'][-1]/start:6.1f} %  {seconds:6.1f}")
 
-figure, axes = plt.subplots(2, 3, figsize=(13, 5.4))
-for ax, want in zip(axes.flat, (2e-5, 6e-5, 1e-4, 1.4e-4, 2e-4, 4e-4)):
+figure, axes = plt.subplots(2, 3, figsize=(11.5, 4.6), sharex=True, sharey=True)
+for ax, want in zip(axes.flat, (8e-5, 1e-4, 1.2e-4, 1.4e-4, 2e-4, 4e-4)):
     name = variant(".").nearest(want, "lagrangian")
-    image = draw(ax, ".", name, f"{1e6*float(name):.0f} us")
-figure.colorbar(image, ax=axes, label="part of Gf that is spent")
-figure.savefig("crack.png", dpi=120)
+    image = draw(ax, ".", name, f"{1e6*float(name):.0f} $\\mu$s", False)
+for ax in axes[-1]:
+    ax.set_xlabel("x [mm]")
+for ax in axes[:, 0]:
+    ax.set_ylabel("y [mm]")
+colourBar(figure, image, axes, "part of the fracture energy that is spent\n(1: failed)")
+save(figure, "crack.png", 110)
 
 e, start = results.energy()
 figure, axes = plt.subplots(1, 2, figsize=(11, 4))
@@ -70,7 +69,7 @@ axes[1].plot(1e6*t, 1e-3*force)
 axes[1].set_ylabel("force of the floor [kN]")
 for ax in axes:
     ax.set_xlabel("time [us]")
-figure.savefig("energy.png", dpi=120)
+save(figure, "energy.png")
 
 if len(present) > 1:
     figure, axes = plt.subplots(3, 3, figsize=(13, 8.4))
@@ -79,5 +78,5 @@ if len(present) > 1:
     for ax, name in zip(axes.flat, present):
         case = variant(name).path
         image = draw(ax, case, results.times(case)[-1], label(name))
-    figure.colorbar(image, ax=axes, label="part of Gf that is spent")
-    figure.savefig("series.png", dpi=120)
+    colourBar(figure, image, axes, "part of the fracture energy that is spent (1: failed)")
+    save(figure, "series.png")

@@ -3,7 +3,7 @@
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import RIGID, VALUES, colourBar, drawPoints, frame, plt, save
 
 R, E, NU, H, THICKNESS = 0.16, 1e8, 0.3, 1e-3, 1e-3
 
@@ -36,14 +36,18 @@ for name, exact, value, scale, unit in (("half-width", a, width, 1e3, "mm"),
 print(f"largest pressure of a cell {p.max()/1e6:.4f} MPa"
       f" ({100*(p.max()/p0 - 1):+.2f} %); cells in the half-width {a/H:.1f}")
 
-figure, axes = plt.subplots(1, 2, figsize=(10, 4.2))
-axes[0].plot(r/a, p/p0, ".", label="points at the surface, means in a cell's width")
+figure, axes = plt.subplots(1, 2, figsize=(9, 3.9))
+axes[0].plot(r/a, p/p0, "o", ms=4, label="points at the surface, means in a cell's width")
 s = np.linspace(0, 1, 200)
 axes[0].plot(s, np.sqrt(1 - s*s), "k", lw=0.8, label="Hertz")
-axes[0].set(xlabel="x/a", ylabel="p/p0", xlim=(0, 2))
-axes[0].legend()
-near = (x[:, 0] < 3*a) & (x[:, 1] < 3*a)
-image = axes[1].scatter(x[near, 0]*1e3, x[near, 1]*1e3, c=-sigma[near, 3]/1e6, s=6, cmap="viridis")
-axes[1].set(aspect="equal", xlabel="x [mm]", ylabel="y [mm]")
-figure.colorbar(image, ax=axes[1], label="-sigma_yy [MPa]")
-figure.savefig("hertz.png")
+axes[0].set(xlabel="x/a", ylabel="p/p$_0$", xlim=(0, 2))
+axes[0].legend(loc="lower left", bbox_to_anchor=(0, 0.12))
+frame(axes[1], (-2.2*a*1e3, 2.2*a*1e3), (-0.4*a*1e3, 3.6*a*1e3))
+axes[1].axhspan(-a*1e3, 0, color=RIGID, lw=0)
+for s, name in ((-1, "-a"), (1, "a")):
+    axes[1].plot([s*a*1e3]*2, [-0.3*a*1e3, 0], "k", lw=1, zorder=5)
+    axes[1].text(1.05*s*a*1e3, -0.15*a*1e3, name, va="center", ha="left" if s > 0 else "right")
+image = drawPoints(axes[1], end, -end["sigma"][:, 3]/1e6, VALUES, (0, 3), scale=1e3,
+                   mirror=True)
+colourBar(figure, image, axes[1], "-$\\sigma_{yy}$ [MPa]")
+save(figure, "hertz.png")

@@ -4,7 +4,7 @@ Oran (2016)."""
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import plt, save
 
 ATM = 101298.0
 RHO_DILUTE = 1.293                 # density of the gas on the right [kg/m3]
@@ -73,7 +73,7 @@ for ax in axes:
     ax.set_xlabel("x [m]")
     ax.legend()
 figure.suptitle("Few grains of 10 um, 10 atm on 1 atm, 184 us")
-figure.savefig("dilute.png")
+save(figure, "dilute.png")
 
 # Dense
 n, L = 576, 0.12
@@ -123,4 +123,4 @@ for ax in axes.flat:
 axes[1, 0].set_ylim(-5, 110)
 axes[1, 1].set_ylim(265, 325)
 figure.suptitle("Bed of 0.4 by volume, grains of 5 um, 100 atm on 1 atm, 100 us")
-figure.savefig("dense.png")
+save(figure, "dense.png")

@@ -3,7 +3,7 @@
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import VALUES, drawPoints, frame, plt, save, to_hex
 
 H = 0.01
 
@@ -17,28 +17,24 @@ def cloud(case, time):
     return points.byId("x"), points.byId("U")
 
 
-figure, axes = plt.subplots(1, 2, figsize=(12, 5.6))
+figure, axes = plt.subplots(1, 2, figsize=(10, 5))
 for ax, (case, (velocity, n)) in zip(axes, CASES.items()):
     velocity = np.array(velocity)
     times = Case(case).times("lagrangian")
-    for name in times:
+    frame(ax, (0, n), (0, n), "x [cm]", "y [cm]", f"{case}; black: x + t v")
+    for name, shade in zip(times, np.linspace(0.1, 0.9, len(times))):
         x, u = cloud(case, name)
-        ax.scatter(x[:, 0]*100, x[:, 1]*100, s=2, linewidths=0,
-                   label=f"t = {float(name)*1e3:g} ms")
+        drawPoints(ax, Case(case).points(name, case), to_hex(VALUES(shade)), scale=100)
+        ax.plot([], [], "s", color=VALUES(shade), label=f"{float(name)*1e3:g} ms")
     first = cloud(case, times[0])[0]
     travel = float(times[-1])*velocity
     for i in range(0, len(first), max(1, len(first)//12)):
         ax.plot(100*(first[i, 0] + np.array([0, travel[0]])),
-                100*(first[i, 1] + np.array([0, travel[1]])), "k-", lw=0.5)
+                100*(first[i, 1] + np.array([0, travel[1]])), "k-", lw=0.5, zorder=5)
     ax.set_xticks(range(n + 1), minor=True)
     ax.set_yticks(range(n + 1), minor=True)
     ax.grid(True, which="both", lw=0.25)
-    ax.set_xlim(0, n)
-    ax.set_ylim(0, n)
-    ax.set_aspect("equal")
-    ax.set_title(f"{case}; black: x + t v", fontsize=9)
-    ax.set_xlabel("x [cm]")
-    ax.set_ylabel("y [cm]")
+    ax.set_axisbelow(False)
     ax.legend(loc="lower right")
 
     rows = Case(case).series("balance", f"{case}.dat", once=True)
@@ -57,4 +53,4 @@ for ax, (case, (velocity, n)) in zip(axes, CASES.items()):
             ("total energy", np.max(abs(total/energy - 1))),
             ("mass", np.max(abs(mass/mass[0] - 1)))):
         print(f"    {label:42s} largest deviation {value:.1e}")
-figure.savefig("translation.png")
+save(figure, "translation.png")

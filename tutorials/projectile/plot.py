@@ -7,7 +7,7 @@ import numpy as np
 
 import penetration as p
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import BODY, FAILED, HEAT, colourBar, drawPoints, frame, plt, save
 
 LIMITS = (4.5e9, 5.5e9)
 
@@ -73,25 +73,23 @@ ax.set_xlabel("time [us]")
 ax.set_ylabel("nose and tail [mm]; face of the target 0")
 ax.invert_yaxis()
 ax.legend()
-figure.savefig("penetration.png")
+save(figure, "penetration.png")
 
-figure, axes = plt.subplots(1, 4, figsize=(14, 6), sharey=True)
+PHASES = {"target": BODY, "rod": "#d98b3a", "debris": FAILED}
+figure, axes = plt.subplots(1, 4, figsize=(11, 5.3), sharey=True)
 for ax, want in zip(axes, (10e-6, 25e-6, 40e-6, 80e-6)):
     name = Case().nearest(want, "lagrangian/rod")
-    for phase, colour in (("target", "0.75"), ("rod", "C1"), ("debris", "C3")):
+    frame(ax, (-16, 16), (38, -42), "r [mm]", None, f"{float(name)*1e6:.0f} $\\mu$s")
+    for phase, colour in PHASES.items():
         if not os.path.isdir(f"{name}/lagrangian/{phase}"):
             continue
         cloud = Case().points(name, phase)
-        x, T = cloud["x"]*1e3, cloud["T"]
         # Materials on the left half, temperature on the right
-        ax.scatter(-x[:, 1], x[:, 0], s=1.2, c=colour, linewidths=0)
-        image = ax.scatter(x[:, 1], x[:, 0], s=1.2, c=T, cmap="inferno", vmin=294,
-                           vmax=1500, linewidths=0)
-    ax.set_xlim(-16, 16)
-    ax.set_ylim(38, -42)
-    ax.set_aspect("equal")
-    ax.set_title(f"{float(name)*1e6:.0f} us", fontsize=9)
-    ax.set_xlabel("r [mm]")
-axes[0].set_ylabel("x [mm]; left: rod orange, its debris red, target grey")
-figure.colorbar(image, ax=axes, label="T [K]")
-figure.savefig("materials.png")
+        drawPoints(ax, cloud, colour, scale=1e3, axes=(1, 0), close=1, flip=True)
+        image = drawPoints(ax, cloud, cloud["T"], HEAT, (294, 1500), scale=1e3, axes=(1, 0),
+                           close=1)
+axes[0].set_ylabel("x [mm]")
+axes[0].legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c) for c in PHASES.values()],
+               labels=[*PHASES], loc="upper left")
+colourBar(figure, image, axes, "right halves: temperature [K]", extend="max")
+save(figure, "materials.png")

@@ -3,9 +3,10 @@
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import ListedColormap, drawPoints, frame, plt, save
 
 L, HEIGHT, H = 0.1, 0.2, 0.005
+SAND = ListedColormap(["#8a6d3b", "#e2c58c"])
 
 case = Case()
 times = case.times("lagrangian")
@@ -27,15 +28,19 @@ x = places[times[-1]]
 U = case.points(times[-1], "sand")["U"]
 print(f"speed at the end: mean {np.linalg.norm(U, axis=1).mean():.1e} m/s")
 
+# Layers of the start, in the colours of two sands
+STEP = 0.025
 shown = [t for t in times if t in ("0", "0.1", "0.2", "0.3", "0.5", times[-1])]
-figure, axes = plt.subplots(len(shown), 1, figsize=(7, 1.6*len(shown)), sharex=True,
-                            sharey=True)
-layer = np.zeros(1)
-for axis, t in zip(axes, shown):
-    if t == "0":
-        layer = np.floor(places[t][:, 1]/0.025) % 2
-    axis.scatter(*places[t][:, :2].T, c=layer, s=1, cmap="copper")
-    axis.set(aspect="equal", ylabel="y [m]", title=f"{t} s")
-    axis.axvspan(L*3.4, L*4.6, color="C0", alpha=0.15, lw=0)
-axes[-1].set(xlabel="x [m]; blue: where experiments end", xlim=(0, 0.6), ylim=(0, 0.22))
-figure.savefig("sandColumn.png")
+figure, axes = plt.subplots(3, 2, figsize=(11, 7.2), sharex=True, sharey=True)
+layer = np.floor(places["0"][:, 1]/STEP) % 2
+for ax, t in zip(axes.flat, shown):
+    frame(ax, (0, 0.6), (0, 0.215), None, None, f"{t} s")
+    ax.axvspan(L*3.4, L*4.6, color="#cfe0ef", lw=0)
+    cloud = case.points(t, "sand")
+    drawPoints(ax, cloud, layer[np.argsort(np.argsort(cloud["id"]))], SAND, (0, 1), close=3)
+for ax in axes[-1]:
+    ax.set_xlabel("x [m]")
+for ax in axes[:, 0]:
+    ax.set_ylabel("y [m]")
+axes[0, 0].text(4*L, 0.1, "end of the heap\nin experiments", ha="center", fontsize=8)
+save(figure, "sandColumn.png")

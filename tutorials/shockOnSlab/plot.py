@@ -3,7 +3,7 @@
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import BODY, GAS, VALUES, colourBar, drawPoints, frame, plt, save
 
 GAMMA, R, P1, T1, MS = 1.4, 287, 1e5, 290, 2
 C1 = np.sqrt(GAMMA*R*T1)
@@ -67,7 +67,7 @@ axes[1].axhline(PR*1e-5, color="k", ls=":", lw=1)
 axes[1].set_xlabel("time [ms]")
 axes[1].set_ylabel("pressure of the air [bar]")
 axes[1].legend()
-figure.savefig("slab.png")
+save(figure, "slab.png")
 
 # --- disc: 2D
 disc, nx, ny = Case("cylinder"), 160, 120
@@ -81,25 +81,18 @@ print(f"disc: least pressure {extremes[:, 0].min()/P1:.3f} p1, largest"
 nose = disc.series("nose", "p")
 print(f"disc: 2.5 mm before the nose at most {nose[:, 1].max()*1e-5:.2f} bar")
 
-figure, axes = plt.subplots(2, 2, figsize=(11.5, 8.6), sharex=True, sharey=True)
+figure, axes = plt.subplots(1, 4, figsize=(12.5, 2.9), sharey=True)
 edges = np.arange(nx + 1), np.arange(ny + 1)
-angle = np.linspace(0, 2*np.pi, 200)
-for ax, wanted in zip(axes.ravel(), (0.08e-3, 0.12e-3, 0.16e-3, 0.2e-3)):
+for ax, wanted in zip(axes, (0.08e-3, 0.12e-3, 0.16e-3, 0.2e-3)):
     time = disc.nearest(wanted)
-    image = ax.pcolormesh(*edges, disc.field(time, "p", nx, ny)*1e-5,
-                          cmap="turbo", vmin=1, vmax=12, rasterized=True)
-    ax.fill(60 + 20*np.cos(angle), 60 + 20*np.sin(angle), "0.7", ec="k", lw=0.6)
+    frame(ax, (0, nx), (0, ny), ylabel=None, title=f"{float(time)*1e3:.2f} ms")
+    image = ax.pcolormesh(*edges, disc.field(time, "p", nx, ny)*1e-5, cmap=VALUES, vmin=1,
+                          vmax=12, rasterized=True, zorder=GAS)
+    drawPoints(ax, disc.points(time, "disc"), BODY, scale=1e3, outline="k")
     ax.axvline(MS*C1*float(time)*1e3, color="w", ls=":", lw=1)
-    ax.set_title(f"{float(time)*1e3:.2f} ms", fontsize=10)
-    ax.set_aspect("equal")
-    ax.set_xlim(0, nx)
-for ax in axes[-1]:
-    ax.set_xlabel("x [mm]")
-for ax in axes[:, 0]:
-    ax.set_ylabel("y [mm]")
-figure.colorbar(image, ax=axes, label="pressure of the air [bar]; dotted: place of the free"
-                " shock", pad=0.01)
-figure.savefig("cylinder.png")
+axes[0].set_ylabel("y [mm]")
+colourBar(figure, image, axes, "pressure [bar]", shrink=0.9, aspect=18)
+save(figure, "cylinder.png")
 
 # --- wedge: 2D
 wedge, nx, ny, tip = Case("wedge"), 100, 70, 0.2
@@ -120,13 +113,20 @@ print(f"wedge: angle of the shock {found:.2f} degrees, exact {np.degrees(BETA):.
 print(f"wedge: p2/p1 {np.mean(behind):.4f} ({min(behind):.3f} to {max(behind):.3f}), exact"
       f" {RATIO} ({100*(np.mean(behind)/RATIO - 1):+.2f} %); fix-ups"
       f" {wedge.fixups():.0f}")
-figure, ax = plt.subplots(figsize=(8, 5))
-image = ax.pcolormesh(np.linspace(0, 1, nx + 1), np.linspace(0, 0.7, ny + 1), p,
-                      cmap="turbo", vmin=1, vmax=1.8, rasterized=True)
-ax.fill([tip, 1, 1], [0, 0.8*np.tan(angle), 0], "0.7", ec="k", lw=0.6)
-ax.plot([tip, 1], [0, 0.8*np.tan(BETA)], "w:", lw=1.5)
-ax.set_ylim(0, 0.7)
-ax.set_xlabel("x [m]")
-ax.set_ylabel("y [m]")
-figure.colorbar(image, label="p/p1; dotted: exact shock")
-figure.savefig("wedge.png")
+figure, ax = plt.subplots(figsize=(7, 3.9))
+frame(ax, (0, 1), (0, 0.5), "x [m]", "y [m]")
+image = ax.pcolormesh(np.linspace(0, 1, nx + 1), np.linspace(0, 0.7, ny + 1), p, cmap=VALUES,
+                      vmin=1, vmax=1.8, rasterized=True, zorder=GAS)
+drawPoints(ax, wedge.points(wedge.times()[-1], "wedge"), BODY, outline="k")
+for slope, x, name in ((BETA, 0.66, f"exact shock, {np.degrees(BETA):.1f}$^\\circ$"),
+                       (angle, 0.6, "wedge, 10$^\\circ$")):
+    y = (x - tip)*np.tan(slope)
+    ax.text(x, y + (0.07 if slope == BETA else -0.012), name, fontsize=9, rotation_mode="anchor",
+            rotation=np.degrees(slope), color="w" if slope == BETA else "k",
+            ha="center", va="bottom" if slope == BETA else "top", zorder=5)
+ax.plot([tip, 1], [0, (1 - tip)*np.tan(BETA)], "w:", lw=1.5, zorder=5)
+ax.annotate("", (0.16, 0.25), (0.04, 0.25), arrowprops={"arrowstyle": "-|>", "color": "w"},
+            zorder=5)
+ax.text(0.04, 0.26, "Mach 2", color="w", zorder=5)
+colourBar(figure, image, ax, "p/p$_1$", shrink=0.9)
+save(figure, "wedge.png")

@@ -3,7 +3,7 @@
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import plt, save
 
 G, SLOPE, RAMP = 9.81, np.radians(30), 0.2
 
@@ -26,4 +26,4 @@ for k, (name, mu) in enumerate((("mu0", 0.0), ("mu3", 0.3), ("mu6", 0.6))):
               label=None if k else "rigid block")
 axis.set(xlabel="time [s]", ylabel="velocity along the slope [m/s]")
 axis.legend()
-figure.savefig("slidingBlock.png")
+save(figure, "slidingBlock.png")

@@ -1,4 +1,4 @@
-"""Stress at the mid-plane and x-t diagram against the exact solution, damage.
+"""Stress at the mid-plane and x-t diagram against the exact solution; the plates.
 
 Exact (linear elastic, one dimension, no failure): c = sqrt(E/rho), the impact
 makes sigma = rho c v/2 = 687.4 MPa of compression; release waves from both
@@ -6,14 +6,10 @@ free surfaces meet at the target's mid-plane at t = 3 H/c = 1.1195 us (H the
 flyer's thickness) and leave tension of the same size behind them.
 """
 
-import glob
-
 import numpy as np
-import vtk
-from vtk.util.numpy_support import vtk_to_numpy
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import FAILED, SIGNED, colourBar, drawPoints, frame, plt, save
 
 RHO, E, V, H = 2700.0, 70e9, 100.0, 1.9e-3
 C = np.sqrt(E/RHO)
@@ -51,7 +47,7 @@ axes[1].plot(ts*1e6, -surface, "C0-", label="materialPointFoam")
 axes[1].set_xlabel("time [us]")
 axes[1].set_ylabel("free-surface velocity [m/s]")
 axes[1].legend()
-figure.savefig("stress.png")
+save(figure, "stress.png")
 
 half = STRESS/2
 late = np.where((t > 0.8e-6) & (stress > half))[0]
@@ -72,48 +68,58 @@ with open(case.file("postProcessing/stressXT/0/sigma_yy.dat")) as f:
 centres = np.array([float(w) for w in header[-1].replace("#", " ").split()
                     if w.replace(".", "").replace("e", "").replace("-", "")
                     .replace("+", "").isdigit()])
-figure, axes = plt.subplots(1, 2, figsize=(10, 5), sharey=True)
+figure, axes = plt.subplots(1, 2, figsize=(9, 4.6), sharey=True)
 for ax, values, title in (
         (axes[0], table[:, 1:], "material points"),
         (axes[1], exact(centres[None, :], table[:, 0][:, None]),
          "exact, without failure")):
-    image = ax.pcolormesh(centres*1e3, table[:, 0]*1e6, values*1e-6,
-                          cmap="RdBu_r", vmin=-700, vmax=700, shading="nearest")
+    image = ax.pcolormesh(centres*1e3, table[:, 0]*1e6, values*1e-6, cmap=SIGNED,
+                          vmin=-700, vmax=700, shading="nearest", rasterized=True)
     ax.set_title(title)
-    ax.set_xlabel("place at the start [mm]; target left of the line")
-    ax.axvline(3.8, color="k", lw=0.5)
+    ax.set_xlabel("y at the start [mm]")
+    ax.axvline(2e3*H, color="k", lw=0.6)
+    for x, name in ((H, "target"), (2.5*H, "flyer")):
+        ax.text(x*1e3, 0.06, name, ha="center", fontsize=8)
 axes[0].set_ylabel("time [us]")
-figure.colorbar(image, ax=axes, label="stress [MPa], tension positive")
-figure.savefig("xt.png")
+colourBar(figure, image, axes, "stress along y [MPa], tension positive")
+save(figure, "xt.png")
 
 
-# Damage, from what foamToVTK wrote
-def cloud(phase, index):
-    files = sorted(glob.glob(f"VTK/lagrangian/{phase}/*.vtp"),
-                   key=lambda f: int(f.split("_")[-1].split(".")[0]))
-    reader = vtk.vtkXMLPolyDataReader()
-    reader.SetFileName(files[index])
-    reader.Update()
-    data = reader.GetOutput()
-    return (vtk_to_numpy(data.GetPoints().GetData()),
-            vtk_to_numpy(data.GetPointData().GetArray("damage")),
-            vtk_to_numpy(data.GetPointData().GetArray("sigma"))[:, 1])
-
-
-times = case.times("lagrangian")
-chosen = [times.index(case.nearest(want, "lagrangian")) for want in (1.0e-6, 1.25e-6, 3.0e-6)]
-figure, axes = plt.subplots(1, len(chosen), figsize=(13, 4.2), sharey=True)
-for ax, index in zip(axes, chosen):
+# The plates: compression, release, tension that tears the target, the gap
+def plates(ax, want, title, xlim=(-4.3, 4.3), ylim=(-0.8, 6.3)):
+    """Points coloured by their stress along y; failed ones in their own colour."""
+    time = case.nearest(want, "lagrangian")
+    frame(ax, xlim, ylim, ylabel=None, title=f"{float(time)*1e6:.2f} $\\mu$s: {title}")
     for phase in ("target", "flyer"):
-        x, damage, sigma = cloud(phase, index)
-        image = ax.scatter(x[:, 0]*1e3, x[:, 1]*1e3, c=sigma*1e-6, s=0.4,
-                           cmap="RdBu_r", vmin=-700, vmax=700, linewidths=0)
-        failed = damage > 0.5
-        ax.scatter(x[failed, 0]*1e3, x[failed, 1]*1e3, c="lime", s=1.5,
-                   linewidths=0)
-    ax.set_aspect("equal")
-    ax.set_title(f"t = {float(times[index])*1e6:.2f} us", fontsize=9)
-    ax.set_xlabel("x [mm]")
+        cloud = case.points(time, phase)
+        # The gap is as wide as it is: its edges are not drawn together
+        image = drawPoints(ax, cloud, cloud["sigma"][:, 3]*1e-6, SIGNED, (-700, 700),
+                           cloud["damage"] > 0.5, scale=1e3, close=0.2, outline="0.3")
+    return image
+
+
+def moves(ax, y, places=(-2.6, 0, 2.6)):
+    for x in places:
+        ax.annotate("", (x, y - 0.75), (x, y + 0.25), zorder=5, arrowprops={
+            "arrowstyle": "-|>", "color": "k", "lw": 1})
+
+
+GAP = (2.6, 4.2), (1.1, 2.4)
+figure, axes = plt.subplots(1, 5, figsize=(12.5, 2.75))
+plates(axes[0], 0.25e-6, "compression runs out")
+image = plates(axes[1], 1.0e-6, "release from both faces")
+plates(axes[2], 1.25e-6, "tension tears the target")
+plates(axes[3], 3e-6, "the gap opens")
+plates(axes[4], 3e-6, "at its edge", *GAP)
+axes[3].indicate_inset([GAP[0][0], GAP[1][0], np.ptp(GAP[0]), np.ptp(GAP[1])], edgecolor="k")
 axes[0].set_ylabel("y [mm]")
-figure.colorbar(image, ax=axes, label="sigma_yy [MPa]; green: failed points")
-figure.savefig("damage.png")
+axes[0].text(0, 5.35, "flyer, 100 m/s", ha="center", va="center", fontsize=8)
+axes[0].text(0, 1.2, "target", ha="center", va="center", fontsize=8)
+axes[3].text(0, 0.7, "100 m/s", ha="center", va="center", fontsize=8)
+moves(axes[0], 5.6, (-3, 3))
+moves(axes[3], 0.95, (-3,))
+colourBar(figure, image, axes, "stress along y [MPa]\n(tension positive)", shrink=0.75,
+          aspect=18)
+axes[4].legend(handles=[plt.Rectangle((0, 0), 1, 1, color=FAILED)], labels=["failed"],
+               loc="lower left", frameon=True)
+save(figure, "plates.png")

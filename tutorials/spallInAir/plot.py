@@ -6,7 +6,8 @@ import numpy as np
 import fields
 from fields import STRESS
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import (BODY, FAILED, GAS, PART, SIGNED, VALUES, colourBar, drawPoints, frame,
+                          plt, save)
 
 VACUUM, POROUS, NO_DRAG = "variants/vacuum", "variants/porous", "variants/noDrag"
 
@@ -41,78 +42,68 @@ _, _, X, Y = fields.mesh()
 X, Y = X*1e3, Y*1e3
 
 
-def plates(ax, time):
-    """Points with their stress; failed ones green."""
+def plates(ax, case, time, stress=True, pieces=1):
+    """Points with their stress or in one colour; failed ones in theirs, in pieces of
+    this part of their boxes."""
     for phase in ("target", "flyer"):
-        points = Case().points(time, phase)
-        x, failed, sigma = points["x"]*1e3, points["damage"] > 0.5, points["sigma"][:, 3]*1e-6
-        image = ax.scatter(*x[~failed, :2].T, c=sigma[~failed], cmap="RdBu_r", vmin=-700,
-                           vmax=700, s=5, marker="s", linewidths=0)
-        ax.scatter(*x[failed, :2].T, c="limegreen", s=5, marker="s", linewidths=0)
+        points = Case(case).points(time, phase)
+        values = points["sigma"][:, 3]*1e-6 if stress else BODY
+        failed = points["damage"] > 0.5
+        drawPoints(ax, points, FAILED, some=failed, scale=1e3, close=0.2, size=pieces)
+        image = drawPoints(ax, points, values, SIGNED, (-700, 700), some=~failed, scale=1e3,
+                           close=0.2, outline="0.3")
     return image
 
 
-def failedPoints(ax, time):
-    points = Case().points(time, "target")
-    x, failed = points["x"]*1e3, points["damage"] > 0.5
-    ax.scatter(*x[failed, :2].T, c="limegreen", s=0.6, marker="s", linewidths=0)
-
-
-def air(ax, time, name):
-    """Cells: pressure [bar] or speed of the gas [m/s]."""
-    if name == "p":
-        return ax.pcolormesh(X, Y, fields.cells(".", time, "p")*1e-5, cmap="PuOr_r",
-                             vmin=0.5, vmax=1.5)
-    speed = np.linalg.norm(fields.cells(".", time, "U.air"), axis=2)
-    return ax.pcolormesh(X, Y, speed, cmap="magma", vmin=0, vmax=110)
+def speed(case, time):
+    return np.linalg.norm(fields.cells(case, time, "U.air"), axis=2)
 
 
 chosen = [Case().nearest(t) for t in (0.6e-6, 1.4e-6, 3e-6)]
-figure, axes = plt.subplots(2, 3, figsize=(13, 7.4), sharex=True, sharey=True)
+figure, axes = plt.subplots(2, 3, figsize=(10.5, 6.2), sharex=True, sharey=True)
 for column, time in zip(axes.T, chosen):
-    pressure = air(column[0], time, "p")
-    stress = plates(column[0], time)
-    speed = air(column[1], time, "U")
-    failedPoints(column[1], time)
-    column[0].set_title(f"t = {float(time)*1e6:.1f} us")
-    column[1].set_xlabel("x [mm]")
     for ax in column:
-        ax.set_aspect("equal")
+        frame(ax, (X[0], X[-1]), (Y[0], Y[-1]), None, None)
+    column[0].set_title(f"{float(time)*1e6:.1f} $\\mu$s")
+    column[1].set_xlabel("x [mm]")
+    pressure = column[0].pcolormesh(X, Y, fields.cells(".", time, "p")*1e-5, cmap=VALUES,
+                                    vmin=0.5, vmax=1.5, zorder=GAS, rasterized=True)
+    plates(column[0], ".", time, False)
+    velocity = column[1].pcolormesh(X, Y, speed(".", time), cmap=VALUES, vmin=0, vmax=110,
+                                    zorder=GAS, rasterized=True)
+    stress = plates(column[1], ".", time)
 for ax in axes[:, 0]:
     ax.set_ylabel("y [mm]")
-figure.colorbar(stress, ax=axes[0], label="stress yy of the points [MPa]", pad=0.01,
-                aspect=30)
-figure.colorbar(pressure, ax=axes[0], label="pressure of the air [bar]", pad=0.06,
-                aspect=30)
-figure.colorbar(speed, ax=axes[1], label="speed of the air [m/s]; green: failed points",
-                aspect=30)
-figure.savefig("plates.png")
+colourBar(figure, pressure, axes[0], "pressure of the air [bar]")
+colourBar(figure, stress, axes[1], "stress of the plates along y [MPa]", location="bottom",
+          shrink=0.5, pad=0.02)
+colourBar(figure, velocity, axes[1], "speed of the air [m/s]")
+axes[0, 0].legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c) for c in (BODY, FAILED)],
+                  labels=["plates", "failed"], loc="upper left", labelcolor="w")
+save(figure, "plates.png")
 
 # The crack at the right edge, at the end
 last = chosen[-1]
 centre = 0.5*(X[1:] + X[:-1]), 0.5*(Y[1:] + Y[:-1])
-figure, axes = plt.subplots(1, 2, figsize=(12.5, 5.5), sharey=True)
+figure, axes = plt.subplots(1, 2, figsize=(10, 4), sharey=True)
 for ax, case, label in ((axes[0], ".", "sticking drag"), (axes[1], NO_DRAG, "without drag")):
     time = Case(case).nearest(3e-6)
-    image = ax.pcolormesh(X, Y, fields.cells(case, time, "p")*1e-5, cmap="viridis",
-                          vmin=0, vmax=1.2)
-    for phase in ("target", "flyer"):
-        points = Case(case).points(time, phase)
-        x, failed = points["x"]*1e3, points["damage"] > 0.5
-        ax.scatter(*x[~failed, :2].T, c="0.8", s=5, linewidths=0)
-        ax.scatter(*x[failed, :2].T, c="red", s=7, linewidths=0)
-    u = fields.cells(case, time, "U.air")
-    arrows = ax.quiver(*centre, u[..., 0], u[..., 1], color="w", scale=2500, width=0.003)
-    ax.quiverkey(arrows, 0.87, 0.94, 200, "200 m/s", labelcolor="w", coordinates="axes")
-    ax.set_aspect("equal")
-    ax.set_xlim(2.2, 4.8)
-    ax.set_ylim(0.7, 2.8)
-    ax.set_xlabel("x [mm]")
-    ax.set_title(f"{label}, t = {float(time)*1e6:.1f} us", fontsize=10)
+    frame(ax, (2.4, 4.7), (0.9, 2.6), ylabel=None, title=label)
+    image = ax.pcolormesh(X, Y, fields.cells(case, time, "p")*1e-5, cmap=PART, vmin=0,
+                          vmax=1.1, zorder=GAS, rasterized=True)
+    plates(ax, case, time, False, 0.4)
+    u = np.where(fields.cells(case, time, "theta.air")[..., None] > 0.1,
+                 fields.cells(case, time, "U.air"), np.nan)
+    every = (slice(None, None, 2),)*2
+    arrows = ax.quiver(centre[0][::2], centre[1][::2], u[every][..., 0], u[every][..., 1],
+                       color="k", scale=1800, width=0.004, zorder=5)
+    ax.quiverkey(arrows, 0.87, 0.92, 200, "200 m/s", coordinates="axes",
+                 zorder=6)
 axes[0].set_ylabel("y [mm]")
-figure.colorbar(image, ax=axes, pad=0.01,
-                label="pressure of the air [bar]; arrows: its velocity; failed points red")
-figure.savefig("crack.png")
+axes[0].legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c) for c in (BODY, FAILED)],
+               labels=["plate", "failed"], loc="lower left", framealpha=1, frameon=True)
+colourBar(figure, image, axes, "pressure of the air [bar]", shrink=0.85)
+save(figure, "crack.png")
 
 # Mid-plane over time
 figure, axes = plt.subplots(3, 1, figsize=(7.5, 8.5), sharex=True)
@@ -140,4 +131,4 @@ axes[2].set_xlabel("time [us]")
 axes[2].legend()
 for ax in axes:
     ax.axvline(fields.firstFailure(".")*1e6, color="k", ls=":", lw=0.8)
-figure.savefig("midPlane.png")
+save(figure, "midPlane.png")

@@ -6,7 +6,8 @@ import os
 
 import numpy as np
 
-from mpm.pictures import plt
+from mpm.case import Case
+from mpm.pictures import HEAT, RIGID, VALUES, colourBar, drawPoints, frame, plt, save
 from shape import Bar, energy
 
 #: What the published constants give in other codes, and the experiment
@@ -70,24 +71,20 @@ for ax in axes:
     ax.set_aspect("equal")
     ax.legend(fontsize=7, loc="upper right")
 axes[0].set_ylabel("distance from the anvil [mm]")
-figure.savefig("profile.png")
+save(figure, "profile.png")
 
-figure, axes = plt.subplots(1, 4, figsize=(12, 4.5), sharey=True)
-for ax, want in zip(axes, ("2e-05", "4e-05", "0.0001", "T")):
-    bar = Bar(".", time=None if want == "T" else want)
-    x, r = bar.x[:, 0]*1e3, bar.x[:, 1]*1e3
-    # Both halves
-    style = {"c": np.tile(bar.T if want == "T" else bar.strain, 2), "s": 3, "linewidths": 0,
-             "cmap": "inferno" if want == "T" else "viridis",
-             **({} if want == "T" else {"vmin": 0, "vmax": 2})}
-    image = ax.scatter(np.append(r, -r), np.append(x, x), **style)
-    ax.set_xlim(-8, 8)
-    ax.set_ylim(-0.5, 23)
-    ax.set_aspect("equal")
-    ax.set_xlabel("r [mm]")
-    ax.set_title("temperature at the end" if want == "T" else f"{float(want)*1e6:.0f} us",
-                 fontsize=9)
-    if want in ("0.0001", "T"):
-        figure.colorbar(image, ax=ax, shrink=0.8, label="T [K]" if want == "T" else "plastic strain")
+figure, axes = plt.subplots(1, 5, figsize=(11, 4), sharey=True)
+for ax, want in zip(axes, (0, 2e-5, 4e-5, 1e-4, 1e-4)):
+    last = ax is axes[-1]
+    cloud = Case().points(Case().nearest(want, "lagrangian"), "bar")
+    frame(ax, (-8, 8), (-0.8, 26.5), "r [mm]", None,
+          f"{want*1e6:.0f} $\\mu$s" + (", temperature" if last else ""))
+    ax.axhspan(-0.8, 0, color=RIGID, lw=0)
+    image = drawPoints(ax, cloud, cloud["T" if last else "plasticStrain"],
+                       HEAT if last else VALUES, None if last else (0, 2), scale=1e3,
+                       axes=(1, 0), close=2.5, mirror=True)
+    if want == 1e-4:
+        colourBar(figure, image, ax if last else axes[:-1],
+                  "temperature [K]" if last else "plastic strain", shrink=0.75)
 axes[0].set_ylabel("distance from the anvil [mm]")
-figure.savefig("strain.png")
+save(figure, "strain.png")

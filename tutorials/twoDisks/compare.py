@@ -3,7 +3,7 @@ the total energy with what other codes reach on the same case."""
 
 from energies import Energies, endAndLargest
 from mpm.case import Case, RunFailed
-from mpm.pictures import plt
+from mpm.pictures import plt, save
 
 TRANSFERS = (("FLIP", "transfer FLIP; PICfraction 0;"),
              ("FLIP 1 % PIC", "transfer FLIP; PICfraction 0.01;"),
@@ -80,7 +80,7 @@ for ax, title in zip(axes, ("GIMP, USAVG, maxCo 0.2: transfers",
     ax.set_xlabel("time [s]")
     ax.legend(fontsize=7)
 axes[0].set_ylabel("error of the total energy [%]")
-figure.savefig("schemes.png")
+save(figure, "schemes.png")
 
 print("\nOther codes")
 for name, end, largest in PEERS:

@@ -4,7 +4,7 @@ import numpy as np
 
 from energies import Energies, endAndLargest
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import SIGNED, colourBar, drawPoints, frame, plt, save
 
 case, e = Case(), Energies()
 EXACT = 2*0.5*1000*np.pi*0.2**2*0.02
@@ -20,23 +20,23 @@ axes[1].plot(e.t, e.error, "C2")
 axes[1].axhline(0, color="k", lw=0.5)
 axes[1].set_ylabel("error of the total energy [%]")
 axes[1].set_xlabel("time [s]")
-figure.savefig("energy.png")
+save(figure, "energy.png")
 
-figure, axes = plt.subplots(2, 3, figsize=(11, 7.4), sharex=True, sharey=True)
+figure, axes = plt.subplots(2, 3, figsize=(9.5, 6), sharex=True, sharey=True)
 for ax, want in zip(axes.flat, (0, 1.0, 1.4, 1.8, 2.2, 3.0)):
     name = case.nearest(want, "lagrangian")
+    frame(ax, (-0.05, 1.05), (-0.05, 1.05), None, None, f"{name} s")
     for phase in ("lower", "upper"):
-        x, s = (case.points(name, phase)[column] for column in ("x", "sigma"))
-        # xx xy xz yy yz zz
-        image = ax.scatter(x[:, 0], x[:, 1], s=6, c=-(s[:, 0] + s[:, 3] + s[:, 5])/3,
-                           cmap="viridis", vmin=-120, vmax=120, linewidths=0)
-    ax.set_xticks(np.arange(-0.2, 1.21, 0.05), minor=True)
-    ax.set_yticks(np.arange(-0.2, 1.21, 0.05), minor=True)
-    ax.grid(True, which="both", lw=0.2)
-    ax.set_aspect("equal")
-    ax.set_title(f"t = {name} s", fontsize=9)
-figure.colorbar(image, ax=axes, label="pressure [Pa]")
-figure.savefig("disks.png")
+        cloud = case.points(name, phase)
+        s = cloud["sigma"]      # xx xy xz yy yz zz
+        image = drawPoints(ax, cloud, -(s[:, 0] + s[:, 3] + s[:, 5])/3, SIGNED.reversed(),
+                           (-150, 150), close=1, outline="0.3")
+for ax in axes[-1]:
+    ax.set_xlabel("x [m]")
+for ax in axes[:, 0]:
+    ax.set_ylabel("y [m]")
+colourBar(figure, image, axes, "pressure [Pa]")
+save(figure, "disks.png")
 
 i = np.argmin(e.kinetic)
 apart = np.linalg.norm(e.momentum - e.momentum[0], axis=1)

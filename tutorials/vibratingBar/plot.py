@@ -9,7 +9,7 @@ with beta = pi/(2 L), omega = beta sqrt(E/rho): period 4 L/c = 10 s.
 import numpy as np
 
 from mpm.case import Case
-from mpm.pictures import plt
+from mpm.pictures import plt, save
 
 L, E, RHO, V0 = 25.0, 100.0, 1.0, 0.1
 C = np.sqrt(E/RHO)
@@ -61,7 +61,7 @@ for colour, want in enumerate((0.0, 40.0, 42.5, 45.0, 47.5)):
 axes[2].set_xlabel("place [m]; lines: exact")
 axes[2].set_ylabel("velocity of the points [m/s]")
 axes[2].legend(loc="upper left")
-figure.savefig("vibratingBar.png")
+save(figure, "vibratingBar.png")
 
 drift = np.max(abs(total/total[0] - 1))
 print(f"period                      {period:9.5f} s, exact {PERIOD:.5f} s, "

@@ -1,4 +1,20 @@
-"""matplotlib in the style of the tutorials' pictures, without a screen."""
+"""Pictures in one style: matplotlib without a screen, points as their boxes.
+
+    image = drawPoints(ax, case.points(time, "plate"), values, SIGNED, (-700, 700),
+                       failed=damage > 0.5, scale=1e3)
+    drawPoints(ax, cloud, "0.7")                        # in one colour
+    ax.pcolormesh(x, y, p, cmap=VALUES, zorder=GAS)     # a gas: below the points
+    colourBar(figure, image, axes, "stress [MPa]")
+    save(figure, "plate.png")
+
+Points are rasterised: a pixel belongs to the point in whose box it lies (of several
+the one whose centre is nearest), which leaves no pattern between pixels and points as
+markers do. Where a body is stretched its boxes come apart: gaps up to `close` boxes
+wide between them are closed.
+
+Colours: VALUES from low to high and SIGNED about zero have an even lightness and are
+told apart by the colour-blind; failed matter is FAILED everywhere.
+"""
 
 import io
 
@@ -7,13 +23,139 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 import PIL.Image  # noqa: E402
+from matplotlib.cm import ScalarMappable  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
+from matplotlib.colors import (LinearSegmentedColormap, ListedColormap,  # noqa: E402,F401
+                               Normalize, to_hex, to_rgba)
 
-plt.rcParams.update({"figure.constrained_layout.use": True, "legend.fontsize": 8,
-                     "savefig.dpi": 130})
+plt.rcParams.update({
+    "figure.constrained_layout.use": True, "savefig.dpi": 130, "font.size": 9,
+    "axes.titlesize": 9, "legend.fontsize": 8, "legend.frameon": False,
+    "image.cmap": "viridis", "pcolor.shading": "auto"})
 
-#: Matter that has failed, in every picture
+#: Blue, white, orange: lightness falls linearly from the middle to both ends
+SIGNED = LinearSegmentedColormap.from_list("signed", [
+    (0, "#2166ac"), (0.318, "#92c5de"), (0.5, "#f7f7f7"), (0.676, "#fdb863"),
+    (1, "#b35806")])
+#: Parts of a whole: blue to white
+PART = LinearSegmentedColormap.from_list("part", SIGNED(np.linspace(0, 0.5, 128)))
+VALUES = plt.get_cmap("viridis")
+HEAT = plt.get_cmap("cividis")
+#: From sound to failed
+DAMAGE = LinearSegmentedColormap.from_list("damage", ["#e8e4da", "#e0ac72", "#882255"])
 FAILED = "#882255"
+BODY, RIGID = "#c9c9c9", "#8a8a8a"
+#: Bytes of a picture above which it is saved with fewer colours
+LARGE = 148000
+#: zorder of a gas, and of points
+GAS, POINTS = 1, 2
+
+
+def _erode(mask, rx, ry):
+    """Pixels whose neighbours up to rx and ry away are all in the mask or outside the
+    picture."""
+    for axis, n in ((1, rx), (0, ry)):
+        if n == 0:
+            continue
+        width = [(0, 0), (0, 0)]
+        width[axis] = (n, n)
+        sums = np.cumsum(~np.pad(mask, width, constant_values=True), axis=axis)
+        sums = np.concatenate([np.zeros_like(sums.take([0], axis)), sums], axis)
+        size = mask.shape[axis]
+        high = sums.take(np.arange(2*n + 1, 2*n + 1 + size), axis)
+        mask = high == sums.take(np.arange(size), axis)
+    return mask
+
+
+def owners(x, half, box, shape, close=0.5):
+    """Index of the point to which each pixel [row, column] of a picture belongs, -1:
+    none. x, half: centres and half-sizes (n, 2); box: x0, x1, y0, y1."""
+    ny, nx = shape
+    size = np.array([(box[1] - box[0])/nx, (box[3] - box[2])/ny])
+    place = (x - [box[0], box[2]])/size - 0.5
+    half = np.maximum(half/size, 0.5)
+    reach = half + close*half
+    near = ((place > -reach - 1) & (place < [nx, ny] + reach)).all(axis=1)
+    index = np.flatnonzero(near)
+    place, half, reach = place[near], half[near], reach[near]
+    owner = np.full((ny, nx), -1)
+    if not len(index):
+        return owner
+    distance = np.full((ny, nx), np.inf)
+    first = np.rint(place).astype(int)
+    most = np.ceil(reach.max(axis=0)).astype(int)
+    for j in range(-most[1], most[1] + 1):
+        for i in range(-most[0], most[0] + 1):
+            at = first + [i, j]
+            away = abs(at - place)/half
+            d = away.max(axis=1)
+            some = (d <= 1 + close) & (at >= 0).all(axis=1) & (at < [nx, ny]).all(axis=1)
+            column, row, d = at[some, 0], at[some, 1], d[some]
+            better = d < distance[row, column]
+            distance[row[better], column[better]] = d[better]
+            owner[row[better], column[better]] = index[some][better]
+    # Closed, not grown: what the longer reach added outside is taken away again
+    back = np.floor(close*np.median(half, axis=0)).astype(int)
+    inside = (distance <= 1) | _erode(distance < np.inf, *back)
+    owner[~inside] = -1
+    return owner
+
+
+def _pixels(ax, box):
+    """Rows and columns of a raster: twice those of the axes in the saved picture."""
+    ax.figure.canvas.draw()
+    frame = ax.get_window_extent()
+    dpi = 2*plt.rcParams["savefig.dpi"]/ax.figure.dpi
+    unit = min(frame.width/(box[1] - box[0]), frame.height/(box[3] - box[2]))*dpi
+    return (max(1, int(np.ceil(unit*(box[3] - box[2])))),
+            max(1, int(np.ceil(unit*(box[1] - box[0])))))
+
+
+def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=None,
+               scale=1.0, axes=(0, 1), close=0.5, mirror=False, flip=False, outline=None, size=1.0,
+               pixels=None):
+    """Points of a cloud, in the limits that the axes have (set them before).
+
+    values   one per point with cmap and limits, or a colour for all
+    failed   mask of points in the colour of failed matter
+    some     mask of the points that are drawn
+    scale    of the places: 1e3 for millimetres
+    axes     directions across and up: (1, 0) for r, x of an axisymmetric case
+    mirror   drawn at both sides of the axis; flip: at the other side
+    size     of the boxes drawn over theirs
+    outline  colour of a line about those that have not failed
+    Returns what a colour bar needs.
+    """
+    x, half = cloud["x"][:, axes]*scale, cloud["halfSize"][:, axes]*scale*size
+    plain = isinstance(values, str)
+    norm = None if plain else Normalize(*(limits or (np.min(values), np.max(values))))
+    colours = np.tile(to_rgba(values), (len(x), 1)) if plain else cmap(norm(values))
+    if failed is not None:
+        colours[failed] = to_rgba(FAILED)
+    if some is not None:
+        x, half, colours = x[some], half[some], colours[some]
+    if flip:
+        x = x*[-1, 1]
+    if mirror:
+        x, half, colours = (np.concatenate(v) for v in (
+            (x, x*[-1, 1]), (half, half), (colours, colours)))
+    box = (*sorted(ax.get_xlim()), *sorted(ax.get_ylim()))
+    owner = owners(x, half, box, pixels or _pixels(ax, box), close)
+    image = np.zeros((*owner.shape, 4))
+    image[owner >= 0] = colours[owner[owner >= 0]]
+    # Without a colour of its own at the edge of what is transparent
+    image[owner < 0, :3] = 1
+    ax.imshow(image, origin="lower", extent=box, zorder=POINTS, interpolation="antialiased",
+              aspect=ax.get_aspect())
+    if outline:
+        sound = owner >= 0
+        if failed is not None:
+            sound &= (colours != to_rgba(FAILED)).any(axis=1)[owner]
+        if sound.any() and not sound.all():
+            ax.contour(np.linspace(*box[:2], owner.shape[1]),
+                       np.linspace(*box[2:], owner.shape[0]), sound, [0.5], colors=outline,
+                       linewidths=0.6, zorder=POINTS)
+    return ScalarMappable(norm, cmap)
 
 
 def boxes(ax, x, side, colours=None, values=None, overlap=0.05, **options):
@@ -32,9 +174,24 @@ def boxes(ax, x, side, colours=None, values=None, overlap=0.05, **options):
     return squares
 
 
-def save(figure, name, dpi=100):
-    """A PNG of 256 colours: a third of the size, for pictures of many points."""
+def frame(ax, xlim, ylim, xlabel="x [mm]", ylabel="y [mm]", title=None):
+    """Axes with the same unit in both directions."""
+    ax.set(xlim=xlim, ylim=ylim, aspect="equal", xlabel=xlabel, ylabel=ylabel, title=title)
+
+
+def colourBar(figure, image, axes, label, **options):
+    options = {"aspect": 30, "pad": 0.015, **options}
+    bar = figure.colorbar(image, ax=axes, label=label, **options)
+    bar.outline.set_linewidth(0.5)
+    return bar
+
+
+def save(figure, name, dpi=None):
+    """A PNG; one that is large in 256 colours, a third of the size."""
     buffer = io.BytesIO()
     figure.savefig(buffer, dpi=dpi)
-    image = PIL.Image.open(buffer).convert("RGB")
-    image.quantize(256, dither=PIL.Image.Dither.NONE).save(name, optimize=True)
+    with open(name, "wb") as f:
+        f.write(buffer.getvalue())
+    if buffer.tell() > LARGE:
+        image = PIL.Image.open(buffer).convert("RGB")
+        image.quantize(256, dither=PIL.Image.Dither.NONE).save(name, optimize=True)

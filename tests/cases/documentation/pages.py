@@ -82,6 +82,7 @@ class Page:
         """Targets of links and pictures within the project."""
         text = re.sub(r"`[^`\n]*`", "", self._withoutBlocks())
         return [t for t in re.findall(r"\]\(([^)\s]+)\)", text)
+                + re.findall(r'<(?:img src|a href)="([^"]+)"', text)
                 if not re.match(r"[a-z]+:", t)]
 
     def blocks(self, language):

@@ -6,6 +6,8 @@ entries     doc/entries.md has every word of a dictionary that the sources read
 messages    every message of doc/guide/troubleshooting.md is one of the sources
 links       links between the project's pages resolve, also to headings and lines;
             paths in code quotes exist; lines of tables have at most 160 characters
+pictures    those of doc/pictures are small, those of README.md's row of one height; each
+            tutorial's README and the index of the tutorials have one
 commands    commands of README.md and doc run, in a copy of a case
 """
 
@@ -13,6 +15,7 @@ import glob
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import time
@@ -134,6 +137,31 @@ def links(table):
     table.check(f"lines of tables have at most {MOST} characters", not long, " ".join(long))
 
 
+# --- pictures ----------------------------------------------------------------
+
+def pictures(table):
+    folder = os.path.join(PROJECT, "doc/pictures")
+    files = sorted(glob.glob(os.path.join(folder, "*.png")))
+    sizes = {os.path.basename(f): os.path.getsize(f) for f in files}
+    table.row("largest picture of doc/pictures [kB]", 150, max(sizes.values())/1e3, 150,
+              "atMost")
+    heights = []
+    for path in re.findall(r'src="(doc/pictures/\w+\.png)"', Page(
+            os.path.join(PROJECT, "README.md")).text):
+        with open(os.path.join(PROJECT, path), "rb") as f:
+            heights.append(struct.unpack(">II", f.read(24)[16:])[1])
+    table.row("pictures in the row of README.md", 4, len(heights), 4, "atLeast")
+    table.check("the row has one height", len(set(heights)) == 1, heights)
+    index = Page(os.path.join(PROJECT, "tutorials/README.md")).text
+    lacking = [name for name in sorted(os.listdir(os.path.join(PROJECT, "tutorials")))
+               if os.path.exists(os.path.join(PROJECT, "tutorials", name, "README.md"))
+               and not (f"doc/pictures/{name}.png" in index
+                        and f"doc/pictures/{name}.png" in Page(os.path.join(
+                            PROJECT, "tutorials", name, "README.md")).text)]
+    table.check("each tutorial has its picture, and the index has it", not lacking,
+                " ".join(lacking))
+
+
 # --- commands ----------------------------------------------------------------
 
 def commands(table):
@@ -200,4 +228,4 @@ def runBlocks(table, name, blocks):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("documentation", entries, messages, links, commands))
+    sys.exit(runParts("documentation", entries, messages, links, pictures, commands))
