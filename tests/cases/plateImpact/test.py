@@ -134,8 +134,8 @@ def plot(results, path):
                           label=scheme.replace("GIMP ", "") if title == "GIMP"
                           else scheme.replace(", strainFilter 1", ""))
         ax.set_title(title)
-        ax.set_ylim(1.4, 100)
-        ax.set_yticks((2, 5, 10, 20, 50, 100), ("2", "5", "10", "20", "50", "100"))
+        ax.set_ylim(0.8, 100)
+        ax.set_yticks((1, 2, 5, 10, 20, 50, 100), ("1", "2", "5", "10", "20", "50", "100"))
         ax.minorticks_off()
         ax.grid(alpha=0.3)
         ax.set_xlabel("core-seconds with start-up, strip of 4 cells")
