@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Takes the tutorials' pictures into the checkout, from runs that are there: the first one that
 # each README names, as <tutorial>.png. Then the row at the top of README.md (row.py).
-# Optional argument: the folder of the tutorials.
+# After . etc/bashrc. Optional argument: the folder of the tutorials.
 cd "${0%/*}" || exit 1
 tutorials=$(cd "${1:-../../tutorials}" && pwd) || exit 1
 
@@ -9,7 +9,8 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     cantilever/cantilever slidingBlock/slidingBlock hertz/hertz sandColumn/sandColumn \
     brazilianDisc/crack halfCylinder/crack taylorBar/strain projectile/materials \
     spallInAir/plates blockInAir/moving freePiston/piston shockOnSlab/cylinder \
-    dustyShockTube/dustyShockTube houimOran/dense darcyFlow/darcy fluidisedColumn/fluidised
+    dustyShockTube/dustyShockTube houimOran/dense darcyFlow/darcy fluidisedColumn/fluidised \
+    ballThroughPlate/debris blastWall/blast
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done

@@ -37,11 +37,11 @@ print(f"largest pressure of a cell {p.max()/1e6:.4f} MPa"
       f" ({100*(p.max()/p0 - 1):+.2f} %); cells in the half-width {a/H:.1f}")
 
 figure, axes = plt.subplots(1, 2, figsize=(9, 3.9))
-axes[0].plot(r/a, p/p0, "o", ms=4, label="points at the surface, means in a cell's width")
+axes[0].plot(r/a, p/p0, "o", ms=4, label="points at the surface")
 s = np.linspace(0, 1, 200)
 axes[0].plot(s, np.sqrt(1 - s*s), "k", lw=0.8, label="Hertz")
 axes[0].set(xlabel="x/a", ylabel="p/p$_0$", xlim=(0, 2))
-axes[0].legend(loc="lower left", bbox_to_anchor=(0, 0.12))
+axes[0].legend()
 frame(axes[1], (-2.2*a*1e3, 2.2*a*1e3), (-0.4*a*1e3, 3.6*a*1e3))
 axes[1].axhspan(-a*1e3, 0, color=RIGID, lw=0)
 for s, name in ((-1, "-a"), (1, "a")):

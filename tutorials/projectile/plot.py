@@ -92,4 +92,4 @@ axes[0].set_ylabel("x [mm]")
 axes[0].legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c) for c in PHASES.values()],
                labels=[*PHASES], loc="upper left")
 colourBar(figure, image, axes, "right halves: temperature [K]", extend="max")
-save(figure, "materials.png")
+save(figure, "materials.png", 120)

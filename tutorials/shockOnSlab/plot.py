@@ -118,13 +118,11 @@ frame(ax, (0, 1), (0, 0.5), "x [m]", "y [m]")
 image = ax.pcolormesh(np.linspace(0, 1, nx + 1), np.linspace(0, 0.7, ny + 1), p, cmap=VALUES,
                       vmin=1, vmax=1.8, rasterized=True, zorder=GAS)
 drawPoints(ax, wedge.points(wedge.times()[-1], "wedge"), BODY, outline="k")
-for slope, x, name in ((BETA, 0.66, f"exact shock, {np.degrees(BETA):.1f}$^\\circ$"),
+for slope, x, name in ((BETA, 0.58, f"exact shock, {np.degrees(BETA):.1f}$^\\circ$"),
                        (angle, 0.6, "wedge, 10$^\\circ$")):
-    y = (x - tip)*np.tan(slope)
-    ax.text(x, y + (0.07 if slope == BETA else -0.012), name, fontsize=9, rotation_mode="anchor",
-            rotation=np.degrees(slope), color="w" if slope == BETA else "k",
-            ha="center", va="bottom" if slope == BETA else "top", zorder=5)
-ax.plot([tip, 1], [0, (1 - tip)*np.tan(BETA)], "w:", lw=1.5, zorder=5)
+    ax.text(x, (x - tip)*np.tan(slope) - 0.015, name, fontsize=9, rotation_mode="anchor",
+            rotation=np.degrees(slope), ha="center", va="top", zorder=5)
+ax.plot([tip, 1], [0, (1 - tip)*np.tan(BETA)], "k:", lw=1.2, zorder=5)
 ax.annotate("", (0.16, 0.25), (0.04, 0.25), arrowprops={"arrowstyle": "-|>", "color": "w"},
             zorder=5)
 ax.text(0.04, 0.26, "Mach 2", color="w", zorder=5)

@@ -107,24 +107,41 @@ def judge(table, result):
         table.row(f"{label}: tension error [ns]", 0, result["tension ns"], tension)
 
 
-def plot(results, path):
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
+#: Lines of the picture: panel, colour, line, marker by scheme
+LINES = {
+    "GIMP": {"GIMP FLIP": ("#404040", "-", "s"), "GIMP FLIP + 1 % PIC": ("#404040", ":", "s"),
+             "GIMP XPIC 2": ("#d98b3a", "-", "^"), "GIMP APIC": ("#882255", "-", "D"),
+             **{f"GIMP FMPM {k}": (c, "-", "o") for k, c in zip(
+                 (1, 2, 3, 4, 8), ("#440154", "#3b528b", "#21918c", "#5ec962", "#c8b900"))}},
+    "other shape functions": {
+        "GIMP FMPM 2": ("#3b528b", "-", "o"), "linear FLIP": ("#404040", "--", "s"),
+        "linear FMPM 1": ("#440154", "--", "o"), "linear FMPM 2": ("#3b528b", "--", "o"),
+        "quadraticBSpline FMPM 2, strainFilter 1": ("#21918c", "-", "v"),
+        "quadraticBSpline APIC": ("#882255", "-", "D"),
+        "cubicBSpline FMPM 2, strainFilter 1": ("#5ec962", "-", "v"),
+        "cubicBSpline FMPM 3": ("#c8b900", "-", "^")}}
 
-    figure, axes = pyplot.subplots(figsize=(7, 5))
-    for scheme in dict.fromkeys(r["scheme"] for r in results):
-        line = sorted((r["core-seconds"], r["L1 %"]) for r in results
-                      if r["scheme"] == scheme and np.isfinite(r["L1 %"]))
-        axes.loglog(*zip(*line), marker="o" if "GIMP" in scheme else "x",
-                    linestyle="-" if "GIMP" in scheme else ":", label=scheme)
-    axes.set_xlabel("core-seconds with start-up, strip of 4 cells")
-    axes.set_ylabel("L1 error of the stress at 0.5 us [%]")
-    axes.set_title("Plate impact, 25 to 400 cells over the target")
-    axes.grid(True, which="both", alpha=0.3)
-    axes.legend(fontsize=7)
-    figure.tight_layout()
-    figure.savefig(path, dpi=120)
+
+def plot(results, path):
+    from mpm.pictures import plt, save
+    figure, axes = plt.subplots(1, 2, figsize=(10, 4.6), sharex=True, sharey=True)
+    for ax, (title, lines) in zip(axes, LINES.items()):
+        for scheme, (colour, style, marker) in lines.items():
+            line = sorted((r["core-seconds"], r["L1 %"]) for r in results
+                          if r["scheme"] == scheme and np.isfinite(r["L1 %"]))
+            if line:
+                ax.loglog(*zip(*line), marker=marker, ms=4, ls=style, color=colour, lw=1.3,
+                          label=scheme.replace("GIMP ", "") if title == "GIMP"
+                          else scheme.replace(", strainFilter 1", ""))
+        ax.set_title(title)
+        ax.set_ylim(0.8, 100)
+        ax.set_yticks((1, 2, 5, 10, 20, 50, 100), ("1", "2", "5", "10", "20", "50", "100"))
+        ax.minorticks_off()
+        ax.grid(alpha=0.3)
+        ax.set_xlabel("core-seconds with start-up, strip of 4 cells")
+        ax.legend(fontsize=7, loc="upper right", ncol=2)
+    axes[0].set_ylabel("L1 error of the stress at 0.5 us [%]")
+    save(figure, path)
 
 
 def series():
