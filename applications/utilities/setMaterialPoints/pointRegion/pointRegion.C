@@ -170,6 +170,8 @@ Foam::mpm::pointRegion::pointRegion
      || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"})
      == "sampled"
     ),
+    byCorners_(!hexCells::refusal(grid.mesh(), grid).empty()),
+    emptyFaces_(gridNodes::emptyFaces(grid.mesh())),
     m_(boundedLabelOrDefault(dict, "samples", inGas_ && !rows_ ? 1 : 4, 1, 8)),
     volumeFraction_
     (
@@ -254,7 +256,7 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     {
         for (label celli = 0; celli < grid_.nCells(); ++celli)
         {
-            fill(celli, density);
+            byCorners_ ? fillCorners(celli, density) : fill(celli, density);
         }
     }
     if (!inGas_)
@@ -266,8 +268,10 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     if (points_.empty())
     {
         FatalIOErrorInFunction(dict_)
-            << "Region " << name_ << " has no points: no sub-cell of the mesh "
-            << grid_.mesh().bounds() << " has a part in the "
+            << "Region " << name_ << " has no points: no "
+            << (byCorners_ ? "point of a cell" : "sub-cell") << " of the mesh "
+            << grid_.mesh().bounds()
+            << (byCorners_ ? " lies in the " : " has a part in the ")
             << shape_->type() << ", which lies in "
             << shape_->bounds() << " [m]." << sizeHint() << exit(FatalIOError);
     }
