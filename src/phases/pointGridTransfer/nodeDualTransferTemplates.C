@@ -131,7 +131,7 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
 :
     base(grid),
     grid_(grid),
-    dual_(grid, shape_.cells),
+    dual_(shape_.dual),
     shared_(grid.shared(0)),
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),
@@ -255,6 +255,26 @@ void nodeDualTransfer<Shape, DIM, HOOP>::force
     clear(F_, C);
     base::force(cloud, F_.data());
     spreadForce(HOOP || cloud.gasPressure(), f);
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+scalar nodeDualTransfer<Shape, DIM, HOOP>::shortestWidth
+(
+    const materialPointCloud& cloud,
+    const scalar shortestSide
+) const
+{
+    // Without points that of the cells
+    scalar most = cloud.cells().size() ? 0 : 1/shortestSide;
+    for (const label celli : cloud.cells())
+    {
+        for (int d = 0; d < DIM; ++d)
+        {
+            most = max(most, shape_.inverseWidths[DIM*celli + d]);
+        }
+    }
+    return 1/most;
 }
 
 
