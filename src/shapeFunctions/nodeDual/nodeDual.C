@@ -81,6 +81,7 @@ Foam::mpm::nodeDual::nodeDual
 :
     nDim_(grid.nDim()),
     volume_(grid.nNodes(), Zero),
+    width_(grid.nDim()*grid.nNodes(), Zero),
     start_(grid.nNodes() + 1, Zero),
     reduced_(grid.nNodes(), false)
 {
@@ -105,7 +106,12 @@ Foam::mpm::nodeDual::nodeDual
             for (int d = 0; d < nDim_; ++d)
             {
                 G.append(e.G[d]/volume_[m]);
+                width_[nDim_*m + d] += 2*e.N*sqr(e.d[d])/volume_[m];
             }
+        }
+        for (int d = 0; d < nDim_; ++d)
+        {
+            width_[nDim_*m + d] = std::sqrt(width_[nDim_*m + d]);
         }
         reduced_[m] = faces[m].size();
         const tensor P
