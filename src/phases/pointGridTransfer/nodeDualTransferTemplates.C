@@ -77,6 +77,87 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gather
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
+bool nodeDualTransfer<Shape, DIM, HOOP>::hasMass(const label l) const
+{
+    for (label e = dual_.begin(l); e < dual_.begin(l + 1); ++e)
+    {
+        const label m = dual_.node(e);
+        if (stamp_[m] != stampNow_)
+        {
+            continue;
+        }
+        if (m == l || !dual_.reduced(m))
+        {
+            return true;
+        }
+        for (label i = dual_.begin(m); i < dual_.begin(m + 1); ++i)
+        {
+            if (dual_.node(i) == l && dual_.W(i) > 0)
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void nodeDualTransfer<Shape, DIM, HOOP>::gradientAtWall
+(
+    const label m,
+    const scalar* u,
+    scalar* L
+) const
+{
+    alignas(64) scalar U[P];
+    dual_.template gather<P>(m, u, U);
+    std::fill_n(L, DIM*P, 0.0);
+    for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+    {
+        const label l = dual_.node(e);
+        const lanes<P> ul = load<P>(hasMass(l) ? u + P*l : U);
+        for (int j = 0; j < DIM; ++j)
+        {
+            store<P>(L + P*j, load<P>(L + P*j) + dual_.G(e)[j]*ul);
+        }
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void nodeDualTransfer<Shape, DIM, HOOP>::forceAtWall
+(
+    const label m,
+    const scalar* F,
+    scalar* f
+) const
+{
+    lanes<P> rest = {};
+    for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+    {
+        lanes<P> part = {};
+        for (int j = 0; j < DIM; ++j)
+        {
+            part += dual_.G(e)[j]*load<P>(F + P*j);
+        }
+        const label l = dual_.node(e);
+        if (hasMass(l))
+        {
+            store<P>(f + P*l, load<P>(f + P*l) + part);
+        }
+        else
+        {
+            rest += part;
+        }
+    }
+    alignas(64) scalar ofRest[P];
+    store<P>(ofRest, rest);
+    dual_.template spread<P>(m, ofRest, f);
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
 (
     const scalar* u
@@ -84,10 +165,18 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
 {
     for (const label m : nodes_)
     {
-        dual_.template gradient<DIM, P>(m, u, L_.data() + C*m);
+        scalar* L = L_.data() + C*m;
+        if (dual_.reduced(m))
+        {
+            gradientAtWall(m, u, L);
+        }
+        else
+        {
+            dual_.template gradient<DIM, P>(m, u, L);
+        }
         if constexpr (HOOP)
         {
-            dual_.template gather<P>(m, u, L_.data() + C*m + DIM*P);
+            dual_.template gather<P>(m, u, L + DIM*P);
         }
     }
     shared_.sum(L_.data(), C, C);
@@ -116,10 +205,18 @@ void nodeDualTransfer<Shape, DIM, HOOP>::spreadForce
     shared_.sum(F_.data(), C, C);
     for (const label m : nodes_)
     {
-        dual_.template force<DIM, P>(m, F_.data() + C*m, f);
+        const scalar* F = F_.data() + C*m;
+        if (dual_.reduced(m))
+        {
+            forceAtWall(m, F, f);
+        }
+        else
+        {
+            dual_.template force<DIM, P>(m, F, f);
+        }
         if (beside)
         {
-            dual_.template spread<P>(m, F_.data() + C*m + DIM*P, f);
+            dual_.template spread<P>(m, F + DIM*P, f);
         }
     }
 }
