@@ -268,10 +268,8 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     if (points_.empty())
     {
         FatalIOErrorInFunction(dict_)
-            << "Region " << name_ << " has no points: no "
-            << (byCorners_ ? "point of a cell" : "sub-cell") << " of the mesh "
-            << grid_.mesh().bounds()
-            << (byCorners_ ? " lies in the " : " has a part in the ")
+            << "Region " << name_ << " has no points: no sub-cell of the mesh "
+            << grid_.mesh().bounds() << " has a part in the "
             << shape_->type() << ", which lies in "
             << shape_->bounds() << " [m]." << sizeHint() << exit(FatalIOError);
     }
