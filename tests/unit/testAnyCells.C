@@ -13,9 +13,9 @@ Description
 
 #include <doctest/doctest.h>
 #include "testShapes.H"
+#include "testCells.H"
 #include "shapeTransfer.H"
 #include "stencilShape.H"
-#include "cellModel.H"
 #include "faceLocator.H"
 #include <Eigen/LU>
 #include <random>
@@ -23,7 +23,7 @@ Description
 using namespace Foam;
 using namespace Foam::mpm;
 
-namespace
+namespace testShapes
 {
 
 //- S_i = S_i(x_0) + g_i.(x - x_0) on cells with DIM + 1 nodes, of up to 8
@@ -144,103 +144,6 @@ addNamedToRunTimeSelectionTable
 );
 
 
-//- A cube of n^3 cubes of six tetrahedra each, inner points moved
-class tetMesh
-{
-    std::unique_ptr<Time> time_;
-    std::unique_ptr<polyMesh> mesh_;
-
-public:
-
-    explicit tetMesh(const label n)
-    {
-        dictionary control;
-        control.add("startTime", 0);
-        control.add("endTime", 1);
-        control.add("deltaT", 1);
-        control.add("writeInterval", 1);
-        time_.reset
-        (
-            new Time(control, "/tmp", "mpmUnitTest" + Foam::name(pid()))
-        );
-
-        std::mt19937 gen(3);
-        std::uniform_real_distribution<scalar> u(-0.15, 0.15);
-        pointField points;
-        for (label k = 0; k <= n; ++k)
-        for (label j = 0; j <= n; ++j)
-        for (label i = 0; i <= n; ++i)
-        {
-            const label at[3] = {i, j, k};
-            point p(i, j, k);
-            for (int d = 0; d < 3; ++d)
-            {
-                p[d] += at[d] == 0 || at[d] == n ? 0 : u(gen);
-            }
-            points.append(p/n);
-        }
-
-        const cellModel& tet = cellModel::ref(cellModel::TET);
-        cellShapeList cells;
-        const int order[6][3] =
-            {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-        for (label k = 0; k < n; ++k)
-        for (label j = 0; j < n; ++j)
-        for (label i = 0; i < n; ++i)
-        for (int o = 0; o < 6; ++o)
-        {
-            label at[3] = {i, j, k};
-            labelList p(4);
-            for (int v = 0; v < 4; ++v)
-            {
-                p[v] = at[0] + (n + 1)*(at[1] + (n + 1)*at[2]);
-                if (v < 3) ++at[order[o][v]];
-            }
-            if (o > 2) std::swap(p[1], p[2]);
-            cells.append(cellShape(tet, p));
-        }
-
-        // It warns of the faces without a patch: they are to be walls
-        const int level = messageStream::level;
-        messageStream::level = 0;
-        mesh_.reset
-        (
-            new polyMesh
-            (
-                IOobject
-                (
-                    polyMesh::defaultRegion,
-                    time_->constant(),
-                    *time_,
-                    IOobject::NO_READ,
-                    IOobject::NO_WRITE
-                ),
-                std::move(points),
-                cells,
-                faceListList(),
-                wordList(),
-                wordList(),
-                "walls",
-                "patch",
-                wordList()
-            )
-        );
-        messageStream::level = level;
-    }
-
-    ~tetMesh()
-    {
-        mesh_.reset();
-        time_.reset();
-    }
-
-    const pointGrid& grid() const
-    {
-        return pointGrid::New(*mesh_);
-    }
-};
-
-
 //- A random position in a tetrahedron
 void inside(const pointGrid& g, const label celli, std::mt19937& gen, scalar* x)
 {
@@ -261,9 +164,12 @@ void inside(const pointGrid& g, const label celli, std::mt19937& gen, scalar* x)
 }
 
 
+using namespace testShapes;
+
+
 TEST_CASE("tetrahedra: nodes of cells, cells of nodes, points found through faces")
 {
-    const tetMesh m(4);
+    const cellMesh m(cellMesh::tets, 4);
     const pointGrid& g = m.grid();
     CHECK(!g.hasLattice());
     CHECK(g.nNodes() == 125);
@@ -343,7 +249,7 @@ TEST_CASE("through the faces of boxes: cells and widths of the lattice")
 
 TEST_CASE("a shape of run-time size on tetrahedra: identities, sums, adjoint")
 {
-    const tetMesh m(3);
+    const cellMesh m(cellMesh::tets, 3);
     const pointGrid& g = m.grid();
     const auto pass = passes("testSimplex", g);
 

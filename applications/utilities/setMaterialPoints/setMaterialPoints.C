@@ -72,6 +72,9 @@ Usage
     rigid phases have neither velocity nor stress. Regions whose phases share a
     velocity field must not overlap, unless one of them allows it.
 
+    On meshes with cells that are no hexahedra pointsPerCell is 1 (centroid) or 2
+    (a point for each corner of a cell).
+
     samples only counts where the parts are not known exactly: on meshes without
     a lattice, and for surfaces inside other shapes. There they are those of
     samples^nDim positions in each sub-cell. In a gas (but for boxes, which have

@@ -112,11 +112,15 @@ Foam::scalar Foam::mpm::materialPointPhase::shortestSide() const
 }
 
 
-Foam::scalar Foam::mpm::materialPointPhase::waveRate(const vector& g) const
+Foam::scalar Foam::mpm::materialPointPhase::waveRate
+(
+    const vector& g,
+    const scalar h
+) const
 {
     if (!motion_)
     {
-        return waveSpeed_/shortestSide();
+        return waveSpeed_/h;
     }
     return motion()->free() ? std::sqrt(mag(g)/shortestSide()) : 0;
 }

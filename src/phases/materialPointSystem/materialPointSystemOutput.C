@@ -194,7 +194,8 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
         {
             continue;
         }
-        const scalar h = phase.shortestSide();
+        const scalar h =
+            gridTransfer_->shortestWidth(cloud, phase.shortestSide());
         const scalar c = phase.waveSpeed();
         if (c > sound.rate*h)
         {

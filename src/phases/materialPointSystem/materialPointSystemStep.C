@@ -31,7 +31,12 @@ void Foam::mpm::materialPointSystem::updateWaveRate()
     scalar rate = 0;
     for (const materialPointPhase& phase : phases_)
     {
-        rate = max(rate, phase.waveRate(g_));
+        const scalar h = gridTransfer_->shortestWidth
+        (
+            phase.cloud(),
+            phase.shortestSide()
+        );
+        rate = max(rate, phase.waveRate(g_, h));
     }
     waveRate_ = largestOfAll(rate);
 }

@@ -48,12 +48,11 @@ Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
                 FatalIOErrorInFunction(dict)
                     << "The shape function " << name
                     << " does not allow this mesh: " << reason << "." << nl
-                    << "linear allows every mesh of hexahedra, GIMP needs"
+                    << "linear allows every mesh of hexahedra, nodeDual any"
+                    << " cells (one processor, no wedges), GIMP needs"
                     << " boxes along the axes without re-entrant corners,"
                     << " quadraticBSpline and cubicBSpline also one width of"
-                    << " all cells in each direction. Cells refined locally do"
-                    << " not work: for finer cells in a place grade the blocks"
-                    << " of the mesh (simpleGrading), or refine all."
+                    << " all cells in each direction."
                     << exit(FatalIOError);
             }
         }

@@ -114,7 +114,7 @@ void shapeTransfer<Shape, DIM, HOOP>::force
         }
     }
 
-    accumulator acc;
+    gradientAccumulator acc;
     forGroups
     (
         cloud,
@@ -151,7 +151,7 @@ void shapeTransfer<Shape, DIM, HOOP>::force
             shape_.toLocal(S, F);
             shapeType::scatterGradient(S, F, n, acc);
         },
-        [&](const stencil& s) { shapeType::flush(acc, s.nodes, f); }
+        [&](const stencil& s) { shapeType::flushGradient(acc, s.nodes, f); }
     );
 }
 

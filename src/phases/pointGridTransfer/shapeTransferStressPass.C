@@ -156,7 +156,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
             if constexpr (HOOP)
             {
                 T U[DIM];
-                shapeType::template gather<DIM, P>(S, s.nodes, u, U);
+                shapeType::gatherBeside(S, s.nodes, u, U);
                 const T hoop =
                     dt*U[transfer.radial_]*transfer.inverseRadius(s, X);
                 store<W>(room.dL[N - 1] + i, hoop + square*hoop*hoop);
@@ -309,7 +309,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     {
         stencil s;
         transfer.shape_.prepare(celli, s);
-        accumulator acc;
+        gradientAccumulator acc;
         if (cellMeans && r.begin < r.end)
         {
             shiftStress
@@ -349,7 +349,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
             transfer.shape_.toLocal(S, F);
             shapeType::scatterGradient(S, F, n, acc);
         }
-        shapeType::flush(acc, s.nodes, f);
+        shapeType::flushGradient(acc, s.nodes, f);
     }
 
     //- Zero times volume and stress of a point

@@ -46,7 +46,7 @@ void shapeTransfer<Shape, DIM, HOOP>::weights
     accumulator value;
     T one[1] = {broadcast<W>(1)};
     shapeType::template scatter<1>(g, one, 1, value);
-    accumulator grad[DIM];
+    gradientAccumulator grad[DIM];
     for (int d = 0; d < DIM; ++d)
     {
         T F[DIM*DIM];

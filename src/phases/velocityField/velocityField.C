@@ -106,11 +106,20 @@ void Foam::mpm::velocityField::activate
         }
     };
 
+    // Elsewhere the ring of the nodes is that of their cells, each once
+    const bool ring = reach && !grid_.hasLattice();
     for (const labelList* list : cells)
     {
         for (const label celli : *list)
         {
-            grid_.forNodesAround(celli, reach, take);
+            grid_.forNodesAround(celli, ring ? 0 : reach, take);
+        }
+    }
+    for (label i = 0, n = nodes.size(); ring && i < n; ++i)
+    {
+        for (const label celli : grid_.nodes().cellsOf(nodes[i]))
+        {
+            grid_.forNodesAround(celli, 0, take);
         }
     }
     activeNew_.transfer(nodes);

@@ -80,7 +80,10 @@ Foam::mpm::faceLocator::faceLocator
 
 Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
 {
-    label celli = from;
+    // Between the planes of a warped face neither cell has the point: then the
+    // one that it is less beyond
+    label celli = from, before = -1, best = -1;
+    scalar beyondBefore = 0, least = GREAT;
     for (int step = 0; step < 200 && celli >= 0; ++step)
     {
         if (celli >= mesh_.nCells())
@@ -98,7 +101,7 @@ Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
                 continue;
             }
             const bool inside = mesh_.isInternalFace(facei);
-            const scalar least =
+            const scalar allowed =
                 inside ? 0
               : (behind(celli, facei) < 0 ? 1e-10 : 1e-12)*width(celli, 0);
             const scalar out = beyond(celli, facei, x);
@@ -106,7 +109,7 @@ Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
             // On a face between two cells the owner has the point
             const bool onFace =
                 inside && out == 0 && mesh_.faceOwner()[facei] != celli;
-            if (out > max(least, worst) || (onFace && through < 0))
+            if (out > max(allowed, worst) || (onFace && through < 0))
             {
                 worst = out;
                 through = facei;
@@ -118,6 +121,21 @@ Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
         }
 
         const label next = behind(celli, through);
+        if (next == before && next >= 0 && mesh_.isInternalFace(through))
+        {
+            const bool here =
+                worst < beyondBefore
+             || (worst == beyondBefore && celli < before);
+            return here ? celli : before;
+        }
+        // Round an edge of such faces
+        if (step > 100 && mesh_.isInternalFace(through) && worst < least)
+        {
+            least = worst;
+            best = celli;
+        }
+        before = mesh_.isInternalFace(through) ? celli : -1;
+        beyondBefore = worst;
         if (next >= 0 && !mesh_.isInternalFace(through))
         {
             const vector& shift =
@@ -129,7 +147,7 @@ Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
         }
         celli = next;
     }
-    return -1;
+    return celli < 0 ? -1 : best;
 }
 
 

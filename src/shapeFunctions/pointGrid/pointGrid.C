@@ -25,12 +25,13 @@ namespace mpm
 void Foam::mpm::pointGrid::noHexes() const
 {
     FatalErrorInFunction
-        << noHexes_.c_str() << ". Material points need"
+        << noHexes_.c_str() << ". This needs"
         << " a mesh of hexahedra (shape functions: linear; on meshes of"
-        << " boxes also GIMP and B-splines)." << nl
-        << "Cells beside locally refined ones have more faces and do"
-        << " not work: for finer cells in a place grade the blocks of"
-        << " the mesh (simpleGrading), or refine all."
+        << " boxes also GIMP and B-splines). On other cells the shape function"
+        << " nodeDual works." << nl
+        << "Cells beside locally refined ones have more faces: for finer cells"
+        << " in a place grade the blocks of the mesh (simpleGrading), or refine"
+        << " all."
         << exit(FatalError);
 }
 

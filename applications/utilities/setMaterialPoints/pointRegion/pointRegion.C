@@ -170,6 +170,8 @@ Foam::mpm::pointRegion::pointRegion
      || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"})
      == "sampled"
     ),
+    byCorners_(!hexCells::refusal(grid.mesh(), grid).empty()),
+    emptyFaces_(gridNodes::emptyFaces(grid.mesh())),
     m_(boundedLabelOrDefault(dict, "samples", inGas_ && !rows_ ? 1 : 4, 1, 8)),
     volumeFraction_
     (
@@ -254,7 +256,7 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     {
         for (label celli = 0; celli < grid_.nCells(); ++celli)
         {
-            fill(celli, density);
+            byCorners_ ? fillCorners(celli, density) : fill(celli, density);
         }
     }
     if (!inGas_)

@@ -20,6 +20,10 @@ bool Foam::mpm::pointRegion::overlaps
     point& where
 ) const
 {
+    if (byCorners_)
+    {
+        return cornersOverlap(other, k, where);
+    }
     const label celli = cells_[k];
     const hexMap map(grid_, celli);
 

@@ -48,6 +48,21 @@ void Foam::mpm::pointRegion::readPointsPerCell()
         }
         nSub_ *= n_[d];
         nSamples_ *= m_;
+        if (byCorners_ && (n_[d] > 2 || n_[d] != n_[0]))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry " << key << " is " << perAxis << "; in cells that"
+                << " are no hexahedra it must be 1 (a point at the centroid)"
+                << " or 2 (a point for each corner)." << exit(FatalIOError);
+        }
+    }
+    if (byCorners_ && n_[0] == 2)
+    {
+        nSub_ = 0;
+        for (label celli = 0; celli < grid_.nCells(); ++celli)
+        {
+            nSub_ = max(nSub_, grid_.nodesOf(celli).size());
+        }
     }
 }
 

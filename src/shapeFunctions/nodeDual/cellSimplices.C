@@ -1,0 +1,335 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cellSimplices.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Inverse of the edges of a simplex (columns of E) and its volume
+scalar invertEdges(const int nDim, const scalar* E, scalar* I)
+{
+    tensor J(tensor::I);
+    for (int i = 0; i < nDim; ++i)
+    {
+        for (int k = 0; k < nDim; ++k)
+        {
+            J[3*i + k] = E[nDim*k + i];
+        }
+    }
+    const scalar d = det(J);
+    if (d > 0)
+    {
+        const tensor inverse(inv(J));
+        for (int k = 0; k < nDim; ++k)
+        {
+            for (int i = 0; i < nDim; ++i)
+            {
+                I[nDim*k + i] = inverse[3*k + i];
+            }
+        }
+    }
+    return d/(nDim == 3 ? 6 : nDim);
+}
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::cellSimplices::addVertices
+(
+    const pointGrid& grid,
+    const bitSet& isEmpty,
+    const label celli,
+    DynamicList<label>& points
+)
+{
+    const polyMesh& mesh = grid.mesh();
+    points.clear();
+    if (grid.nDim() == 3)
+    {
+        points.append(mesh.cellPoints()[celli]);
+        return;
+    }
+    label side = -1;
+    for (const label facei : mesh.cells()[celli])
+    {
+        const face& f = mesh.faces()[facei];
+        if (grid.nDim() == 1 && !isEmpty.test(facei))
+        {
+            points.append(f[0]);
+        }
+        else if (isEmpty.test(facei) && (side < 0 || facei < side))
+        {
+            side = facei;
+        }
+    }
+    if (grid.nDim() == 2)
+    {
+        points.append(mesh.faces()[side]);
+    }
+
+    // Along the axis, or round the cell in the positive sense
+    const auto x = [&](const label i, const int d)
+    {
+        return mesh.points()[points[i]][grid.direction(d)];
+    };
+    const label n = points.size();
+    scalar area = grid.nDim() == 1 ? x(n - 1, 0) - x(0, 0) : 0;
+    for (label i = 0; grid.nDim() == 2 && i < n; ++i)
+    {
+        const label j = (i + 1) % n;
+        area += x(i, 0)*x(j, 1) - x(j, 0)*x(i, 1);
+    }
+    if (area < 0)
+    {
+        inplaceReverseList(points);
+    }
+}
+
+
+void Foam::mpm::cellSimplices::addCorners
+(
+    const pointGrid& grid,
+    const labelUList& basePoints,
+    const label celli,
+    const labelUList& vertices,
+    DynamicList<label>& corners
+)
+{
+    const int nDim = grid.nDim();
+    const label n = vertices.size();
+    corners.clear();
+    if (nDim == 1 || (nDim == 2 && n == 3))
+    {
+        for (int k = 1; k <= nDim; ++k)
+        {
+            corners.append(k);
+        }
+        return;
+    }
+    if (nDim == 2)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            corners.append(i);
+            corners.append((i + 1) % n);
+        }
+        return;
+    }
+
+    const polyMesh& mesh = grid.mesh();
+    for (const label facei : mesh.cells()[celli])
+    {
+        const face& f = mesh.faces()[facei];
+        const bool outward = mesh.faceOwner()[facei] == celli;
+        if (n == 4)
+        {
+            // The face opposite to the first vertex
+            if (f.found(vertices[0]))
+            {
+                continue;
+            }
+        }
+        const label base = max(basePoints.size() ? basePoints[facei] : 0, 0);
+        for (label k = 1; k < f.size() - 1; ++k)
+        {
+            const label a = f[(base + k) % f.size()];
+            const label b = f[(base + k + 1) % f.size()];
+            corners.append(vertices.find(f[base]));
+            corners.append(vertices.find(outward ? a : b));
+            corners.append(vertices.find(outward ? b : a));
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid)
+:
+    nDim_(grid.nDim()),
+    start_(grid.nCells() + 1, Zero),
+    origin_(grid.nDim()*grid.nCells(), Zero),
+    subStart_(grid.nCells() + 1, Zero)
+{
+    const polyMesh& mesh = grid.mesh();
+    const bitSet isEmpty(gridNodes::emptyFaces(mesh));
+
+    // Where all faces are triangles their base points do not matter
+    bool triangles = true;
+    for (const face& f : mesh.faces())
+    {
+        triangles = triangles && f.size() == 3;
+    }
+    reduce(triangles, andOp<bool>());
+    const labelUList basePoints
+    (
+        nDim_ < 3 || triangles ? labelUList() : labelUList(mesh.tetBasePtIs())
+    );
+
+    DynamicList<label> nodes, corners, points, ofCell;
+    DynamicList<scalar> x, inverses, volumes;
+    DynamicList<label> bad;
+    for (label celli = 0; celli < grid.nCells(); ++celli)
+    {
+        addVertices(grid, isEmpty, celli, points);
+        const label n = points.size();
+        for (const label pointi : points)
+        {
+            nodes.append(grid.pointToNode()[pointi]);
+            for (int d = 0; d < nDim_; ++d)
+            {
+                x.append(mesh.points()[pointi][grid.direction(d)]);
+            }
+        }
+        const scalar* at = x.begin() + nDim_*start_[celli];
+        scalar* O = origin_.begin() + nDim_*celli;
+        const bool simplex = n == nDim_ + 1;
+        for (label i = 0; i < (simplex ? 1 : n); ++i)
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                O[d] += at[nDim_*i + d]/(simplex ? 1 : n);
+            }
+        }
+
+        addCorners(grid, basePoints, celli, points, ofCell);
+        bool valid = n > nDim_;
+        scalar sum = 0;
+        const label firstSub = volumes.size();
+        for (label k = 0; valid && k < ofCell.size(); k += nDim_)
+        {
+            scalar E[9], I[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+            for (int j = 0; j < nDim_; ++j)
+            {
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    E[nDim_*j + d] = at[nDim_*ofCell[k + j] + d] - O[d];
+                }
+            }
+            volumes.append(invertEdges(nDim_, E, I));
+            sum += mag(volumes.last());
+            for (int j = 0; j < nDim_*nDim_; ++j)
+            {
+                inverses.append(I[j]);
+            }
+        }
+        for (label s = firstSub; s < volumes.size(); ++s)
+        {
+            valid = valid && volumes[s] > 1e-9*sum;
+        }
+        if (!valid)
+        {
+            bad.append(celli);
+        }
+        corners.append(ofCell);
+        start_[celli + 1] = nodes.size();
+        subStart_[celli + 1] = volumes.size();
+    }
+
+    if (returnReduce(bad.size(), sumOp<label>()))
+    {
+        OStringStream s;
+        s   << returnReduce(bad.size(), sumOp<label>())
+            << " cells have faces that are not seen from the mean of their"
+            << " points";
+        for (label i = 0; i < min(bad.size(), label(5)); ++i)
+        {
+            s   << (i ? "; " : ": ") << "cell " << bad[i] << " at "
+                << mesh.cellCentres()[bad[i]];
+        }
+        throw string(s.str());
+    }
+    node_.transfer(nodes);
+    x_.transfer(x);
+    corner_.transfer(corners);
+    inverse_.transfer(inverses);
+    volume_.transfer(volumes);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::mpm::cellSimplices::maxVertices() const
+{
+    label most = 0;
+    for (label celli = 0; celli < start_.size() - 1; ++celli)
+    {
+        most = max(most, nVertices(celli));
+    }
+    return most;
+}
+
+
+Foam::scalar Foam::mpm::cellSimplices::integral
+(
+    const label celli,
+    const label i
+) const
+{
+    const scalar b = originShare(celli, i);
+    const label* corner = corners(celli);
+    scalar sum = 0;
+    for (label s = 0; s < nSimplices(celli); ++s, corner += nDim_)
+    {
+        scalar share = b;
+        for (int k = 0; k < nDim_; ++k)
+        {
+            share += corner[k] == i;
+        }
+        sum += share*volumes(celli)[s]/(nDim_ + 1);
+    }
+    return sum;
+}
+
+
+void Foam::mpm::cellSimplices::integrals
+(
+    const label celli,
+    const label i,
+    scalar* SdS
+) const
+{
+    const label n = nVertices(celli);
+    const scalar b = originShare(celli, i);
+    const label* corner = corners(celli);
+    const scalar* I = inverses(celli);
+    scalar ofOrigin[3] = {0, 0, 0};
+    std::fill_n(SdS, n*nDim_, 0.0);
+    for (label s = 0; s < nSimplices(celli); ++s)
+    {
+        scalar share = b;
+        for (int k = 0; k < nDim_; ++k)
+        {
+            share += corner[k] == i;
+        }
+        share *= volumes(celli)[s]/(nDim_ + 1);
+        for (int k = 0; k < nDim_; ++k)
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                SdS[nDim_*corner[k] + d] += share*I[nDim_*k + d];
+                ofOrigin[d] -= share*I[nDim_*k + d];
+            }
+        }
+        corner += nDim_;
+        I += nDim_*nDim_;
+    }
+    for (label j = 0; j < n; ++j)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            SdS[nDim_*j + d] += originShare(celli, j)*ofOrigin[d];
+        }
+    }
+}
+
+// ************************************************************************* //

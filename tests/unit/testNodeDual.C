@@ -1,0 +1,308 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+Description
+    Node-dual functions on tetrahedra, prisms, hexahedra with warped faces and
+    polyhedra, in 1D to 3D: identities of the operators, rings of walls, edges
+    and corners; two-level passes against the explicit functions.
+
+\*---------------------------------------------------------------------------*/
+
+#include <doctest/doctest.h>
+#include "testShapes.H"
+#include "testCells.H"
+#include "nodeDual.H"
+#include "shapeConcept.H"
+#include "constitutiveModel.H"
+#include <random>
+
+using namespace Foam;
+using namespace Foam::mpm;
+
+namespace
+{
+
+//- Position of a node in the computed directions
+vector place(const pointGrid& g, const label node)
+{
+    vector x(Zero);
+    for (int d = 0; d < g.nDim(); ++d)
+    {
+        x[d] = g.mesh().points()[g.nodePoint()[node]][g.direction(d)];
+    }
+    return x;
+}
+
+
+//- Largest errors of the identities of W and G, and the volume; cyclic
+//  directions are left out
+void identities(const pointGrid& g, const scalar volume, const scalar size)
+{
+    const int D = g.nDim();
+    const cellSimplices cells(g);
+    const nodeDual dual(g, cells);
+    scalar sum = 0, least = 0, centre = 0, grad = 0, unit = 0, all = 0;
+    label alone = 0;
+    for (label m = 0; m < g.nNodes(); ++m)
+    {
+        scalar W = -1;
+        vector d(Zero), G(Zero);
+        tensor I(Zero);
+        for (int c = 0; c < D; ++c)
+        {
+            I[4*c] = -1;
+        }
+        scalar own = 0;
+        for (label e = dual.begin(m); e < dual.begin(m + 1); ++e)
+        {
+            const vector x(place(g, dual.node(e)) - place(g, m));
+            vector Ge(Zero);
+            for (int c = 0; c < D; ++c)
+            {
+                Ge[c] = dual.G(e)[c];
+            }
+            W += dual.W(e);
+            least = min(least, dual.W(e));
+            d += dual.W(e)*x;
+            G += Ge;
+            I += x*Ge;
+            own += dual.node(e) == m ? dual.W(e) : 0;
+        }
+        alone += own > 1 - 1e-12;
+        sum = max(sum, mag(W));
+        centre = max(centre, mag(d)/size);
+        grad = max(grad, mag(G)*size);
+        unit = max(unit, mag(I));
+        all += dual.volume(m);
+    }
+    INFO("sum " << sum << " centre " << centre << " grad " << grad << " unit "
+        << unit << " volume " << all/volume - 1 << " corners " << alone);
+    CHECK(sum < 1e-12);
+    CHECK(least >= 0);
+    CHECK(centre < 1e-12);
+    CHECK(grad < 1e-12);
+    CHECK(unit < 1e-12);
+    CHECK(mag(all/volume - 1) < 1e-12);
+    CHECK(alone == label(1) << D);
+}
+
+
+//- Random points in simplices of random cells
+List<materialPointCloud::newPoint> randomPoints
+(
+    const pointGrid& g,
+    const label n,
+    std::mt19937& gen
+)
+{
+    const int D = g.nDim();
+    const cellSimplices cells(g);
+    std::uniform_real_distribution<scalar> u(-1, 1), share(0.01, 1);
+    std::uniform_int_distribution<label> some(0, g.nCells() - 1);
+    List<materialPointCloud::newPoint> points(n);
+    for (auto& p : points)
+    {
+        const label celli = some(gen);
+        const label s = std::uniform_int_distribution<label>
+        (
+            0, cells.nSimplices(celli) - 1
+        )(gen);
+        scalar w[4], sum = 0;
+        for (int k = 0; k <= D; ++k) sum += w[k] = share(gen);
+        p.x = g.mesh().cellCentres()[celli];
+        for (int d = 0; d < D; ++d)
+        {
+            scalar& x = p.x[g.direction(d)];
+            x = w[D]/sum*cells.origin(celli)[d];
+            for (int k = 0; k < D; ++k)
+            {
+                x += w[k]/sum
+                   *cells.position(celli, cells.corners(celli)[D*s + k])[d];
+            }
+            p.U[g.direction(d)] = u(gen);
+        }
+        p.mass = 1 + 0.5*u(gen);
+        p.volume = 1 + 0.5*u(gen);
+        p.sigma = Zero;
+        for (int i = 0; i < D; ++i)
+        {
+            for (int j = i; j < D; ++j)
+            {
+                const int a = min(g.direction(i), g.direction(j));
+                const int b = max(g.direction(i), g.direction(j));
+                const int slot[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+                p.sigma[slot[a][b]] = u(gen);
+            }
+        }
+        p.halfSize = vector(0.02, 0.02, 0.02);
+    }
+    return points;
+}
+
+
+//- Passes against sums with weights()
+template<int D>
+void explicitSums(const pointGrid& g, const unsigned seed)
+{
+    constexpr int P = nodeStride<D>;
+    CAPTURE(seed);
+    std::mt19937 gen(seed);
+    std::uniform_real_distribution<scalar> u(-1, 1);
+    const auto pass = passes("nodeDual", g);
+    materialPointCloud cloud(g, "test");
+    cloud.add(randomPoints(g, 300, gen));
+    REQUIRE(cloud.size() == 300);
+
+    const label N = g.nNodes();
+    alignedArray mU(P*N), f(P*N), fNew(P*N), Mv(P*N), v(P*N);
+    scalarField mU0(P*N, Zero), f0(P*N, Zero), Mv0(P*N, Zero);
+    for (label n = 0; n < N; ++n)
+    {
+        for (int d = 0; d < D; ++d) v.data()[P*n + d] = u(gen);
+    }
+
+    scalar identity = 0, power = 0, powerSum = 0;
+    DynamicList<label> nodes;
+    DynamicList<scalar> S, dS;
+    List<tensor> L(cloud.size(), tensor(Zero));
+    forAll(cloud.cells(), k)
+    {
+        for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+        {
+            scalar x[3];
+            for (int d = 0; d < D; ++d) x[d] = cloud.x()[d][p];
+            pass->weights(cloud.cells()[k], x, nullptr, nodes, S, dS);
+            scalar sum = -1, vp[3] = {0, 0, 0}, unit[9] = {};
+            scalar at[3] = {0, 0, 0};
+            const scalar m = cloud.mass()[0][p];
+            forAll(nodes, i)
+            {
+                const vector X(place(g, nodes[i]));
+                sum += S[i];
+                CHECK(S[i] >= 0);
+                for (int d = 0; d < D; ++d)
+                {
+                    at[d] += S[i]*(X[d] - x[d]);
+                    vp[d] += S[i]*v.data()[P*nodes[i] + d];
+                    mU0[P*nodes[i] + d] += m*S[i]*cloud.U()[d][p];
+                    for (int c = 0; c < D; ++c)
+                    {
+                        unit[3*c + d] += X[c]*dS[D*i + d];
+                        L[p][3*c + d] +=
+                            v.data()[P*nodes[i] + c]*dS[D*i + d];
+                    }
+                }
+                mU0[P*nodes[i] + D] += m*S[i];
+            }
+            identity = max(identity, mag(sum));
+            const symmTensor sigma(cloud.sigma(p));
+            const int slot[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+            for (int d = 0; d < D; ++d)
+            {
+                identity = max(identity, mag(at[d]));
+                for (int c = 0; c < D; ++c)
+                {
+                    identity = max(identity, 0.1*mag(unit[3*c + d] - (c == d)));
+                    const int a = min(g.direction(c), g.direction(d));
+                    const int b = max(g.direction(c), g.direction(d));
+                    const scalar vs =
+                        -cloud.volume()[0][p]*sigma[slot[a][b]];
+                    power += vs*L[p][3*c + d];
+                    powerSum += mag(vs*L[p][3*c + d]);
+                    forAll(nodes, i)
+                    {
+                        f0[P*nodes[i] + c] += vs*dS[D*i + d];
+                    }
+                }
+                forAll(nodes, i) Mv0[P*nodes[i] + d] += m*S[i]*vp[d];
+            }
+        }
+    }
+    CHECK(identity < 1e-12);
+
+    pass->project(cloud, pointGridTransfer::current, mU.data());
+    pass->force(cloud, f.data());
+    pass->massTimes(cloud, false, v.data(), Mv.data());
+    scalar wrong = 0, largest = 0, nodePower = 0, total = 0, mass = 0;
+    vector sumF(Zero);
+    for (label i = 0; i < P*N; ++i)
+    {
+        const bool isMass = i % P == D;
+        largest = max(largest, mag(f0[i]));
+        wrong = max(wrong, mag(mU.data()[i] - mU0[i]));
+        wrong = max(wrong, mag(Mv.data()[i] - Mv0[i]));
+        wrong = max(wrong, 0.01*mag(f.data()[i] - f0[i]));
+        nodePower += i % P < D ? f.data()[i]*v.data()[i] : 0;
+        mass += isMass ? mU.data()[i] : 0;
+        if (i % P < D) sumF[i % P] += f.data()[i];
+    }
+    for (label p = 0; p < cloud.size(); ++p) total += cloud.mass()[0][p];
+    INFO("wrong " << wrong << " largest force " << largest);
+    CHECK(wrong < 1e-12);
+    CHECK(mag(mass - total) < 1e-12*total);
+    CHECK(mag(sumF) < 1e-10*largest);
+    CHECK(mag(nodePower - power) < 1e-12*powerSum);
+
+    // Strain: the work of an elastic law in a small step from no stress, and
+    // the force of the new stress as force() gives it
+    IStringStream is("type linearElastic; rho 1; E 1; nu 0.3;");
+    const auto law(constitutiveModel::New(dictionary(is)));
+    scalarField before(cloud.size());
+    for (label p = 0; p < cloud.size(); ++p) before[p] = cloud.volume()[0][p];
+    cloud.needHistory("leftStretch", column::stresses);
+    cloud.history()[0].reserve(cloud.capacity(), 0);
+    const scalar dt = 1e-4;
+    pass->correctStress
+    (
+        cloud, *law, nullptr, dt, 0, v.data(), fNew.data()
+    );
+    scalar dilation = 0;
+    for (label p = 0; p < cloud.size(); ++p)
+    {
+        scalar tr = 0;
+        for (int d = 0; d < D; ++d) tr += L[p][4*d];
+        dilation = max
+        (
+            dilation,
+            mag(std::log(cloud.volume()[0][p]/before[p]) - dt*tr)
+        );
+    }
+    CHECK(dilation < 1e-13);
+    for (label i = 0; i < P*N; ++i) f.data()[i] = 0;
+    pass->force(cloud, f.data());
+    scalar change = 0;
+    for (label i = 0; i < P*N; ++i)
+    {
+        change = max(change, mag(f.data()[i] - fNew.data()[i]));
+    }
+    CHECK(change < 1e-12*largest);
+}
+
+}
+
+
+TEST_CASE("node-dual operators: identities on all kinds of cells")
+{
+    identities(cellMesh(cellMesh::tets, 5).grid(), 1, 0.2);
+    identities(cellMesh(cellMesh::prisms, 5).grid(), 1, 0.2);
+    identities(cellMesh(cellMesh::hexes, 5).grid(), 1, 0.2);
+    identities(cellMesh(cellMesh::polyhedra, 5).grid(), 1, 0.2);
+    identities(testMesh(7, 5, 0, graded).grid(), 1.4*3, 0.2);
+    identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2);
+}
+
+
+TEST_CASE("node-dual functions: passes in two levels are sums over the functions")
+{
+    explicitSums<3>(cellMesh(cellMesh::tets, 3).grid(), 1);
+    explicitSums<3>(cellMesh(cellMesh::prisms, 3, true).grid(), 2);
+    explicitSums<3>(cellMesh(cellMesh::hexes, 3, true).grid(), 3);
+    explicitSums<3>(cellMesh(cellMesh::polyhedra, 3, true).grid(), 4);
+    explicitSums<2>(testMesh(6, 5, 0, graded).grid(), 5);
+    explicitSums<1>(testMesh(9, 0, 0, graded).grid(), 6);
+}
+
+// ************************************************************************* //
