@@ -427,6 +427,18 @@ def messages(table):
     check("Gf of a strong solid on wide cells", text("Gf", {"a": box}, phases={"a": soft(
         failureModel={"type": "maxPrincipalStress", "strength": 1e4, "Gf": 0.1})}),
         "cells of 0.01 m", "2 E Gf/strength^2 = 0.002", "no Gf")
+    # Bands of 0.012 m: wide enough for cells of 0.01 m, not for their diagonal of 0.01414;
+    # those of 0.0144 m are, but not for the strongest of 100 points
+    for label, Gf, weibull, words in (
+            ("Oblique", 0.6, {}, ["up to 0.0141421 m", "fails obliquely"]),
+            ("Fine", 0.72, {}, None),
+            ("Weibull", 0.72, {"weibull": {"modulus": 6, "seed": 1}}, ["strongest point"])):
+        said = text("Gf" + label, {"a": box}, phases={"a": soft(failureModel={
+            "type": "maxPrincipalStress", "strength": 1e4, "Gf": Gf, **weibull})})
+        if words:
+            check(f"Gf, {label}", said, "needs bands narrower", *words)
+        else:
+            table.check(f"Gf, {label}: no warning", "narrower" not in said)
     check("no stress in a gas", text("gas", {"a": box}, phases={
         "air": {"type": "gas", "thermo": "perfectGas", "R": 287, "gamma": 1.4},
         "a": soft()}), "lies in the gas air", "stress ambient;")

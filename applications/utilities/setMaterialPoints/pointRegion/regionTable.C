@@ -52,6 +52,56 @@ void printLine
     Info<< line.str().c_str() << nl;
 }
 
+
+//- Warn of cells in which points of a region cannot soften: their widest bands
+//  are those across a diagonal, of the strongest point. firstId: of the region
+void checkSoftening
+(
+    const mpm::materialPointPhase& phase,
+    const mpm::pointRegion& r,
+    const label firstId
+)
+{
+    const mpm::failureModel* failure = phase.failure();
+    if (!failure || !failure->softens())
+    {
+        return;
+    }
+    scalar strongest = failure->strength();
+    if (failure->scatters())
+    {
+        strongest = 0;
+        forAll(r.points(), i)
+        {
+            strongest = max
+            (
+                strongest,
+                failure->strength
+                (
+                    uint64_t(firstId + i),
+                    r.points()[i].mass/phase.rho()
+                )
+            );
+        }
+    }
+    const scalar widest = failure->widestBand(strongest);
+    const scalar h = r.widestCell();
+    const scalar diagonal = std::sqrt(scalar(phase.cloud().grid().nDim()));
+    if (diagonal*h >= widest)
+    {
+        WarningInFunction
+            << "Region " << r.name() << " has cells of " << h
+            << " m; softening with the Gf of phase " << phase.name()
+            << " needs bands narrower than 2 E Gf/strength^2 = " << widest
+            << " m, with " << strongest << " Pa of its strongest point. A band"
+            << " is " << h << " m wide along the cells and up to "
+            << diagonal*h << " m across them. The run would stop where such a"
+            << " point fails"
+            << (h < widest ? " obliquely" : "")
+            << ". Use smaller cells, or no Gf." << endl;
+    }
+}
+
 }
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -154,16 +204,13 @@ void Foam::mpm::printStart
                 << " together at once. For equilibrium write"
                 << "  stress ambient; pressure <of the gas>;" << endl;
         }
-        const failureModel* failure = phase.failure();
-        if (failure && r.widestCell() >= failure->widestBand())
+        label firstId = 0;
+        for (label j = 0; j < i; ++j)
         {
-            WarningInFunction
-                << "Region " << r.name() << " has cells of " << r.widestCell()
-                << " m; softening with the Gf of phase " << phase.name()
-                << " needs bands narrower than 2 E Gf/strength^2 = "
-                << failure->widestBand() << " m. The run would stop where a"
-                << " point fails. Use smaller cells, or no Gf." << endl;
+            firstId +=
+                regions[j].phase() == r.phase() ? regions[j].points().size() : 0;
         }
+        checkSoftening(phase, r, firstId);
         for (label j = 0; j < i; ++j)
         {
             point where;
