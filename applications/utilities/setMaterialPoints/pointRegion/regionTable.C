@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "regionTable.H"
+#include "localIOdictionary.H"
 #include "IOmanip.H"
 #include "StringStream.H"
 #include "failureModel.H"
@@ -50,6 +51,72 @@ void printLine
         line<< setw(14) << "n/a" << setw(14) << "n/a";
     }
     Info<< line.str().c_str() << nl;
+}
+
+
+//- How much of a shape lies outside the mesh; may be meant (half a body at a
+//  symmetry plane)
+std::string outside(const mpm::pointRegion& r)
+{
+    if (r.shape().insideMesh() || r.shape().type() == "cells")
+    {
+        return "";
+    }
+    const scalar whole = r.wholeVolume();
+    const scalar part = whole > 0 ? 1 - r.volume()/whole : 0;
+    return
+        "; it reaches beyond the mesh"
+      + (
+            part > 1e-3
+          ? ", " + Foam::name(0.1*std::round(1000*part))
+          + " % of it has no points"
+          : std::string()
+        );
+}
+
+
+//- The start pressure on the cells, empty without a file of it
+scalarField startPressure(const polyMesh& mesh)
+{
+    const IOobject io
+    (
+        "p",
+        mesh.time().timeName(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (!isFile(io.objectPath()) && !isFile(io.objectPath() + ".gz"))
+    {
+        return scalarField();
+    }
+    const localIOdictionary file(io, "volScalarField");
+    return scalarField("internalField", file, mesh.nCells());
+}
+
+
+//- Warn of points that start with another pressure than the gas around them
+void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
+{
+    const scalar ambient = r.ambientPressure();
+    if (ambient < 0 || p.empty())
+    {
+        return;
+    }
+    scalar low = GREAT, high = -GREAT;
+    for (const label celli : r.cells())
+    {
+        low = min(low, p[celli]);
+        high = max(high, p[celli]);
+    }
+    if (ambient < 0.9*low || ambient > 1.1*high)
+    {
+        WarningInFunction
+            << "Region " << r.name() << " starts with the pressure " << ambient
+            << " Pa; the gas in its cells has " << low << " to " << high
+            << " Pa. They are not in equilibrium." << endl;
+    }
 }
 
 
@@ -178,14 +245,44 @@ void Foam::mpm::printStart
             << (r.samplesUnused()
               ? "; samples is not used, parts of sub-cells are exact"
               : "")
-            << nl;
+            << outside(r).c_str() << nl;
+        if (r.wholeSubCells())
+        {
+            const boundBox filled(r.pointBounds());
+            Info<< "        points (whole sub-cells in a gas) fill "
+                << filled.span() << " m from " << filled.min() << " to "
+                << filled.max() << " m" << nl;
+        }
     }
     Info<< endl;
+
+    const scalarField p
+    (
+        gases.size() ? startPressure(phases[0].cloud().grid().mesh())
+      : scalarField()
+    );
+    for (const materialPointPhase& phase : phases)
+    {
+        const dictionary& dict = phaseProperties.subDict(phase.name());
+        if
+        (
+            gases.size() && phase.failure()
+         && !dict.subDict("failureModel").found("ambientPressure")
+        )
+        {
+            WarningInFunction
+                << "Phase " << phase.name() << " may fail in the gas "
+                << gases[0] << " and its failureModel has no ambientPressure:"
+                << " the gas would not enter the cracks. Write"
+                << "  ambientPressure <of the gas>;" << endl;
+        }
+    }
 
     forAll(regions, i)
     {
         const pointRegion& r = regions[i];
         const materialPointPhase& phase = phaseOf(r);
+        checkAmbient(r, p);
         const string hint(r.sizeHint());
         if (hint.size())
         {
