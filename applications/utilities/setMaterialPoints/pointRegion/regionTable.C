@@ -263,11 +263,10 @@ void Foam::mpm::printStart
     );
     for (const materialPointPhase& phase : phases)
     {
-        const dictionary& dict = phaseProperties.subDict(phase.name());
         if
         (
             gases.size() && phase.failure()
-         && !dict.subDict("failureModel").found("ambientPressure")
+         && phase.failure()->ambient() <= 0
         )
         {
             WarningInFunction
