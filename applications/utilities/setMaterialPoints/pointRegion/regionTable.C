@@ -91,8 +91,20 @@ scalarField startPressure(const polyMesh& mesh)
     {
         return scalarField();
     }
-    const localIOdictionary file(io, "volScalarField");
-    return scalarField("internalField", file, mesh.nCells());
+    // What is wrong in the file the solver says
+    const bool threw = FatalIOError.throwExceptions();
+    scalarField p;
+    try
+    {
+        const localIOdictionary file(io, "volScalarField");
+        p = scalarField("internalField", file, mesh.nCells());
+    }
+    catch (const Foam::error&)
+    {
+        p.clear();
+    }
+    FatalIOError.throwExceptions(threw);
+    return p;
 }
 
 
