@@ -297,6 +297,27 @@ Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
 }
 
 
+void Foam::mpm::timeStepControl::checkFirst(const scalar dt) const
+{
+    const scalar run = time_.endTime().value() - time_.startTime().value();
+    // Nothing moves: there is no limit
+    const bool limited = dt < ROOTVGREAT;
+    if
+    (
+        !nSteps_ && !time_.startTimeIndex() && !openEnd() && limited
+     && dt > run
+    )
+    {
+        WarningInFunction
+            << "The first time step that maxCo allows, " << dt << " s, is longer"
+            << " than the whole run of " << run << " s. It is set by "
+            << limiter().c_str() << "." << nl
+            << "    Nothing will be resolved: look for a wrong unit (E in Pa,"
+            << " rho in kg/m3, the mesh in m, endTime in s)." << endl;
+    }
+}
+
+
 void Foam::mpm::timeStepControl::setDeltaT()
 {
     if (last_)
@@ -332,6 +353,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
 
         // After a step that was redone smaller, grow again by a fifth per step
         const scalar dt = min(courantDeltaT(), maxDeltaT);
+        checkFirst(dt);
         if (dt <= 1.2*growFrom_)
         {
             growFrom_ = GREAT;

@@ -145,11 +145,23 @@ void Foam::mpm::eulerianGas::forState(const Function& f)
 
 void Foam::mpm::eulerianGas::report() const
 {
-    scalar pMin = GREAT, pMax = -GREAT;
-    for (const gasState& w : W_)
+    // Of all cells; of those that are more gas than solid
+    scalar pMin = GREAT, pMax = -GREAT, freeMin = GREAT, freeMax = -GREAT;
+    label nPores = 0;
+    forAll(W_, celli)
     {
-        pMin = min(pMin, w.p);
-        pMax = max(pMax, w.p);
+        const scalar p = W_[celli].p;
+        pMin = min(pMin, p);
+        pMax = max(pMax, p);
+        if (theta_[celli] > 0.5)
+        {
+            freeMin = min(freeMin, p);
+            freeMax = max(freeMax, p);
+        }
+        else
+        {
+            ++nPores;
+        }
     }
     Info<< "Gas " << name_ << ": mass "
         << returnReduce(mass(), sumOp<scalar>()) << ", momentum "
@@ -159,7 +171,14 @@ void Foam::mpm::eulerianGas::report() const
         Info<< ", energy " << returnReduce(energy(), sumOp<scalar>());
     }
     Info<< nl << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
-        << returnReduce(pMax, maxOp<scalar>()) << ", outflow limited "
+        << returnReduce(pMax, maxOp<scalar>());
+    if (returnReduce(nPores, sumOp<label>()))
+    {
+        Info<< " (where theta > 0.5: "
+            << returnReduce(freeMin, minOp<scalar>()) << " to "
+            << returnReduce(freeMax, maxOp<scalar>()) << ')';
+    }
+    Info<< ", outflow limited "
         << returnReduce(fixups_.limited, sumOp<label>()) << ", theta kept "
         << returnReduce(fixups_.theta, sumOp<label>())
         << ", isentropic "

@@ -60,10 +60,22 @@ void Foam::functionObjects::materialPointEnergy::prepare
     {
         header += "\terosion[J]";
     }
-    header += "\tdissipation[J]\tremap[J]";
+    header += "\tdissipation[J]";
+    if (!points.coupling())
+    {
+        header += "\tremap[J]";
+    }
     if (points.damps())
     {
         header += "\tdamping[J]";
+    }
+    if (points.energy().hasContact())
+    {
+        header += "\tcontact[J]";
+    }
+    if (points.coupling())
+    {
+        header += "\tlastStep[J]";
     }
     setFiles(wordList(1, "energy"), List<string>(1, header));
 }
@@ -100,10 +112,22 @@ void Foam::functionObjects::materialPointEnergy::sample
         {
             os  << tab << b->erosion();
         }
-        os  << tab << b->losses.dissipation << tab << b->remap();
+        os  << tab << b->losses.dissipation;
+        if (!b->hasGas)
+        {
+            os  << tab << b->remap();
+        }
         if (points.damps())
         {
             os  << tab << b->damping;
+        }
+        if (points.energy().hasContact())
+        {
+            os  << tab << b->work.contact;
+        }
+        if (b->hasGas)
+        {
+            os  << tab << b->lastStep();
         }
         os  << endl;
     }

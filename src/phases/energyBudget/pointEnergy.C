@@ -119,6 +119,12 @@ void Foam::mpm::pointEnergy::update() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::mpm::pointEnergy::hasContact() const
+{
+    return points_.parts().find<contactPart>();
+}
+
+
 void Foam::mpm::pointEnergy::startBudget() const
 {
     if (sums_.active)
@@ -311,7 +317,7 @@ void Foam::mpm::pointEnergy::report() const
             << b->work.boundary << ", external " << b->work.external
             << ", failure " << b->losses.failure << ", dissipation "
             << b->losses.dissipation;
-        if (points_.parts().find<contactPart>())
+        if (hasContact())
         {
             Info<< ", contact " << b->work.contact;
         }
@@ -330,7 +336,7 @@ void Foam::mpm::pointEnergy::report() const
                 << g.energy - g.energy0 << ", boundary " << g.boundary
                 << ", external " << g.external << ", rigid " << g.rigid
                 << ", dry " << g.dry << ", fix-ups " << g.fixups << nl
-                << "    all";
+                << "    last step " << b->lastStep() << ", all";
         }
         else
         {

@@ -653,6 +653,10 @@ ROWS = [
                                       "stress ambient; pressure 1")),
      inRegion + ["stress", "block is rigid"]),
     ("allowed: body force", SOLVE, bodyForce("type uniform; acceleration (0 1 0);"), None),
+    ("body force along the empty direction", SOLVE,
+     bodyForce("type uniform; acceleration (0 1 2);"), inPhases + ["does not compute"]),
+    ("allowed: wave speed that makes the run one step", SOLVE, law(
+        "type linearElastic; E 1e-3; nu 0.2;"), None, {"has": "longer than the whole run"}),
     ("unknown body force", SOLVE, bodyForce("type wind;"),
      inPhases + ["wind", VALID, "uniform"]),
     ("unknown body force", SET, bodyForce("type wind;"),

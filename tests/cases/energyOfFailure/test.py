@@ -141,6 +141,14 @@ def backOf(loss):
     return (loss - np.minimum.accumulate(loss)).max()
 
 
+def unexplained(b):
+    """What the columns leave open: K + W [+ E] less all other terms is constant."""
+    totals, energies = ("Time", "total", "gas", "gasGained"), ("kinetic", "strain")
+    rest = sum(b[k] for k in energies) + b.get("gasGained", 0) \
+        - sum(v for k, v in b.items() if k not in totals + energies)
+    return np.abs(rest - rest[0]).max()
+
+
 def judge(table, label, b):
     """Rows of a budget; its largest residual over the energy exchanged."""
     spent = b["kinetic"][0] - b["kinetic"].min()
@@ -154,6 +162,8 @@ def judge(table, label, b):
               backOf(b["dissipation"])/spent, 0.01, "atMost")
     table.row(f"{label}: largest stored energy over the kinetic energy at the start", 0,
               b["strain"].max()/b["kinetic"][0], 1, "atMost")
+    table.row(f"{label}: what the columns leave open, over the energy exchanged", 0,
+              unexplained(b)/spent, 1e-12, "atMost")
     return worst, spent
 
 

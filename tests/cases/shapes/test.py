@@ -26,6 +26,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from foamCase import (VERIFY, FoamCase, boxMesh, controlDict, foamText, noSchemes,
                       runParts, velocityFile)
+from gasCases import writeVolField
 from surfaces import prisms, surfaceRegion
 from wedge import SECTOR, wedgeConditions, wedgeMesh
 
@@ -427,6 +428,35 @@ def messages(table):
     check("Gf of a strong solid on wide cells", text("Gf", {"a": box}, phases={"a": soft(
         failureModel={"type": "maxPrincipalStress", "strength": 1e4, "Gf": 0.1})}),
         "cells of 0.01 m", "2 E Gf/strength^2 = 0.002", "no Gf")
+    # Bands of 0.012 m: wide enough for cells of 0.01 m, not for their diagonal of 0.01414;
+    # those of 0.0144 m are, but not for the strongest of 100 points
+    for label, Gf, weibull, words in (
+            ("Oblique", 0.6, {}, ["up to 0.0141421", "fails obliquely"]),
+            ("Fine", 0.72, {}, None),
+            ("Weibull", 0.72, {"weibull": {"modulus": 6, "seed": 1}}, ["strongest point"])):
+        said = text("Gf" + label, {"a": box}, phases={"a": soft(failureModel={
+            "type": "maxPrincipalStress", "strength": 1e4, "Gf": Gf, **weibull})})
+        if words:
+            check(f"Gf, {label}", said, "needs bands narrower", *words)
+        else:
+            table.check(f"Gf, {label}: no warning", "narrower" not in said)
+    check("half of a shape beyond the mesh", text("beyond", {
+        "a": {**box, "min": (-0.05, 0, 0)}}), "reaches beyond the mesh, 50 % of it")
+    air = {"type": "gas", "thermo": "perfectGas", "R": 287, "gamma": 1.4}
+
+    def bar(case):
+        writeVolField(case, "p", np.full(100, 1e5), {})
+
+    for label, pressure in (("another", 1), ("the same", 1e5)):
+        said = text("pressure" + label.split()[-1], {
+            "a": {"type": "sphere", "centre": (0.05, 0.05, 0), "radius": 0.033,
+                  "stress": "ambient", "pressure": pressure}}, before=bar,
+            phases={"air": air, "a": soft(failureModel={
+                "type": "maxPrincipalStress", "strength": 1e4})})
+        table.check(f"points with {label} pressure as the gas",
+                    ("not in equilibrium" in said) == (pressure == 1))
+        check("failure in a gas, round body", said, "has no ambientPressure",
+              "fill (0.07", "from (0.015 0.015 0)")
     check("no stress in a gas", text("gas", {"a": box}, phases={
         "air": {"type": "gas", "thermo": "perfectGas", "R": 287, "gamma": 1.4},
         "a": soft()}), "lies in the gas air", "stress ambient;")

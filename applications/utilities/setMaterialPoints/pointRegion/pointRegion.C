@@ -284,9 +284,23 @@ void Foam::mpm::pointRegion::create(const scalar rho)
 
 Foam::scalar Foam::mpm::pointRegion::exactVolume() const
 {
+    return shape_->insideMesh() ? wholeVolume() : -1;
+}
+
+
+Foam::scalar Foam::mpm::pointRegion::wholeVolume() const
+{
     const scalar v =
         cutter_ ? cutter_->volume()*shape_->section() : shape_->volume();
-    return v < 0 || !shape_->insideMesh() ? -1 : v*volumeFraction_;
+    return v < 0 ? -1 : v*volumeFraction_;
+}
+
+
+Foam::scalar Foam::mpm::pointRegion::ambientPressure() const
+{
+    const bool ambient =
+        hasStress() && token(dict_.lookup("stress")).isWord();
+    return ambient ? dict_.get<scalar>("pressure") : -1;
 }
 
 
@@ -310,6 +324,18 @@ Foam::boundBox Foam::mpm::pointRegion::bounds() const
 {
     const boundBox bb(shape_->bounds());
     return boundBox(shape_->computed(bb.min()), shape_->computed(bb.max()));
+}
+
+
+Foam::boundBox Foam::mpm::pointRegion::pointBounds() const
+{
+    boundBox bb;
+    for (const materialPointCloud::newPoint& p : points_)
+    {
+        bb.add(shape_->computed(p.x - p.halfSize));
+        bb.add(shape_->computed(p.x + p.halfSize));
+    }
+    return bb;
 }
 
 // ************************************************************************* //

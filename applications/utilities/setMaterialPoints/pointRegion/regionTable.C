@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "regionTable.H"
+#include "localIOdictionary.H"
 #include "IOmanip.H"
 #include "StringStream.H"
 #include "failureModel.H"
@@ -50,6 +51,134 @@ void printLine
         line<< setw(14) << "n/a" << setw(14) << "n/a";
     }
     Info<< line.str().c_str() << nl;
+}
+
+
+//- How much of a shape lies outside the mesh; may be meant (half a body at a
+//  symmetry plane)
+std::string outside(const mpm::pointRegion& r)
+{
+    if (r.shape().insideMesh() || r.shape().type() == "cells")
+    {
+        return "";
+    }
+    const scalar whole = r.wholeVolume();
+    const scalar part = whole > 0 ? 1 - r.volume()/whole : 0;
+    return
+        "; it reaches beyond the mesh"
+      + (
+            part > 1e-3
+          ? ", " + Foam::name(0.1*std::round(1000*part))
+          + " % of it has no points"
+          : std::string()
+        );
+}
+
+
+//- The start pressure on the cells, empty without a file of it
+scalarField startPressure(const polyMesh& mesh)
+{
+    const IOobject io
+    (
+        "p",
+        mesh.time().timeName(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (!isFile(io.objectPath()) && !isFile(io.objectPath() + ".gz"))
+    {
+        return scalarField();
+    }
+    // What is wrong in the file the solver says
+    const bool threw = FatalIOError.throwExceptions();
+    scalarField p;
+    try
+    {
+        const localIOdictionary file(io, "volScalarField");
+        p = scalarField("internalField", file, mesh.nCells());
+    }
+    catch (const Foam::error&)
+    {
+        p.clear();
+    }
+    FatalIOError.throwExceptions(threw);
+    return p;
+}
+
+
+//- Warn of points that start with another pressure than the gas around them
+void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
+{
+    const scalar ambient = r.ambientPressure();
+    if (ambient < 0 || p.empty())
+    {
+        return;
+    }
+    scalar low = GREAT, high = -GREAT;
+    for (const label celli : r.cells())
+    {
+        low = min(low, p[celli]);
+        high = max(high, p[celli]);
+    }
+    if (ambient < 0.9*low || ambient > 1.1*high)
+    {
+        WarningInFunction
+            << "Region " << r.name() << " starts with the pressure " << ambient
+            << " Pa; the gas in its cells has " << low << " to " << high
+            << " Pa. They are not in equilibrium." << endl;
+    }
+}
+
+
+//- Warn of cells in which points of a region cannot soften: their widest bands
+//  are those across a diagonal, of the strongest point. firstId: of the region
+void checkSoftening
+(
+    const mpm::materialPointPhase& phase,
+    const mpm::pointRegion& r,
+    const label firstId
+)
+{
+    const mpm::failureModel* failure = phase.failure();
+    if (!failure || !failure->softens())
+    {
+        return;
+    }
+    scalar strongest = failure->strength();
+    if (failure->scatters())
+    {
+        strongest = 0;
+        forAll(r.points(), i)
+        {
+            strongest = max
+            (
+                strongest,
+                failure->strength
+                (
+                    uint64_t(firstId + i),
+                    r.points()[i].mass/phase.rho()
+                )
+            );
+        }
+    }
+    const scalar widest = failure->widestBand(strongest);
+    const scalar h = r.widestCell();
+    const scalar diagonal = std::sqrt(scalar(phase.cloud().grid().nDim()));
+    if (diagonal*h >= widest)
+    {
+        WarningInFunction
+            << "Region " << r.name() << " has cells of " << h
+            << " m; softening with the Gf of phase " << phase.name()
+            << " needs bands narrower than 2 E Gf/strength^2 = " << widest
+            << " m, with " << strongest << " Pa of its strongest point. A band"
+            << " is " << h << " m wide along the cells and up to "
+            << diagonal*h << " m across them. The run would stop where such a"
+            << " point fails"
+            << (h < widest ? " obliquely" : "")
+            << ". Use smaller cells, or no Gf." << endl;
+    }
 }
 
 }
@@ -128,14 +257,43 @@ void Foam::mpm::printStart
             << (r.samplesUnused()
               ? "; samples is not used, parts of sub-cells are exact"
               : "")
-            << nl;
+            << outside(r).c_str() << nl;
+        if (r.wholeSubCells())
+        {
+            const boundBox filled(r.pointBounds());
+            Info<< "        points (whole sub-cells in a gas) fill "
+                << filled.span() << " m from " << filled.min() << " to "
+                << filled.max() << " m" << nl;
+        }
     }
     Info<< endl;
+
+    const scalarField p
+    (
+        gases.size() ? startPressure(phases[0].cloud().grid().mesh())
+      : scalarField()
+    );
+    for (const materialPointPhase& phase : phases)
+    {
+        if
+        (
+            gases.size() && phase.failure()
+         && phase.failure()->ambient() <= 0
+        )
+        {
+            WarningInFunction
+                << "Phase " << phase.name() << " may fail in the gas "
+                << gases[0] << " and its failureModel has no ambientPressure:"
+                << " the gas would not enter the cracks. Write"
+                << "  ambientPressure <of the gas>;" << endl;
+        }
+    }
 
     forAll(regions, i)
     {
         const pointRegion& r = regions[i];
         const materialPointPhase& phase = phaseOf(r);
+        checkAmbient(r, p);
         const string hint(r.sizeHint());
         if (hint.size())
         {
@@ -154,16 +312,13 @@ void Foam::mpm::printStart
                 << " together at once. For equilibrium write"
                 << "  stress ambient; pressure <of the gas>;" << endl;
         }
-        const failureModel* failure = phase.failure();
-        if (failure && r.widestCell() >= failure->widestBand())
+        label firstId = 0;
+        for (label j = 0; j < i; ++j)
         {
-            WarningInFunction
-                << "Region " << r.name() << " has cells of " << r.widestCell()
-                << " m; softening with the Gf of phase " << phase.name()
-                << " needs bands narrower than 2 E Gf/strength^2 = "
-                << failure->widestBand() << " m. The run would stop where a"
-                << " point fails. Use smaller cells, or no Gf." << endl;
+            firstId +=
+                regions[j].phase() == r.phase() ? regions[j].points().size() : 0;
         }
+        checkSoftening(phase, r, firstId);
         for (label j = 0; j < i; ++j)
         {
             point where;

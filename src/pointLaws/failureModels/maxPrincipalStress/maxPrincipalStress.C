@@ -86,9 +86,10 @@ void Foam::mpm::maxPrincipalStress::connect
 }
 
 
-Foam::scalar Foam::mpm::maxPrincipalStress::widestBand() const
+Foam::scalar
+Foam::mpm::maxPrincipalStress::widestBand(const scalar limit) const
 {
-    return Gf_ > 0 ? 2*E_*Gf_/sqr(strength()) : GREAT;
+    return Gf_ > 0 ? 2*E_*Gf_/sqr(limit) : GREAT;
 }
 
 
