@@ -211,7 +211,7 @@ def runBlocks(table, name, blocks):
     shutil.copytree(os.path.join(PROJECT, "tutorials"), os.path.join(folder, "tutorials"),
                     ignore=shutil.ignore_patterns(
                         "log.*", "postProcessing", "processor*", "VTK", "polyMesh", "*.png",
-                        "lagrangian", "variants", "schemes"))
+                        "lagrangian", "variants", "schemes", "uniform", "[1-9]*", "0.[0-9]*"))
     coarse(os.path.join(folder, "tutorials/spall/system/blockMeshDict"))
     script = os.path.join(folder, "commands.sh")
     with open(script, "w") as f:
