@@ -69,7 +69,7 @@ def gasLog(case):
         "energy": column(rf"^Gas air: .*energy {number}"),
         "momentum": vectors(r"^Gas air: mass .*momentum \(([^)]*)\)"),
         "pMin": column(rf"^    p {number} to"),
-        "pMax": column(rf"^    p \S+ to {number}(?:,| \(where)"),
+        "pMax": column(rf"^    p \S+ to {number},"),
         "limited": column(rf"outflow limited {number}"),
         "kept": column(rf"theta kept {number}"),
         "isentropic": column(rf"isentropic {number}"),

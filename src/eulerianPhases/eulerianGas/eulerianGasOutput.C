@@ -171,14 +171,7 @@ void Foam::mpm::eulerianGas::report() const
         Info<< ", energy " << returnReduce(energy(), sumOp<scalar>());
     }
     Info<< nl << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
-        << returnReduce(pMax, maxOp<scalar>());
-    if (returnReduce(nPores, sumOp<label>()))
-    {
-        Info<< " (where theta > 0.5: "
-            << returnReduce(freeMin, minOp<scalar>()) << " to "
-            << returnReduce(freeMax, maxOp<scalar>()) << ')';
-    }
-    Info<< ", outflow limited "
+        << returnReduce(pMax, maxOp<scalar>()) << ", outflow limited "
         << returnReduce(fixups_.limited, sumOp<label>()) << ", theta kept "
         << returnReduce(fixups_.theta, sumOp<label>())
         << ", isentropic "
@@ -188,6 +181,12 @@ void Foam::mpm::eulerianGas::report() const
     if (const label n = returnReduce(fixups_.positive, sumOp<label>()))
     {
         Info<< ", kept positive at faces " << n;
+    }
+    if (returnReduce(nPores, sumOp<label>()))
+    {
+        Info<< nl << "    where theta > 0.5: p "
+            << returnReduce(freeMin, minOp<scalar>()) << " to "
+            << returnReduce(freeMax, maxOp<scalar>());
     }
     Info<< endl;
 }
