@@ -67,7 +67,9 @@ class Drawing:
                 colourBar(self.figure, pictures.ScalarMappable(norm(layer), colours(layer)),
                           self.ax, layer["label"], shrink=0.9 if height > 0.6 else 1,
                           aspect=22, extend="both" if layer.get("log") else "neither")
-        self.pixels = pictures._pixels(self.ax, self.box)
+        self.pixels = [n*3//4 for n in pictures._pixels(self.ax, self.box)]
+        # Laid out once, for all frames
+        self.figure.set_layout_engine("none")
 
     def limits(self):
         labels = (f"{'xyz'[a]} [{self.unit}]" for a in (self.across, self.up))

@@ -198,14 +198,13 @@ def save(figure, name, dpi=None):
         image.quantize(256, dither=PIL.Image.Dither.NONE).save(name, optimize=True)
 
 
-def saveAnimation(figures, name, dpi=100, seconds=4, colours=128):
+def saveAnimation(figures, name, seconds=4, colours=128):
     """A GIF of one frame for each figure (a generator may give the same one, drawn
     anew), in one palette, that lasts about so long; the last frame stays a second."""
     frames = []
     for figure in figures:
-        buffer = io.BytesIO()
-        figure.savefig(buffer, dpi=dpi)
-        frames.append(PIL.Image.open(buffer).convert("RGB"))
+        figure.canvas.draw()
+        frames.append(PIL.Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
     some = frames[::max(1, len(frames)//8)]
     width, height = frames[0].size
     all_ = PIL.Image.new("RGB", (width, height*len(some)))
