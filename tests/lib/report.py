@@ -9,11 +9,12 @@ Every test script gets its table with
     table.row("quantity", reference, measured, limit, "atMost")   # measured <= limit
     table.row("quantity", reference, measured, limit, "atLeast")  # measured >= limit
     table.check("what must hold", condition, detail)
+    table.skip("what cannot be tested here", "why")
     sys.exit(table.finish())
 
 Rows are appended to the CSV that the environment variable MPM_RESULTS names
 (tests/Alltest and tests/Allverify set it) and printed. finish() returns 1 if a
-row failed or if there was none: a script that measured nothing has failed.
+row failed or if none has passed: a script that measured nothing has failed.
 """
 
 import csv
@@ -63,10 +64,14 @@ class Report:
                    bool(condition)])
         return bool(condition)
 
+    def skip(self, quantity, why):
+        """Something that this machine cannot test; neither passed nor failed."""
+        self._add([self.case, quantity, "holds", why, "", "", None])
+
     def _add(self, row):
         self.rows.append(row)
-        print(" | ".join(str(v) for v in row[:-1]), "|",
-              "ok" if row[-1] else "FAILED", flush=True)
+        word = "skipped" if row[-1] is None else "ok" if row[-1] else "FAILED"
+        print(" | ".join(str(v) for v in row[:-1]), "|", word, flush=True)
         path = os.environ.get("MPM_RESULTS")
         if path:
             new = not os.path.exists(path)
@@ -74,7 +79,8 @@ class Report:
                 writer = csv.writer(f)
                 if new:
                     writer.writerow(COLUMNS)
-                writer.writerow(row[:-1] + ["ok" if row[-1] else "FAILED"])
+                writer.writerow(row[:-1] + [word])
 
     def finish(self):
-        return 0 if self.rows and all(r[-1] for r in self.rows) else 1
+        results = [r[-1] for r in self.rows if r[-1] is not None]
+        return 0 if results and all(results) else 1

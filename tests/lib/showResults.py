@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Prints the results that the test scripts left in a CSV file (report.py) as a
-table, and as the last line the numbers of passed and failed rows.
+table, and as the last line the numbers of passed, failed and skipped rows.
 
     showResults.py results.csv [failed script ...]
 
@@ -23,7 +23,7 @@ def main(path, failedScripts):
         with open(path, newline="") as f:
             rows = [[row[c] for c in COLUMNS] for row in csv.DictReader(f)]
     for script in failedScripts:
-        if not any(row[0] == script and row[-1] != "ok" for row in rows):
+        if not any(row[0] == script and row[-1] not in ("ok", "skipped") for row in rows):
             rows.append([script, "script ends without an error", "holds",
                          "see its log", "", "", "FAILED"])
 
@@ -38,12 +38,15 @@ def main(path, failedScripts):
              for row in shown]
     print("\n".join(lines))
 
-    failed = sum(row[-1] != "ok" for row in rows)
-    if failed:
-        print("\nFailed:")
-        print("\n".join(line for line, row in zip(lines[1:], rows) if row[-1] != "ok"))
+    skipped = [line for line, row in zip(lines[1:], rows) if row[-1] == "skipped"]
+    failed = [line for line, row in zip(lines[1:], rows) if row[-1] not in ("ok", "skipped")]
+    for title, found in (("Skipped", skipped), ("Failed", failed)):
+        if found:
+            print(f"\n{title}:")
+            print("\n".join(found))
     print(f"\nResults: {path}")
-    print(f"{len(rows) - failed} passed, {failed} failed")
+    print(f"{len(rows) - len(failed) - len(skipped)} passed, {len(failed)} failed"
+          + (f", {len(skipped)} skipped" if skipped else ""))
     return 1 if failed or not rows else 0
 
 

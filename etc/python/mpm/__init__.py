@@ -4,6 +4,8 @@
     from mpm.files import readField     # one file: columns of points, fields, headers
     from mpm.variants import runVariants    # copies of a case with changes, run
     from mpm.pictures import plt        # matplotlib in the style of the pictures
+    from mpm.views import readViews     # what is shown of a case: view.py beside it
+    python3 -m mpm.animate              # view.py as an animation
 
 etc/bashrc puts it on PYTHONPATH.
 """

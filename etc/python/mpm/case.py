@@ -17,7 +17,7 @@ import time
 
 import numpy as np
 
-from mpm.files import Points, fileHeader, foamText, readInternal
+from mpm.files import Points, fileHeader, foamText, readField, readInternal
 
 NUMBER = r"([-+\d.]+(?:e[-+]?\d+)?|-?nan|-?inf)"
 
@@ -162,6 +162,16 @@ class Case:
             return values
         size = values.shape[1:]
         return np.broadcast_to(values, (int(np.prod(n)), *size)).reshape(*n[::-1], *size)
+
+    def edges(self):
+        """Coordinates along x, y and z that the mesh's points have: of a mesh of boxes the
+        edges of its cells."""
+        x = readField(self.file("constant/polyMesh/points"))
+        found = []
+        for a in x.T:
+            a = np.sort(a)
+            found.append(a[np.append(True, np.diff(a) > 1e-9*np.ptp(x))])
+        return found
 
     def points(self, time, phase):
         """The cloud of a time: of the case or, where it has none, of its

@@ -6,6 +6,7 @@
     ax.pcolormesh(x, y, p, cmap=VALUES, zorder=GAS)     # a gas: below the points
     colourBar(figure, image, axes, "stress [MPa]")
     save(figure, "plate.png")
+    saveAnimation(map(draw, times), "plate.gif")        # draw gives a figure for a time
 
 Points are rasterised: a pixel belongs to the point in whose box it lies (of several
 the one whose centre is nearest), which leaves no pattern between pixels and points as
@@ -26,25 +27,23 @@ import PIL.Image  # noqa: E402
 from matplotlib.cm import ScalarMappable  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
 from matplotlib.colors import (LinearSegmentedColormap, ListedColormap,  # noqa: E402,F401
-                               Normalize, to_hex, to_rgba)
+                               LogNorm, Normalize, to_hex, to_rgba)
+
+from mpm.views import COLOURS, STOPS  # noqa: E402
 
 plt.rcParams.update({
     "figure.constrained_layout.use": True, "savefig.dpi": 130, "font.size": 9,
     "axes.titlesize": 9, "legend.fontsize": 8, "legend.frameon": False,
     "image.cmap": "viridis", "pcolor.shading": "auto"})
 
-#: Blue, white, orange: lightness falls linearly from the middle to both ends
-SIGNED = LinearSegmentedColormap.from_list("signed", [
-    (0, "#2166ac"), (0.318, "#92c5de"), (0.5, "#f7f7f7"), (0.676, "#fdb863"),
-    (1, "#b35806")])
+SIGNED = LinearSegmentedColormap.from_list("signed", STOPS["SIGNED"])
 #: Parts of a whole: blue to white
-PART = LinearSegmentedColormap.from_list("part", SIGNED(np.linspace(0, 0.5, 128)))
+PART = LinearSegmentedColormap.from_list("part", STOPS["PART"])
 VALUES = plt.get_cmap("viridis")
 HEAT = plt.get_cmap("cividis")
 #: From sound to failed
-DAMAGE = LinearSegmentedColormap.from_list("damage", ["#e8e4da", "#e0ac72", "#882255"])
-FAILED = "#882255"
-BODY, RIGID = "#c9c9c9", "#8a8a8a"
+DAMAGE = LinearSegmentedColormap.from_list("damage", STOPS["DAMAGE"])
+FAILED, BODY, RIGID = (COLOURS[name] for name in ("FAILED", "BODY", "RIGID"))
 #: Bytes of a picture above which it is saved with fewer colours
 LARGE = 148000
 #: zorder of a gas, and of points
@@ -121,7 +120,8 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
     some     mask of the points that are drawn
     scale    of the places: 1e3 for millimetres
     axes     directions across and up: (1, 0) for r, x of an axisymmetric case
-    mirror   drawn at both sides of the axis; flip: at the other side
+    mirror   drawn at both sides of the axis ("up": of 0 of the direction up); flip: at
+             the other side
     size     of the boxes drawn over theirs
     outline  colour of a line about those that have not failed
     Returns what a colour bar needs.
@@ -138,7 +138,8 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
         x = x*[-1, 1]
     if mirror:
         x, half, colours = (np.concatenate(v) for v in (
-            (x, x*[-1, 1]), (half, half), (colours, colours)))
+            (x, x*([1, -1] if mirror == "up" else [-1, 1])), (half, half),
+            (colours, colours)))
     box = (*sorted(ax.get_xlim()), *sorted(ax.get_ylim()))
     owner = owners(x, half, box, pixels or _pixels(ax, box), close)
     image = np.zeros((*owner.shape, 4))
@@ -195,3 +196,22 @@ def save(figure, name, dpi=None):
     if buffer.tell() > LARGE:
         image = PIL.Image.open(buffer).convert("RGB")
         image.quantize(256, dither=PIL.Image.Dither.NONE).save(name, optimize=True)
+
+
+def saveAnimation(figures, name, seconds=4, colours=128):
+    """A GIF of one frame for each figure (a generator may give the same one, drawn
+    anew), in one palette, that lasts about so long; the last frame stays a second."""
+    frames = []
+    for figure in figures:
+        figure.canvas.draw()
+        frames.append(PIL.Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
+    some = frames[::max(1, len(frames)//8)]
+    width, height = frames[0].size
+    all_ = PIL.Image.new("RGB", (width, height*len(some)))
+    for i, image in enumerate(some):
+        all_.paste(image, (0, i*height))
+    palette = all_.quantize(colours)
+    frames = [f.quantize(palette=palette, dither=PIL.Image.Dither.NONE) for f in frames]
+    each = 10*round(min(max(100*seconds/len(frames), 5), 25))
+    frames[0].save(name, save_all=True, append_images=frames[1:], loop=0, optimize=False,
+                   duration=[each]*(len(frames) - 1) + [1000])

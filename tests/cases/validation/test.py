@@ -6,7 +6,7 @@
               (tests/run/<test>/log.test), to the digits of the page. A test that has not run
               is skipped, and said so; in a run of all tests none may be
     tutorials the figure stands in the tutorial's README; where the tutorial has run, in its
-              log.plot (spall: log.python3) too
+              log.plot too
 
     test.py -update      writes the figures of the last results into the page
 
@@ -150,7 +150,7 @@ def tutorials(table):
         with open(os.path.join(folder, "README.md"), encoding="utf-8") as f:
             there = re.search(rf"(?<![\d.]){re.escape(figure)}(?!\d)", f.read())
         table.check(f"tutorials: {name}: {figure} in its README", bool(there))
-        for log in glob.glob(os.path.join(folder, "log.p[ly]*")):
+        for log in glob.glob(os.path.join(folder, "log.plot")):
             with open(log, encoding="utf-8") as f:
                 values = [float(v) for v in NUMBER.findall(f.read())]
             # Rounding has its own digits on every machine
