@@ -72,8 +72,8 @@ Usage
     rigid phases have neither velocity nor stress. Regions whose phases share a
     velocity field must not overlap, unless one of them allows it.
 
-    On meshes with cells that are no hexahedra pointsPerCell is 1 (centroid) or 2
-    (a point for each corner of a cell).
+    On meshes with cells that are no hexahedra, and of the elements of a mesh,
+    pointsPerCell is 1 (centroid) or 2 (a point for each corner).
 
     samples only counts where the parts are not known exactly: on meshes without
     a lattice, and for surfaces inside other shapes. There they are those of
@@ -102,6 +102,7 @@ Usage
         cylinder | point1, point2, radius, innerRadius 0
         cellZone | zone
         cells    | none: all cells
+        mesh     | file, group all, scale 1 (points of its elements)
         surface  | surface { type triSurfaceMesh; file "body.stl"; scale 1; }
         union, intersection, difference | shapes { a { type ...; } b { ... } }
     \endtable

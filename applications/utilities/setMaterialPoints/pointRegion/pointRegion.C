@@ -8,6 +8,7 @@ License
 
 #include "pointRegion.H"
 #include "dictionaryTools.H"
+#include "meshShape.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -170,6 +171,12 @@ Foam::mpm::pointRegion::pointRegion
      || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"})
      == "sampled"
     ),
+    byElements_
+    (
+        isA<meshShape>(*shape_)
+     && !(inGas && grid.hasLattice())
+     && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
+    ),
     byCorners_(!hexCells::refusal(grid.mesh(), grid).empty()),
     emptyFaces_(gridNodes::emptyFaces(grid.mesh())),
     m_(boundedLabelOrDefault(dict, "samples", inGas_ && !rows_ ? 1 : 4, 1, 8)),
@@ -191,7 +198,7 @@ Foam::mpm::pointRegion::pointRegion
 {
     checkEntries();
     readPointsPerCell();
-    if (grid_.hasLattice() && !inGas_)
+    if (grid_.hasLattice() && !inGas_ && !byElements_)
     {
         formula_.reset(new shapeFormula);
         if (!shape_->formula(*formula_))
@@ -232,10 +239,11 @@ Foam::string Foam::mpm::pointRegion::sizeHint() const
     const scalar body = bounds().mag();
     const scalar mesh = mag(shape_->computed(grid_.mesh().bounds().span()));
     const scalar ratio = body/mesh;
-    if (shape_->facets() && (ratio > 20 || ratio < 0.02))
+    const bool fromFile = shape_->facets() || isA<meshShape>(*shape_);
+    if (fromFile && (ratio > 20 || ratio < 0.02))
     {
         return
-            " The surface is " + Foam::name(ratio) + " times as large as the"
+            " The " + shape_->type() + " is " + Foam::name(ratio) + " times as large as the"
             " mesh: if its unit is not m, write  scale "
           + word(ratio > 1 ? "1e-3" : "1e3") + ";  beside its file.";
     }
@@ -251,6 +259,10 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     if (rows_)
     {
         fillRows(density);
+    }
+    else if (byElements_)
+    {
+        fillElements(density);
     }
     else
     {

@@ -7,89 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointRegion.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Volumes and first moments of the corners' regions of a cell
-struct corners
-{
-    labelList points;
-    scalarField volume;
-    vectorField moment;
-
-    explicit corners(const labelUList& p)
-    :
-        points(p),
-        volume(p.size(), Zero),
-        moment(p.size(), Zero)
-    {}
-
-    //- A simplex of the region of a mesh point
-    void add(const label pointi, const scalar v, const point& mean)
-    {
-        const label i = points.find(pointi);
-        volume[i] += v;
-        moment[i] += v*mean;
-    }
-};
-
-
-corners corners3D(const polyMesh& mesh, const label celli)
-{
-    corners c(mesh.cellPoints()[celli]);
-    point O(Zero);
-    for (const label pointi : c.points)
-    {
-        O += mesh.points()[pointi]/c.points.size();
-    }
-    for (const label facei : mesh.cells()[celli])
-    {
-        const face& f = mesh.faces()[facei];
-        const point F(f.average(mesh.points(), mesh.points()));
-        forAll(f, i)
-        {
-            const edge e(f.faceEdge(i));
-            const point E(e.centre(mesh.points()));
-            for (const label pointi : {e.first(), e.second()})
-            {
-                const point& x = mesh.points()[pointi];
-                c.add
-                (
-                    pointi,
-                    mag((F - O) & ((E - O) ^ (x - O)))/6,
-                    0.25*(O + F + E + x)
-                );
-            }
-        }
-    }
-    return c;
-}
-
-
-//- By the face of a cell on an empty patch
-corners corners2D(const polyMesh& mesh, const face& f)
-{
-    corners c(f);
-    const point O(f.average(mesh.points(), mesh.points()));
-    forAll(f, i)
-    {
-        const edge e(f.faceEdge(i));
-        const point E(e.centre(mesh.points()));
-        for (const label pointi : {e.first(), e.second()})
-        {
-            const point& x = mesh.points()[pointi];
-            c.add(pointi, 0.5*mag((E - O) ^ (x - O)), (O + E + x)/3);
-        }
-    }
-    return c;
-}
-
-}
+#include "cornerRegions.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -107,13 +25,13 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
         {
             side = side < 0 && empty.test(facei) ? facei : side;
         }
-        corners c
+        const cornerRegions c
         (
             grid_.nDim() == 3
-          ? corners3D(mesh, celli)
-          : corners2D(mesh, mesh.faces()[side])
+          ? cornerRegions(mesh, celli)
+          : cornerRegions(mesh.faces()[side], mesh.points())
         );
-        part = c.volume/sum(c.volume);
+        part = c.volume()/c.whole();
         x.setSize(part.size());
         forAll(x, i)
         {
@@ -121,7 +39,7 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
             for (int d = 0; d < grid_.nDim(); ++d)
             {
                 const int k = grid_.direction(d);
-                x[i][k] = c.moment[i][k]/c.volume[i];
+                x[i][k] = c.centre(i)[k];
             }
         }
     }

@@ -20,7 +20,7 @@ bool Foam::mpm::pointRegion::overlaps
     point& where
 ) const
 {
-    if (byCorners_)
+    if (byCorners_ || byElements_ || other.byElements_)
     {
         return cornersOverlap(other, k, where);
     }

@@ -9,6 +9,7 @@ License
 #include "pointRegion.H"
 #include "dictionaryTools.H"
 #include "labelVector.H"
+#include "meshShape.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -48,15 +49,23 @@ void Foam::mpm::pointRegion::readPointsPerCell()
         }
         nSub_ *= n_[d];
         nSamples_ *= m_;
-        if (byCorners_ && (n_[d] > 2 || n_[d] != n_[0]))
+        const bool corners = byElements_ || byCorners_;
+        if (corners && (n_[d] > 2 || n_[d] != n_[0]))
         {
             FatalIOErrorInFunction(dict_)
-                << "Entry " << key << " is " << perAxis << "; in cells that"
-                << " are no hexahedra it must be 1 (a point at the centroid)"
-                << " or 2 (a point for each corner)." << exit(FatalIOError);
+                << "Entry " << key << " is " << perAxis << "; in "
+                << (byElements_ ? "elements of a mesh" : "cells that are no"
+                    " hexahedra")
+                << " it must be 1 (a point at the centroid) or 2 (a point for"
+                << " each corner)." << exit(FatalIOError);
         }
     }
-    if (byCorners_ && n_[0] == 2)
+    if (byElements_)
+    {
+        const bodyMesh& body = refCast<const meshShape>(*shape_).body();
+        nSub_ = n_[0] == 2 ? body.mostCorners() : label(1);
+    }
+    else if (byCorners_ && n_[0] == 2)
     {
         nSub_ = 0;
         for (label celli = 0; celli < grid_.nCells(); ++celli)

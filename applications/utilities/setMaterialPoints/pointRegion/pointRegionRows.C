@@ -132,8 +132,18 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
         points.append(p);
     }
 
+    store(points, cellOf);
+}
+
+
+void Foam::mpm::pointRegion::store
+(
+    const UList<materialPointCloud::newPoint>& points,
+    const labelUList& cellOf
+)
+{
     // In the order of cells
-    labelList order(n);
+    labelList order(points.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort
     (
@@ -148,11 +158,12 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
         {
             continue;
         }
+        materialPointCloud::newPoint p(points[i]);
         for (int e = 0; e < 3; ++e)
         {
-            if (points[i].halfSize[e] == 0)
+            if (p.halfSize[e] == 0)
             {
-                points[i].x[e] = grid_.mesh().cellCentres()[celli][e];
+                p.x[e] = grid_.mesh().cellCentres()[celli][e];
             }
         }
         if (cells_.empty() || cells_.last() != celli)
@@ -160,7 +171,7 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
             cells_.append(celli);
             start_.append(start_.last());
         }
-        points_.append(points[i]);
+        points_.append(p);
         ++start_.last();
     }
 }

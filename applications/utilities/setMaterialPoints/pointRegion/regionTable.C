@@ -253,7 +253,8 @@ void Foam::mpm::printStart
         const boundBox bb(r.bounds());
         Info<< "    " << r.name() << ": " << r.shape().type() << " of "
             << bb.span() << " m from " << bb.min() << " to " << bb.max()
-            << " m, " << r.pointsPerCell() << " points per cell"
+            << " m, " << r.pointsPerCell()
+            << (r.byElements() ? " points per element" : " points per cell")
             << (r.samplesUnused()
               ? "; samples is not used, parts of sub-cells are exact"
               : "")
