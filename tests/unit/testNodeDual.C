@@ -5,9 +5,9 @@ License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
 Description
-    Node-dual functions on tetrahedra, prisms, hexahedra with warped faces and
-    polyhedra, in 1D to 3D: identities of the operators, rings of walls, edges
-    and corners; two-level passes against the explicit functions.
+    Node-dual functions on tetrahedra, prisms, hexahedra with warped faces,
+    polyhedra and boxes, in 1D to 3D: identities of the operators, rings of
+    walls, edges and corners; two-level passes against the explicit functions.
 
 \*---------------------------------------------------------------------------*/
 
@@ -39,10 +39,16 @@ vector place(const pointGrid& g, const label node)
 
 //- Largest errors of the identities of W and G, and the volume; cyclic
 //  directions are left out
-void identities(const pointGrid& g, const scalar volume, const scalar size)
+void identities
+(
+    const pointGrid& g,
+    const scalar volume,
+    const scalar size,
+    const bool products = false
+)
 {
     const int D = g.nDim();
-    const cellSimplices cells(g);
+    const cellSimplices cells(g, products);
     const nodeDual dual(g, cells);
     scalar sum = 0, least = 0, centre = 0, grad = 0, unit = 0, all = 0;
     label alone = 0;
@@ -90,12 +96,13 @@ void identities(const pointGrid& g, const scalar volume, const scalar size)
 }
 
 
-//- Random points in simplices of random cells
+//- Random points in simplices of random cells; inner: of those without walls
 List<materialPointCloud::newPoint> randomPoints
 (
     const pointGrid& g,
     const label n,
-    std::mt19937& gen
+    std::mt19937& gen,
+    const bool inner
 )
 {
     const int D = g.nDim();
@@ -105,7 +112,11 @@ List<materialPointCloud::newPoint> randomPoints
     List<materialPointCloud::newPoint> points(n);
     for (auto& p : points)
     {
-        const label celli = some(gen);
+        label celli = some(gen);
+        while (inner && g.hexes().walls(celli))
+        {
+            celli = some(gen);
+        }
         const label s = std::uniform_int_distribution<label>
         (
             0, cells.nSimplices(celli) - 1
@@ -145,7 +156,12 @@ List<materialPointCloud::newPoint> randomPoints
 
 //- Passes against sums with weights()
 template<int D>
-void explicitSums(const pointGrid& g, const unsigned seed)
+void explicitSums
+(
+    const pointGrid& g,
+    const unsigned seed,
+    const bool inner = false
+)
 {
     constexpr int P = nodeStride<D>;
     CAPTURE(seed);
@@ -153,7 +169,7 @@ void explicitSums(const pointGrid& g, const unsigned seed)
     std::uniform_real_distribution<scalar> u(-1, 1);
     const auto pass = passes("nodeDual", g);
     materialPointCloud cloud(g, "test");
-    cloud.add(randomPoints(g, 300, gen));
+    cloud.add(randomPoints(g, 300, gen, inner));
     REQUIRE(cloud.size() == 300);
 
     const label N = g.nNodes();
@@ -292,6 +308,11 @@ TEST_CASE("node-dual operators: identities on all kinds of cells")
     identities(cellMesh(cellMesh::polyhedra, 5).grid(), 1, 0.2);
     identities(testMesh(7, 5, 0, graded).grid(), 1.4*3, 0.2);
     identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2);
+    const scalar volume = 1.4*3*(std::exp(1) - 1);
+    identities(testMesh(7, 5, 4, graded).grid(), volume, 0.2, true);
+    identities(testMesh(9, 5, 4, uniform(vector(1, 1, 1))).grid(), 1, 0.2, true);
+    identities(testMesh(7, 5, 0, graded).grid(), 1.4*3, 0.2, true);
+    identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2, true);
 }
 
 
@@ -303,6 +324,16 @@ TEST_CASE("node-dual functions: passes in two levels are sums over the functions
     explicitSums<3>(cellMesh(cellMesh::polyhedra, 3, true).grid(), 4);
     explicitSums<2>(testMesh(6, 5, 0, graded).grid(), 5);
     explicitSums<1>(testMesh(9, 0, 0, graded).grid(), 6);
+
+    // Rows that are alike, up to the walls and beside empty cells
+    const auto cube = uniform(vector(1, 1, 1));
+    for (const bool inner : {false, true})
+    {
+        explicitSums<3>(testMesh(4, 4, 5, graded).grid(), 7, inner);
+        explicitSums<3>(testMesh(12, 5, 4, cube).grid(), 8, inner);
+        explicitSums<2>(testMesh(90, 6, 0, cube).grid(), 9, inner);
+        explicitSums<1>(testMesh(80, 0, 0, cube).grid(), 10, inner);
+    }
 }
 
 // ************************************************************************* //

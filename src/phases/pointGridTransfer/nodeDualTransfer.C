@@ -7,6 +7,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "nodeDualTransfer.H"
+#include "dualBoxShape.H"
+#include "dualSimplexShape.H"
+#include "simplexShape.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -15,7 +18,31 @@ namespace Foam
 namespace mpm
 {
 
-typedef shapeFunction<simplexShape, nodeDualTransfer> nodeDualFunctions;
+//- By products on a lattice, linear where all cells are simplices, in their
+//  simplices elsewhere
+struct nodeDualFunctions
+{
+    static bool onlySimplices(const pointGrid& grid)
+    {
+        bool only = true;
+        for (label celli = 0; only && celli < grid.nCells(); ++celli)
+        {
+            only = grid.nodesOf(celli).size() == grid.nDim() + 1;
+        }
+        return returnReduce(only, andOp<bool>());
+    }
+
+    static autoPtr<pointGridTransfer> New(const pointGrid& grid)
+    {
+        return
+            grid.hasLattice() && grid.radial() < 0
+          ? shapeFunction<dualBoxShape, nodeDualTransfer>::New(grid)
+          : onlySimplices(grid)
+          ? shapeFunction<dualSimplexShape, nodeDualTransfer>::New(grid)
+          : shapeFunction<simplexShape, nodeDualTransfer>::New(grid);
+    }
+};
+
 addNamedToRunTimeSelectionTable
 (
     pointGridTransfer, nodeDualFunctions, grid, nodeDual

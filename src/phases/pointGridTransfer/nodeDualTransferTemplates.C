@@ -17,208 +17,69 @@ namespace mpm
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::reach
+const dualNodes& nodeDualTransfer<Shape, DIM, HOOP>::reach
 (
     const materialPointCloud& cloud
 ) const
 {
-    ++stampNow_;
-    nodes_.clear();
+    dualNodes& nodes =
+        nodes_.try_emplace(&cloud, grid_.nNodes(), dual_).first->second;
 
     // Other processors send sums for shared ones
-    for (const label n : shared_.nodes())
-    {
-        stamp_[n] = stampNow_;
-        nodes_.append(n);
-    }
-    for (const label celli : cloud.cells())
-    {
-        const label* nodes = shape_.cells.nodes(celli);
-        for (label i = 0; i < shape_.cells.nVertices(celli); ++i)
-        {
-            if (stamp_[nodes[i]] != stampNow_)
-            {
-                stamp_[nodes[i]] = stampNow_;
-                nodes_.append(nodes[i]);
-            }
-        }
-    }
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::clear
-(
-    const alignedArray& q,
-    const int stride
-) const
-{
-    for (const label m : nodes_)
-    {
-        std::fill_n(q.data() + stride*m, stride, 0.0);
-    }
+    nodes.update(cloud.cells(), shape_.cells, shared_.nodes());
+    return nodes;
 }
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
 const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gather
 (
+    const dualNodes& nodes,
     const scalar* u,
     const alignedArray& U
 ) const
 {
-    for (const label m : nodes_)
-    {
-        dual_.template gather<P>(m, u, U.data() + P*m);
-    }
+    nodes.gather<P>(u, U.data());
     shared_.sum(U.data(), P, DIM);
     return U.data();
 }
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-bool nodeDualTransfer<Shape, DIM, HOOP>::hasMass(const label l) const
-{
-    for (label e = dual_.begin(l); e < dual_.begin(l + 1); ++e)
-    {
-        const label m = dual_.node(e);
-        if (stamp_[m] != stampNow_)
-        {
-            continue;
-        }
-        if (m == l || !dual_.reduced(m))
-        {
-            return true;
-        }
-        for (label i = dual_.begin(m); i < dual_.begin(m + 1); ++i)
-        {
-            if (dual_.node(i) == l && dual_.W(i) > 0)
-            {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::gradientAtWall
-(
-    const label m,
-    const scalar* u,
-    scalar* L
-) const
-{
-    alignas(64) scalar U[P];
-    dual_.template gather<P>(m, u, U);
-    std::fill_n(L, DIM*P, 0.0);
-    for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-    {
-        const label l = dual_.node(e);
-        const lanes<P> ul = load<P>(hasMass(l) ? u + P*l : U);
-        for (int j = 0; j < DIM; ++j)
-        {
-            store<P>(L + P*j, load<P>(L + P*j) + dual_.G(e)[j]*ul);
-        }
-    }
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::forceAtWall
-(
-    const label m,
-    const scalar* F,
-    scalar* f
-) const
-{
-    lanes<P> rest = {};
-    for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-    {
-        lanes<P> part = {};
-        for (int j = 0; j < DIM; ++j)
-        {
-            part += dual_.G(e)[j]*load<P>(F + P*j);
-        }
-        const label l = dual_.node(e);
-        if (hasMass(l))
-        {
-            store<P>(f + P*l, load<P>(f + P*l) + part);
-        }
-        else
-        {
-            rest += part;
-        }
-    }
-    alignas(64) scalar ofRest[P];
-    store<P>(ofRest, rest);
-    dual_.template spread<P>(m, ofRest, f);
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
 const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
 (
+    const dualNodes& nodes,
     const scalar* u
 ) const
 {
-    for (const label m : nodes_)
-    {
-        scalar* L = L_.data() + C*m;
-        if (dual_.reduced(m))
-        {
-            gradientAtWall(m, u, L);
-        }
-        else
-        {
-            dual_.template gradient<DIM, P>(m, u, L);
-        }
-        if constexpr (HOOP)
-        {
-            dual_.template gather<P>(m, u, L + DIM*P);
-        }
-    }
-    shared_.sum(L_.data(), C, C);
+    nodes.gradient<DIM>(u, HOOP, L_.data());
+    shared_.sum(L_.data(), CL, CL);
     return L_.data();
 }
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::spread(scalar* q) const
+void nodeDualTransfer<Shape, DIM, HOOP>::spread
+(
+    const dualNodes& nodes,
+    scalar* q
+) const
 {
     shared_.sum(a_.data(), P, P);
-    for (const label m : nodes_)
-    {
-        dual_.template spread<P>(m, a_.data() + P*m, q);
-    }
+    nodes.spread<P>(a_.data(), P, q);
 }
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
 void nodeDualTransfer<Shape, DIM, HOOP>::spreadForce
 (
+    const dualNodes& nodes,
     const bool beside,
     scalar* f
 ) const
 {
-    shared_.sum(F_.data(), C, C);
-    for (const label m : nodes_)
-    {
-        const scalar* F = F_.data() + C*m;
-        if (dual_.reduced(m))
-        {
-            forceAtWall(m, F, f);
-        }
-        else
-        {
-            dual_.template force<DIM, P>(m, F, f);
-        }
-        if (beside)
-        {
-            dual_.template spread<P>(m, F + DIM*P, f);
-        }
-    }
+    shared_.sum(F_.data(), CF, beside ? CF : CF/2);
+    nodes.force<DIM>(F_.data(), beside, f);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -236,8 +97,8 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
     U_(P*grid.nNodes()),
     UL_(P*grid.nNodes()),
     dU_(P*grid.nNodes()),
-    L_(C*grid.nNodes()),
-    F_(C*grid.nNodes())
+    L_(CL*grid.nNodes()),
+    F_(CF*grid.nNodes())
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -266,9 +127,10 @@ void nodeDualTransfer<Shape, DIM, HOOP>::weights
     nodes.clear();
     S.clear();
     gradS.clear();
-    for (int i = 0; i < s.n; ++i)
+    for (int i = 0; i < shapeType::count(s); ++i)
     {
         const label m = s.nodes[i];
+        const scalar Sm = shapeType::weight(of, i)[0];
         for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
         {
             label at = nodes.find(dual_.node(e));
@@ -279,10 +141,10 @@ void nodeDualTransfer<Shape, DIM, HOOP>::weights
                 S.append(0);
                 gradS.setSize(DIM*nodes.size(), 0);
             }
-            S[at] += of.S[i][0]*dual_.W(e);
+            S[at] += Sm*dual_.W(e);
             for (int d = 0; d < DIM; ++d)
             {
-                gradS[DIM*at + d] += of.S[i][0]*dual_.G(e)[d];
+                gradS[DIM*at + d] += Sm*dual_.G(e)[d];
             }
         }
     }
@@ -334,10 +196,10 @@ void nodeDualTransfer<Shape, DIM, HOOP>::project
             << " velocities of points yet: choose FLIP or FMPM."
             << exit(FatalError);
     }
-    reach(cloud);
-    clear(a_, P);
+    const dualNodes& nodes = reach(cloud);
+    nodes.clear(a_.data(), P, P);
     base::project(cloud, state, a_.data());
-    spread(mU);
+    spread(nodes, mU);
 }
 
 
@@ -348,10 +210,11 @@ void nodeDualTransfer<Shape, DIM, HOOP>::force
     scalar* f
 ) const
 {
-    reach(cloud);
-    clear(F_, C);
+    const bool beside = HOOP || cloud.gasPressure();
+    const dualNodes& nodes = reach(cloud);
+    nodes.clear(F_.data(), CF, beside ? CF : CF/2);
     base::force(cloud, F_.data());
-    spreadForce(HOOP || cloud.gasPressure(), f);
+    spreadForce(nodes, beside, f);
 }
 
 
@@ -397,10 +260,10 @@ void nodeDualTransfer<Shape, DIM, HOOP>::addBodyForce
     scalar* f
 ) const
 {
-    reach(cloud);
-    clear(a_, P);
+    const dualNodes& nodes = reach(cloud);
+    nodes.clear(a_.data(), P, P);
     base::addBodyForce(cloud, b, a_.data());
-    spread(f);
+    spread(nodes, f);
 }
 
 
@@ -413,15 +276,17 @@ pointGridTransfer::moveResult nodeDualTransfer<Shape, DIM, HOOP>::move
     DynamicList<materialPointCloud::cellChange>& cellChanges
 ) const
 {
-    reach(cloud);
+    const dualNodes& nodes = reach(cloud);
     return base::move
     (
         cloud,
         rule,
         {
-            rule.take.needsU() ? gather(u.U, U_) : nullptr,
-            rule.take.needsUL() ? gather(u.UL, UL_) : nullptr,
-            rule.take.needsDU() || rule.energy ? gather(u.dU, dU_) : nullptr
+            rule.take.needsU() ? gather(nodes, u.U, U_) : nullptr,
+            rule.take.needsUL() ? gather(nodes, u.UL, UL_) : nullptr,
+            rule.take.needsDU() || rule.energy
+          ? gather(nodes, u.dU, dU_)
+          : nullptr
         },
         cellChanges
     );
@@ -437,8 +302,8 @@ void nodeDualTransfer<Shape, DIM, HOOP>::affine
     const scalar dt
 ) const
 {
-    reach(cloud);
-    base::affine(cloud, moment, gradient(u), dt);
+    const dualNodes& nodes = reach(cloud);
+    base::affine(cloud, moment, gradient(nodes, u), dt);
 }
 
 
@@ -451,10 +316,10 @@ void nodeDualTransfer<Shape, DIM, HOOP>::massTimes
     scalar* mU
 ) const
 {
-    reach(cloud);
-    clear(a_, P);
-    base::massTimes(cloud, tentative, gather(u, U_), a_.data());
-    spread(mU);
+    const dualNodes& nodes = reach(cloud);
+    nodes.clear(a_.data(), P, P);
+    base::massTimes(cloud, tentative, gather(nodes, u, U_), a_.data());
+    spread(nodes, mU);
 }
 
 
@@ -471,8 +336,8 @@ nodeDualTransfer<Shape, DIM, HOOP>::correctStress
     scalar* f
 ) const
 {
-    reach(cloud);
-    clear(F_, C);
+    const dualNodes& nodes = reach(cloud);
+    nodes.clear(F_.data(), CF, HOOP ? CF : CF/2);
     const passes::stressResult result
     (
         base::correctStress
@@ -482,13 +347,13 @@ nodeDualTransfer<Shape, DIM, HOOP>::correctStress
             failure,
             dt,
             square,
-            gradient(u),
+            gradient(nodes, u),
             f ? F_.data() : nullptr
         )
     );
     if (f)
     {
-        spreadForce(HOOP, f);
+        spreadForce(nodes, HOOP, f);
     }
     return result;
 }

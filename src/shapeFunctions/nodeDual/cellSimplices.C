@@ -152,11 +152,30 @@ void Foam::mpm::cellSimplices::addCorners
     }
 }
 
+
+void Foam::mpm::cellSimplices::sides
+(
+    const label celli,
+    const label i,
+    scalar* h
+) const
+{
+    for (int d = 0; d < nDim_; ++d)
+    {
+        h[d] = 2*(origin(celli)[d] - position(celli, i)[d]);
+    }
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid)
+Foam::mpm::cellSimplices::cellSimplices
+(
+    const pointGrid& grid,
+    const bool products
+)
 :
     nDim_(grid.nDim()),
+    products_(products),
     start_(grid.nCells() + 1, Zero),
     origin_(grid.nDim()*grid.nCells(), Zero),
     subStart_(grid.nCells() + 1, Zero)
@@ -173,7 +192,9 @@ Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid)
     reduce(triangles, andOp<bool>());
     const labelUList basePoints
     (
-        nDim_ < 3 || triangles ? labelUList() : labelUList(mesh.tetBasePtIs())
+        nDim_ < 3 || triangles || products
+      ? labelUList()
+      : labelUList(mesh.tetBasePtIs())
     );
 
     DynamicList<label> nodes, corners, points, ofCell;
@@ -193,7 +214,7 @@ Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid)
         }
         const scalar* at = x.begin() + nDim_*start_[celli];
         scalar* O = origin_.begin() + nDim_*celli;
-        const bool simplex = n == nDim_ + 1;
+        const bool simplex = !products && n == nDim_ + 1;
         for (label i = 0; i < (simplex ? 1 : n); ++i)
         {
             for (int d = 0; d < nDim_; ++d)
@@ -202,7 +223,11 @@ Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid)
             }
         }
 
-        addCorners(grid, basePoints, celli, points, ofCell);
+        ofCell.clear();
+        if (!products)
+        {
+            addCorners(grid, basePoints, celli, points, ofCell);
+        }
         bool valid = n > nDim_;
         scalar sum = 0;
         const label firstSub = volumes.size();
@@ -275,6 +300,16 @@ Foam::scalar Foam::mpm::cellSimplices::integral
     const label i
 ) const
 {
+    if (products_)
+    {
+        scalar h[3], volume = 1;
+        sides(celli, i, h);
+        for (int d = 0; d < nDim_; ++d)
+        {
+            volume *= mag(h[d])/2;
+        }
+        return volume;
+    }
     const scalar b = originShare(celli, i);
     const label* corner = corners(celli);
     scalar sum = 0;
@@ -299,6 +334,29 @@ void Foam::mpm::cellSimplices::integrals
 ) const
 {
     const label n = nVertices(celli);
+    if (products_)
+    {
+        // int S_i S_j = h/3 or h/6, int S_i dS_j/dx = 1/2 towards j
+        scalar hi[3], hj[3];
+        sides(celli, i, hi);
+        for (label j = 0; j < n; ++j)
+        {
+            sides(celli, j, hj);
+            for (int d = 0; d < nDim_; ++d)
+            {
+                scalar& sum = SdS[nDim_*j + d];
+                sum = hj[d] > 0 ? -0.5 : 0.5;
+                for (int e = 0; e < nDim_; ++e)
+                {
+                    if (e != d)
+                    {
+                        sum *= mag(hi[e])/(hi[e]*hj[e] > 0 ? 3 : 6);
+                    }
+                }
+            }
+        }
+        return;
+    }
     const scalar b = originShare(celli, i);
     const label* corner = corners(celli);
     const scalar* I = inverses(celli);

@@ -127,6 +127,8 @@ Foam::mpm::nodeDual::nodeDual
     node_.transfer(nodes);
     W_.transfer(W);
     G_.transfer(G);
+    sortRows();
+    findRuns();
 }
 
 // ************************************************************************* //

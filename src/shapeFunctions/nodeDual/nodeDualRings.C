@@ -161,12 +161,22 @@ void Foam::mpm::nodeDual::solve
 )
 {
     // Newton's method for the least of log sum N exp(-q.d), which is convex
-    scalar most = 0;
+    scalar most = 0, furthest = 0;
     for (const entry& e : row)
     {
         most = e.N > 0 ? max(most, mag(P & e.d)) : most;
+        furthest = max(furthest, mag(e.d));
     }
-    const scalar h = max(most, VSMALL);
+    if (most <= 1e-9*furthest)
+    {
+        // What P leaves of the directions at a corner is rounding
+        forAll(row, i)
+        {
+            W[i] = row[i].node == m && magSqr(row[i].d) == 0;
+        }
+        return;
+    }
+    const scalar h = most;
     vector q(Zero);
     const auto values = [&](const vector& at, vector& mean, symmTensor& square)
     {
@@ -234,11 +244,10 @@ void Foam::mpm::nodeDual::solve
         W[i] = row[i].N*std::exp(-(q & (P & row[i].d))/h);
         Z += W[i];
     }
-    const bool alone = !found || most <= 0;
     forAll(row, i)
     {
         const bool own = row[i].node == m && magSqr(row[i].d) == 0;
-        W[i] = alone ? scalar(own) : (own ? 1 - beta : 0) + beta*W[i]/Z;
+        W[i] = !found ? scalar(own) : (own ? 1 - beta : 0) + beta*W[i]/Z;
     }
 }
 
