@@ -169,7 +169,8 @@ void Foam::mpm::pointRegion::store
         if (cells_.empty() || cells_.last() != celli)
         {
             cells_.append(celli);
-            start_.append(start_.last());
+            const label from = start_.last();   // append() may move the list
+            start_.append(from);
         }
         points_.append(p);
         ++start_.last();
