@@ -94,7 +94,7 @@ class Case:
                                 stream.read()
         return found
 
-    def run(self, command, environment=None):
+    def run(self, command, environment=None, limit=LIMIT):
         """Exit status (None: stopped at the limit), output, seconds."""
         start = time.monotonic()
         with open(self.file("log." + command[0]), "ab+") as log:
@@ -104,7 +104,7 @@ class Case:
                 stdin=subprocess.DEVNULL, start_new_session=True,
                 env={**os.environ, "PWD": self.path, **(environment or {})})
             try:
-                status = process.wait(LIMIT)
+                status = process.wait(limit)
             except subprocess.TimeoutExpired:
                 os.killpg(process.pid, signal.SIGKILL)
                 process.wait()
@@ -1318,7 +1318,7 @@ def prepare():
         sys.exit(f"materialPointFoam failed:\n{text[-2000:]}")
 
     law = Case(os.path.join(RUN, "nanLaw"), os.path.join(HERE, "nanLaw"))
-    return {"start": start.path, "half": half.path}, law.run(["wmake"])
+    return {"start": start.path, "half": half.path}, law.run(["wmake"], limit=120)
 
 
 def main():
