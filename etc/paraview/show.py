@@ -150,7 +150,7 @@ class Scene:
         if "field" in layer:
             self.colour(shown, layer, "POINTS")
         else:
-            pv.ColorBy(shown, None)
+            shown.ColorArrayName = [None, ""]
             shown.AmbientColor = shown.DiffuseColor = rgb(layer.get("colour", "BODY"))
 
     def camera(self):
