@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Takes the tutorials' pictures into the checkout, from runs that are there: the first one that
-# each README names, as <tutorial>.png; two animations; then the row at the top of README.md (row.py).
+# each README names, as <tutorial>.png; two animations; then the row at the top of README.md
+# (row.py).
 # After . etc/bashrc. Optional argument: the folder of the tutorials.
 cd "${0%/*}" || exit 1
 tutorials=$(cd "${1:-../../tutorials}" && pwd) || exit 1

@@ -56,6 +56,10 @@ class Scene:
         reader.SkipZeroTime = 0
         reader.UpdatePipelineInformation()
         if region not in reader.MeshRegions.Available:
+            # It lists what the time has at which it is: some phases come later
+            reader.UpdatePipeline(reader.TimestepValues[-1])
+            reader.UpdatePipelineInformation()
+        if region not in reader.MeshRegions.Available:
             print(f"{self.file}: ParaView finds no {region}")
             pv.Delete(reader)
             return None
