@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Takes the tutorials' pictures into the checkout, from runs that are there: the first one that
-# each README names, as <tutorial>.png. Then the row at the top of README.md (row.py).
+# each README names, as <tutorial>.png; two animations; then the row at the top of README.md
+# (row.py).
 # After . etc/bashrc. Optional argument: the folder of the tutorials.
 cd "${0%/*}" || exit 1
 tutorials=$(cd "${1:-../../tutorials}" && pwd) || exit 1
@@ -13,6 +14,12 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     ballThroughPlate/debris blastWall/blast
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
+done
+
+# Animations at the top of README.md, from Allrun -animate
+for pair in ballThroughPlate/debris blastWall/blast
+do
+    [ ! -e "$tutorials/$pair.gif" ] || cp "$tutorials/$pair.gif" "${pair%/*}.gif"
 done
 
 "${MPM_PYTHON:-python3}" row.py "$tutorials"

@@ -8,7 +8,6 @@ import os
 import sys
 
 import numpy as np
-import PIL.Image
 
 from mpm.case import Case
 from mpm.pictures import (BODY, DAMAGE, GAS, RIGID, SIGNED, VALUES, ListedColormap, drawPoints,
@@ -81,18 +80,3 @@ for phase in ("target", "flyer"):
     drawPoints(ax, cloud, cloud["sigma"][:, 3]*1e-6, SIGNED, (-500, 500), cloud["damage"] > 0.5,
                scale=1e3, close=0.2, outline="0.3")
 close()
-
-
-def part(tutorial, name, box):
-    """A part of the tutorial's committed picture, as high as the others."""
-    image = PIL.Image.open(os.path.join(HERE, tutorial + ".png")).convert("RGB").crop(box)
-    height = round(HEIGHT*DPI)
-    image = image.resize((round(image.width*height/image.height), height),
-                         PIL.Image.Resampling.LANCZOS)
-    image = image.quantize(256, dither=PIL.Image.Dither.NONE)
-    image.save(os.path.join(HERE, f"row{name}.png"), optimize=True)
-
-
-# The last panels of two tutorials
-part("blastWall", "BlastWall", (478, 386, 843, 751))
-part("ballThroughPlate", "BallThroughPlate", (571, 319, 1042, 612))

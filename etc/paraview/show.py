@@ -56,6 +56,10 @@ class Scene:
         reader.SkipZeroTime = 0
         reader.UpdatePipelineInformation()
         if region not in reader.MeshRegions.Available:
+            # It lists what the time has at which it is: some phases come later
+            reader.UpdatePipeline(reader.TimestepValues[-1])
+            reader.UpdatePipelineInformation()
+        if region not in reader.MeshRegions.Available:
             print(f"{self.file}: ParaView finds no {region}")
             pv.Delete(reader)
             return None
@@ -150,7 +154,7 @@ class Scene:
         if "field" in layer:
             self.colour(shown, layer, "POINTS")
         else:
-            pv.ColorBy(shown, None)
+            shown.ColorArrayName = [None, ""]
             shown.AmbientColor = shown.DiffuseColor = rgb(layer.get("colour", "BODY"))
 
     def camera(self):

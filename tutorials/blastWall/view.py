@@ -2,7 +2,7 @@
 
 VIEWS = {
     "blast": {
-        "time": (1e3, "ms"), "mirror": "up", "box": (-0.5, 1.3, -0.9, 0.9), "size": 5,
+        "time": (1e3, "ms"), "mirror": "up", "box": (-0.5, 1.3, -0.9, 0.9), "size": 3.9,
         "gas": {"field": "1e-5*p", "label": "pressure [bar]", "limits": (0.2, 20),
                 "log": True},
         "points": [

@@ -73,7 +73,7 @@ class Drawing:
 
     def limits(self):
         labels = (f"{'xyz'[a]} [{self.unit}]" for a in (self.across, self.up))
-        frame(self.ax, self.box[:2], self.box[2:], *labels)
+        frame(self.ax, self.box[:2], self.box[2:], *labels, title=" ")
 
     def draw(self, time):
         self.ax.clear()

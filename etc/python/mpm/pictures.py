@@ -205,12 +205,12 @@ def saveAnimation(figures, name, seconds=4, colours=128):
     for figure in figures:
         figure.canvas.draw()
         frames.append(PIL.Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]))
-    some = frames[::max(1, len(frames)//8)]
-    width, height = frames[0].size
-    all_ = PIL.Image.new("RGB", (width, height*len(some)))
-    for i, image in enumerate(some):
-        all_.paste(image, (0, i*height))
-    palette = all_.quantize(colours)
+    # Colours of some frames, rare ones (of a bar) with more than their share
+    some = np.concatenate([np.asarray(f).reshape(-1, 3)
+                           for f in frames[::max(1, len(frames)//8)]])
+    found, count = np.unique(some & 0xfc, axis=0, return_counts=True)
+    found = np.repeat(found | 2, np.ceil(np.sqrt(count)).astype(int), axis=0)
+    palette = PIL.Image.fromarray(found[None].astype(np.uint8)).quantize(colours)
     frames = [f.quantize(palette=palette, dither=PIL.Image.Dither.NONE) for f in frames]
     each = 10*round(min(max(100*seconds/len(frames), 5), 25))
     frames[0].save(name, save_all=True, append_images=frames[1:], loop=0, optimize=False,

@@ -145,6 +145,8 @@ def pictures(table):
     sizes = {os.path.basename(f): os.path.getsize(f) for f in files}
     table.row("largest picture of doc/pictures [kB]", 150, max(sizes.values())/1e3, 150,
               "atMost")
+    sizes = [os.path.getsize(f) for f in glob.glob(os.path.join(folder, "*.gif"))]
+    table.row("largest animation of doc/pictures [kB]", 500, max(sizes)/1e3, 500, "atMost")
     heights = []
     for path in re.findall(r'src="(doc/pictures/\w+\.png)"', Page(
             os.path.join(PROJECT, "README.md")).text):

@@ -139,7 +139,7 @@ def animation(table):
     x = case.points(times[-1], "block")["x"]
     rows, columns = (np.nonzero(grey[-1].sum(axis=a) > 20)[0] for a in (1, 0))
     table.row("block in air: width over height in the picture", np.ptp(x[:, 0])/np.ptp(x[:, 1]),
-              np.ptp(columns)/np.ptp(rows), 0.1, "relative")
+              np.ptp(columns)/np.ptp(rows), 0.05, "relative")
     moved = [np.nonzero(g)[1].mean() for g in grey]
     table.check("block in air: moves to the right", np.all(np.diff(moved) > 0), moved)
 
@@ -154,7 +154,7 @@ source.UpdatePipeline(float(sys.argv[2]))
 low, high = source.GetPointDataInformation().GetArray("id").GetRange()
 print("block", source.GetDataInformation().GetNumberOfPoints(), int(low), int(high))
 view = pv.GetActiveViewOrCreate("RenderView")
-print("shown", *sorted(str(r.Representation).replace(" ", "") for r in view.Representations
+print("shown", sorted(str(r.Representation).strip("'") for r in view.Representations
                        if hasattr(r, "Representation") and r.Visibility))
 """
 
@@ -184,7 +184,7 @@ def paraview(table):
     table.check("the state: points of the last time, with their columns",
                 f"block {len(ids)} {ids.min()} {ids.max()}\n" in output[1], last(output[1]))
     table.check("the state: Point Gaussians, the gas as a surface",
-                "shown PointGaussian Surface\n" in output[1], last(output[1]))
+                "shown ['Point Gaussian', 'Surface']\n" in output[1], last(output[1]))
     if os.path.exists(picture):
         import PIL.Image
         image = np.asarray(PIL.Image.open(picture).convert("RGB"), float)
@@ -193,7 +193,7 @@ def paraview(table):
         # The mesh, 40 mm by 40 mm, beside a bar of 150 pixels, within a margin of 10
         share = np.prod(np.ptp(x[:, :2], axis=0) + 2*half[0, :2])/0.04**2
         share *= (image.shape[0] - 20)**2/image[..., 0].size
-        table.row("the picture: share of the block's colour", share, grey, 0.1, "relative")
+        table.row("the picture: share of the block's colour", share, grey, 0.05, "relative")
 
 
 if __name__ == "__main__":
