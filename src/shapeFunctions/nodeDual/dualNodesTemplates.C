@@ -36,6 +36,17 @@ MPM_INLINE void dualNodes::forRows(const Row& row, const Range& range) const
 }
 
 
+template<int N, class Function>
+MPM_INLINE void dualNodes::unrolled(const Function& f)
+{
+    if constexpr (N > 0)
+    {
+        unrolled<N - 1>(f);
+        f(std::integral_constant<int, N - 1>());
+    }
+}
+
+
 template<int D, int P, int N, class Store>
 MPM_INLINE void dualNodes::sumRows
 (
@@ -56,32 +67,67 @@ MPM_INLINE void dualNodes::sumRows
     {
         const scalar* q = at + P*dual.node(e);
         const scalar* w = weight + D*e;
-        for (int r = 0; r < R; ++r)
+        unrolled<R>([&](const auto r) __attribute__((always_inline))
         {
             const lanes<V> ul = load<V>(q + V*r);
-            for (int j = 0; j < D; ++j)
+            unrolled<D>([&](const auto j) __attribute__((always_inline))
             {
                 sum[r][j] += w[j]*ul;
-            }
-        }
+            });
+        });
     }
-    for (int r = 0; r < R; ++r)
+    unrolled<R>([&](const auto r) __attribute__((always_inline))
     {
-        for (int i = 0; i < V/P; ++i)
+        unrolled<V/P>([&](const auto i) __attribute__((always_inline))
         {
-            for (int j = 0; j < D; ++j)
+            unrolled<D>([&](const auto j) __attribute__((always_inline))
             {
-                lanes<P> part;
-                std::memcpy
-                (
-                    &part,
-                    reinterpret_cast<const char*>(&sum[r][j])
-                  + i*sizeof(part),
-                    sizeof(part)
-                );
-                to(m + (V/P)*r + i, j, part);
-            }
-        }
+                // By its elements: what has an address leaves the registers
+                const lanes<V> a = sum[r][j];
+                if constexpr (P == 2)
+                {
+                    to(m + (V/P)*r + i, j, lanes<P>{a[P*i], a[P*i + 1]});
+                }
+                else
+                {
+                    to
+                    (
+                        m + (V/P)*r + i,
+                        j,
+                        lanes<P>
+                        {
+                            a[P*i], a[P*i + 1], a[P*i + 2], a[P*i + 3]
+                        }
+                    );
+                }
+            });
+        });
+    });
+}
+
+
+template<int D, int P, class Store>
+MPM_INLINE void dualNodes::sumRange
+(
+    const nodeDual& dual,
+    const scalar* weight,
+    const rowRange& range,
+    const scalar* u,
+    const Store& to
+)
+{
+    label m = range.first;
+    for (; m + 8 <= range.end; m += 8)
+    {
+        sumRows<D, P, 8>(dual, weight, m, u, to);
+    }
+    for (; m + 2 <= range.end; m += 2)
+    {
+        sumRows<D, P, 2>(dual, weight, m, u, to);
+    }
+    if (m < range.end)
+    {
+        sumRows<D, P, 1>(dual, weight, m, u, to);
     }
 }
 
@@ -90,35 +136,36 @@ template<int D, int P, int K>
 MPM_INLINE void dualNodes::addLine
 (
     const scalar* weight,
-    const scalar* const* column,
+    const scalar* const (&column)[D],
     const int n,
     scalar* to
 )
 {
     constexpr int V = 2*P;
+
+    // What is stored may be a weight, as far as the compiler knows
+    lanes<V> w[K*D];
+    unrolled<K*D>([&](const auto i) __attribute__((always_inline))
+    {
+        w[i] = broadcast<V>(weight[i]);
+    });
     int k = 0;
     for (; k + 2 < n + K; k += 2)
     {
         lanes<V> sum = load<V>(to + P*k);
-        for (int i = 0; i < K; ++i)
+        unrolled<K*D>([&](const auto i) __attribute__((always_inline))
         {
-            for (int j = 0; j < D; ++j)
-            {
-                sum += weight[D*i + j]*load<V>(column[j] + P*(k - i));
-            }
-        }
+            sum += w[i]*load<V>(column[i % D] + P*(k - i/D));
+        });
         store<V>(to + P*k, sum);
     }
     if (k + 1 < n + K)
     {
         lanes<P> sum = load<P>(to + P*k);
-        for (int i = 0; i < K; ++i)
+        unrolled<K*D>([&](const auto i) __attribute__((always_inline))
         {
-            for (int j = 0; j < D; ++j)
-            {
-                sum += weight[D*i + j]*load<P>(column[j] + P*(k - i));
-            }
-        }
+            sum += weight[i]*load<P>(column[i % D] + P*(k - i/D));
+        });
         store<P>(to + P*k, sum);
     }
 }
@@ -129,7 +176,7 @@ MPM_INLINE void dualNodes::addLines
 (
     const nodeDual& dual,
     const scalar* weight,
-    const scalar* const* column,
+    const scalar* const (&column)[D],
     const label m,
     const int n,
     scalar* f
@@ -163,17 +210,22 @@ MPM_INLINE void dualNodes::addLines
 
 
 template<int DIM>
-MPM_INLINE void dualNodes::columnOf
+MPM_INLINE void dualNodes::columnsOf
 (
     const scalar* F,
-    const int j,
-    scalar* to
+    scalar* to,
+    const int apart
 )
 {
-    for (int i = 0; i < nodeStride<DIM>; ++i)
+    constexpr int P = nodeStride<DIM>;
+    unrolled<DIM>([&](const auto j) __attribute__((always_inline))
     {
-        to[i] = i < DIM ? F[dualColumns<DIM>::slot(i, j)] : 0;
-    }
+        unrolled<P>([&](const auto i) __attribute__((always_inline))
+        {
+            constexpr int c = i < DIM ? dualColumns<DIM>::slot(i, j) : 0;
+            to[P*apart*j + i] = i < DIM ? F[c] : 0;
+        });
+    });
 }
 
 
@@ -216,11 +268,8 @@ void dualNodes::forceAtWall
 {
     constexpr int P = nodeStride<DIM>;
     const label m = walls_[i];
-    alignas(64) scalar column[DIM][P];
-    for (int j = 0; j < DIM; ++j)
-    {
-        columnOf<DIM>(F, j, column[j]);
-    }
+    alignas(64) scalar column[DIM*P];
+    columnsOf<DIM>(F, column, 1);
     lanes<P> rest = {};
     const char* mass = hasMass_.cdata() + wallStart_[i];
     for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
@@ -228,7 +277,7 @@ void dualNodes::forceAtWall
         lanes<P> part = {};
         for (int j = 0; j < DIM; ++j)
         {
-            part += dual_.G(e)[j]*load<P>(column[j]);
+            part += dual_.G(e)[j]*load<P>(column + P*j);
         }
         if (*mass++)
         {
@@ -259,15 +308,7 @@ void dualNodes::gather(const scalar* u, scalar* U) const
         [&](const label m) { dual_.gather<P>(m, u, U + P*m); },
         [&](const rowRange& r)
         {
-            label m = r.first;
-            for (; m + 4 <= r.end; m += 4)
-            {
-                sumRows<1, P, 4>(dual_, dual_.allW(), m, u, to);
-            }
-            for (; m < r.end; ++m)
-            {
-                sumRows<1, P, 1>(dual_, dual_.allW(), m, u, to);
-            }
+            sumRange<1, P>(dual_, dual_.allW(), r, u, to);
         }
     );
     for (const label m : walls_)
@@ -329,15 +370,7 @@ void dualNodes::gradient
         },
         [&](const rowRange& r)
         {
-            label m = r.first;
-            for (; m + 4 <= r.end; m += 4)
-            {
-                sumRows<DIM, P, 4>(dual_, dual_.allG(), m, u, to);
-            }
-            for (; m < r.end; ++m)
-            {
-                sumRows<DIM, P, 1>(dual_, dual_.allG(), m, u, to);
-            }
+            sumRange<DIM, P>(dual_, dual_.allG(), r, u, to);
         }
     );
     forAll(walls_, i)
@@ -370,10 +403,7 @@ void dualNodes::force(const scalar* F, const bool beside, scalar* f) const
         [&](const label m)
         {
             alignas(64) scalar columns[DIM*P];
-            for (int j = 0; j < DIM; ++j)
-            {
-                columnOf<DIM>(F + C*m, j, columns + P*j);
-            }
+            columnsOf<DIM>(F + C*m, columns, 1);
             dual_.force<DIM, P>(m, columns, f);
         },
         [&](const rowRange& r)
@@ -381,13 +411,12 @@ void dualNodes::force(const scalar* F, const bool beside, scalar* f) const
             for (label m = r.first; m < r.end; m += most)
             {
                 const int n = min(most, r.end - m);
+                for (int i = 0; i < n; ++i)
+                {
+                    columnsOf<DIM>(F + C*(m + i), room[0] + P*(i + 2), most + 4);
+                }
                 for (int j = 0; j < DIM; ++j)
                 {
-                    std::fill_n(room[j], 2*P, 0.0);
-                    for (int i = 0; i < n; ++i)
-                    {
-                        columnOf<DIM>(F + C*(m + i), j, room[j] + P*(i + 2));
-                    }
                     std::fill_n(room[j] + P*(n + 2), 2*P, 0.0);
                 }
                 addLines<DIM, P>(dual_, dual_.allG(), column, m, n, f);

@@ -8,7 +8,9 @@ License
 
 #include "nodeDual.H"
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <unordered_map>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -74,25 +76,44 @@ bool Foam::mpm::nodeDual::sameRow(const label a, const label b) const
 void Foam::mpm::nodeDual::findRuns()
 {
     alike_.setSize(start_.size() - 1);
-    label first = 0;
+    std::unordered_multimap<std::size_t, label> firsts;
     forAll(alike_, m)
     {
-        if (m == 0 || !sameRow(first, m))
+        // By number of entries and G of the first to six digits: where these
+        // differ by rounding a row has one more to look like
+        const label begin = nDim_*start_[m], end = nDim_*start_[m + 1];
+        scalar most = VSMALL;
+        for (label i = begin; i < end; ++i)
         {
-            first = m;
+            most = max(most, mag(G_[i]));
+        }
+        std::size_t key = end - begin;
+        for (label i = begin; i < min(begin + 2*nDim_, end); ++i)
+        {
+            key = 1000003*key + std::size_t(std::lround(1e6*G_[i]/most));
+        }
+
+        label first = m && sameRow(alike_[m - 1], m) ? alike_[m - 1] : -1;
+        const auto known = firsts.equal_range(key);
+        for (auto iter = known.first; first < 0 && iter != known.second; ++iter)
+        {
+            first = sameRow(iter->second, m) ? iter->second : -1;
+        }
+        if (first < 0)
+        {
+            alike_[m] = m;
+            firsts.emplace(key, m);
+            continue;
         }
         alike_[m] = first;
-        if (m != first)
-        {
-            const label n = start_[m + 1] - start_[m];
-            std::copy_n(W_.begin() + start_[first], n, W_.begin() + start_[m]);
-            std::copy_n
-            (
-                G_.begin() + nDim_*start_[first],
-                nDim_*n,
-                G_.begin() + nDim_*start_[m]
-            );
-        }
+        const label n = start_[m + 1] - start_[m];
+        std::copy_n(W_.begin() + start_[first], n, W_.begin() + start_[m]);
+        std::copy_n
+        (
+            G_.begin() + nDim_*start_[first],
+            nDim_*n,
+            G_.begin() + nDim_*start_[m]
+        );
     }
 }
 
