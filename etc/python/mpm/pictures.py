@@ -112,7 +112,7 @@ def _pixels(ax, box):
 
 def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=None,
                scale=1.0, axes=(0, 1), close=0.5, mirror=False, flip=False, outline=None, size=1.0,
-               pixels=None):
+               pixels=None, section=None):
     """Points of a cloud, in the limits that the axes have (set them before).
 
     values   one per point with cmap and limits, or a colour for all
@@ -123,10 +123,14 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
     mirror   drawn at both sides of the axis ("up": of 0 of the direction up); flip: at
              the other side
     size     of the boxes drawn over theirs
+    section  thickness of the mesh [m], where points have no half-sizes: squares of their volume
     outline  colour of a line about those that have not failed
     Returns what a colour bar needs.
     """
-    x, half = cloud["x"][:, axes]*scale, cloud["halfSize"][:, axes]*scale*size
+    x = cloud["x"][:, axes]*scale
+    half = cloud["halfSize"][:, axes] if section is None else np.stack(
+        [0.5*np.sqrt(cloud["V"]/section)]*2, axis=1)
+    half = half*scale*size
     plain = isinstance(values, str)
     norm = None if plain else Normalize(*(limits or (np.min(values), np.max(values))))
     colours = np.tile(to_rgba(values), (len(x), 1)) if plain else cmap(norm(values))
