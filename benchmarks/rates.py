@@ -4,7 +4,8 @@ The 3D case is the block of the peers' comparison: 262144 points (32^3 cells
 with 8 points) in 40 x 40 x 36 cells of 1/32 m, E 1e6, nu 0.3, rho 1000, gravity,
 bottom fixed, dt 2.5e-4 s, double precision, full steps with FLIP (MUSL), no
 output; and the same block free, without gravity, moving 0.1 cell per step.
-The 2D case is a square of 256^2 cells with 4 points.
+The 2D case is a square of 256^2 cells with 4 points. "tetrahedra" is the block in
+30 x 30 x 27 boxes cut into six tetrahedra each, with 4 points per cell.
 
 Peers' rates (fastest of six open codes, same block, their machine with 22 GB/s
 triad and 58 GFlop/s): linear 2.00, GIMP 0.92 M point-steps/s (MPM3D-F90),
@@ -23,10 +24,14 @@ import re
 import shutil
 import subprocess
 import sys
+from types import SimpleNamespace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 RUN = os.path.join(HERE, "run")
 PEERS = {"linear": 2.00, "GIMP": 0.92, "quadraticBSpline": 0.72}
+SHAPES = {"block": tuple(PEERS) + ("nodeDual",), "square": ("linear", "GIMP", "nodeDual"),
+          "tetrahedra": ("nodeDual",)}
+sys.path.insert(0, os.path.join(HERE, "../tests/lib"))
 
 
 def run(command, folder):
@@ -54,19 +59,28 @@ def set_text(path, pattern, value):
 def prepare(name, template, velocity=None, small=False):
     case = os.path.join(RUN, name)
     shutil.rmtree(case, ignore_errors=True)
-    shutil.copytree(os.path.join(HERE, template), case)
+    solid = template != "square"
+    shutil.copytree(os.path.join(HERE, "block" if solid else template), case)
     points = os.path.join(case, "system/setMaterialPointsDict")
     if velocity:
         set_text(points, r"^velocity .*", f"velocity ({velocity});")
-        if template == "block":
+        if solid:
             os.remove(os.path.join(case, "constant/g"))
             set_text(os.path.join(case, "0/U.block"), r"bottom \{.*\}",
                      "bottom { type calculated; }")
     if small:
         set_text(points, r"^high .*", "high 0.16;")
-        if template == "block":
+        if solid:
             set_text(points, r"^top .*", "top 0.04;")
-    run(["blockMesh"], case)
+    if template == "tetrahedra":
+        from cellMesh import boxOfCells
+        boxOfCells(SimpleNamespace(path=case), "tets", (0, 0, 0), (1.25, 1.25, 1.125),
+                   (30, 30, 27),
+                   {"bottom": ("wall", ("z-",)),
+                    "others": ("patch", ("x-", "x+", "y-", "y+", "z+"))},
+                   kept=[(d, k) for d in (0, 1) for k in (3, 27)] + [(2, 24)])
+    else:
+        run(["blockMesh"], case)
     run(["setMaterialPoints"], case)
     return case
 
@@ -182,19 +196,19 @@ def main():
 
     flip, fmpm = "transfer FLIP; PICfraction 0;", "transfer FMPM; order 2;"
     rows = []
-    for template, motion, velocity, shapes in (
-            ("block", "at rest", None, tuple(PEERS)),
-            ("block", "translating", "12.5 0 0", tuple(PEERS)),
-            ("square", "at rest", None, ("linear", "GIMP")),
-            ("square", "translating", "19.53125 0 0", ("linear", "GIMP"))):
+    for template, motion, velocity in (
+            ("block", "at rest", None), ("block", "translating", "12.5 0 0"),
+            ("tetrahedra", "at rest", None), ("tetrahedra", "translating", "12.5 0 0"),
+            ("square", "at rest", None), ("square", "translating", "19.53125 0 0")):
         case = prepare(f"{template}-{motion.replace(' ', '')}", template, velocity)
-        for shape in shapes:
+        for shape in SHAPES[template]:
             for name, transfer in (("FLIP", flip), ("FMPM(2)", fmpm)):
                 out = measure(case, shape, transfer, 10)
                 rate = number(out, "rate [M point-steps/s]")
                 share = re.search(r"share of the step \[%\]: (.*)", out).group(1)
                 peer = (rate/PEERS[shape]/factor
-                        if template == "block" and name == "FLIP" else None)
+                        if template == "block" and name == "FLIP" and shape in PEERS
+                        else None)
                 rows.append([template, motion, shape, name, f"{rate:.2f}",
                              f"{number(out, 'ns per point and step'):.1f}",
                              f"{number(out, 'columns and buffers [bytes per point]'):.0f}",
@@ -204,9 +218,9 @@ def main():
 
     # Memory: the same mesh with a few points instead
     base = {}
-    for template in ("block", "square"):
+    for template in SHAPES:
         case = prepare(f"{template}-small", template, small=True)
-        for shape in PEERS if template == "block" else ("linear", "GIMP"):
+        for shape in SHAPES[template]:
             out = measure(case, shape, flip, 2)
             base[template, shape] = (number(out, "peak memory [kB]"), number(out, "points"))
 

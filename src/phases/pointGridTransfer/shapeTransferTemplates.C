@@ -474,10 +474,10 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             }
             if (n < W)
             {
-                for (int l = n; l < W; ++l)
-                {
-                    way[l] = fast[l] = 0;
-                }
+                const scalar lane[] = {0, 1, 2, 3, 4, 5, 6, 7};
+                const auto own = load<W>(lane) < broadcast<W>(n);
+                way = select(own, way, T{});
+                fast = select(own, fast, T{});
             }
             travel = laneMax(travel, way);
             rate = laneMax(rate, fast);

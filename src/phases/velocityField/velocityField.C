@@ -417,7 +417,24 @@ Foam::scalar Foam::mpm::velocityField::maxStrain
     scalar largest = 0;
     for (const label celli : cells)
     {
-        largest = max(largest, grid_.largestSlope(celli, raise));
+        // All nodes of a simplex are joined by edges
+        const SubList<label> nodes(grid_.nodesOf(celli));
+        if (nDim_ > 1 && nodes.size() == nDim_ + 1)
+        {
+            scalar most = 0;
+            for (label i = 1; i <= nDim_; ++i)
+            {
+                for (label j = 0; j < i; ++j)
+                {
+                    raise(nodes[j], nodes[i], most);
+                }
+            }
+            largest = max(largest, most/grid_.shortestSide(celli));
+        }
+        else
+        {
+            largest = max(largest, grid_.largestSlope(celli, raise));
+        }
     }
     return dt*largest;
 }
