@@ -24,13 +24,6 @@ void nodeDualTransfer<Shape, DIM, HOOP>::reach
 {
     ++stampNow_;
     nodes_.clear();
-
-    // Other processors send sums for shared ones
-    for (const label n : shared_.nodes())
-    {
-        stamp_[n] = stampNow_;
-        nodes_.append(n);
-    }
     for (const label celli : cloud.cells())
     {
         const label* nodes = shape_.cells.nodes(celli);
@@ -71,34 +64,74 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gather
     {
         dual_.template gather<P>(m, u, U.data() + P*m);
     }
-    shared_.sum(U.data(), P, DIM);
     return U.data();
 }
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-bool nodeDualTransfer<Shape, DIM, HOOP>::hasMass(const label l) const
+void nodeDualTransfer<Shape, DIM, HOOP>::findFeeds()
 {
-    for (label e = dual_.begin(l); e < dual_.begin(l + 1); ++e)
+    const label N = grid_.nNodes();
+    mark_.setSize(N, 0);
+    for (label m = 0; m < N; ++m)
     {
-        const label m = dual_.node(e);
-        if (stamp_[m] != stampNow_)
+        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
         {
-            continue;
-        }
-        if (m == l || !dual_.reduced(m))
-        {
-            return true;
-        }
-        for (label i = dual_.begin(m); i < dual_.begin(m + 1); ++i)
-        {
-            if (dual_.node(i) == l && dual_.W(i) > 0)
+            if (dual_.reduced(m))
             {
-                return true;
+                mark_[dual_.node(e)] = 1;
+                anyReduced_ = true;
             }
         }
     }
-    return false;
+    reduce(anyReduced_, orOp<bool>());
+    shared_.largest(mark_.data(), 1, 1);
+    feeds_.setSize(N, false);
+    for (label m = 0; m < N; ++m)
+    {
+        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+        {
+            feeds_[m] =
+                feeds_[m] || (dual_.W(e) > 0 && mark_[dual_.node(e)] > 0);
+        }
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void nodeDualTransfer<Shape, DIM, HOOP>::findMass() const
+{
+    if (!anyReduced_)
+    {
+        return;
+    }
+    for (const label m : nodes_)
+    {
+        for
+        (
+            label e = dual_.begin(m);
+            feeds_[m] && e < dual_.begin(m + 1);
+            ++e
+        )
+        {
+            if (dual_.W(e) > 0)
+            {
+                massStamp_[dual_.node(e)] = stampNow_;
+            }
+        }
+    }
+    if (shared_.nodes().size())
+    {
+        for (const label l : shared_.nodes())
+        {
+            mark_[l] = hasMass(l);
+        }
+        shared_.largest(mark_.data(), 1, 1);
+        for (const label l : shared_.nodes())
+        {
+            massStamp_[l] = mark_[l] > 0 ? stampNow_ : massStamp_[l];
+        }
+    }
 }
 
 
@@ -163,6 +196,7 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
     const scalar* u
 ) const
 {
+    findMass();
     for (const label m : nodes_)
     {
         scalar* L = L_.data() + C*m;
@@ -179,7 +213,6 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
             dual_.template gather<P>(m, u, L + DIM*P);
         }
     }
-    shared_.sum(L_.data(), C, C);
     return L_.data();
 }
 
@@ -187,7 +220,6 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
 template<template<int> class Shape, int DIM, bool HOOP>
 void nodeDualTransfer<Shape, DIM, HOOP>::spread(scalar* q) const
 {
-    shared_.sum(a_.data(), P, P);
     for (const label m : nodes_)
     {
         dual_.template spread<P>(m, a_.data() + P*m, q);
@@ -202,7 +234,6 @@ void nodeDualTransfer<Shape, DIM, HOOP>::spreadForce
     scalar* f
 ) const
 {
-    shared_.sum(F_.data(), C, C);
     for (const label m : nodes_)
     {
         const scalar* F = F_.data() + C*m;
@@ -229,16 +260,20 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
     base(grid),
     grid_(grid),
     dual_(shape_.dual),
-    shared_(grid.shared(0)),
+    shared_(grid.shared(shapeType::reach)),
+    anyReduced_(false),
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),
+    massStamp_(grid.nNodes(), label(-1)),
     a_(P*grid.nNodes()),
     U_(P*grid.nNodes()),
     UL_(P*grid.nNodes()),
     dU_(P*grid.nNodes()),
     L_(C*grid.nNodes()),
     F_(C*grid.nNodes())
-{}
+{
+    findFeeds();
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -351,6 +386,7 @@ void nodeDualTransfer<Shape, DIM, HOOP>::force
     reach(cloud);
     clear(F_, C);
     base::force(cloud, F_.data());
+    findMass();
     spreadForce(HOOP || cloud.gasPressure(), f);
 }
 
