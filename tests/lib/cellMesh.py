@@ -7,6 +7,10 @@ cuts each of 8 x 8 x 8 boxes into six tetrahedra (two prisms along z) and moves
 the inner points at random by up to 0.2 of the widths; prisms and hexahedra keep
 plane faces: points above each other in z move alike. kept: planes (axis, index)
 whose points stay in them.
+
+    {"left": ("cyclic", ("x-",), "right"), "right": ("cyclic", ("x+",), "left"), ...}
+
+makes a cyclic pair: the points of both sides are moved alike.
 """
 
 import os
@@ -59,9 +63,32 @@ def _cells(kind, n):
     return cells
 
 
+def _matched(outer, points, patches):
+    """Faces of cyclic patches in the same order on both sides, with the same first
+    point; all others by owners."""
+    across = {}
+    for i, (_, kind, *_) in enumerate(patches):
+        if kind == "cyclic":
+            used = np.array([points[p] for f in outer if f[0] == i for p in f[2]])
+            across[i] = int(np.argmin(np.ptp(used, axis=0)))
+
+    def place(patch, x):
+        return tuple(np.delete(x, across[patch]).round(9))
+
+    turned = []
+    for patch, owner, face in outer:
+        order = (owner,)
+        if patch in across:
+            first = min(range(len(face)), key=lambda k: place(patch, points[face[k]]))
+            face = face[first:] + face[:first]
+            order = place(patch, points[list(face)].mean(axis=0))
+        turned.append(((patch, *order), (patch, owner, face)))
+    return [f for _, f in sorted(turned, key=lambda f: f[0])]
+
+
 def writePolyMesh(case, points, cells, patchOf, patches):
     """cells: outward faces of each; patchOf(centre) gives the index of the patch of
-    a boundary face; patches: (name, type)."""
+    a boundary face; patches: (name, type), of a cyclic one with its neighbour."""
     first = {}
     inner, outer = [], []
     for c, faces in enumerate(cells):
@@ -75,7 +102,7 @@ def writePolyMesh(case, points, cells, patchOf, patches):
     inner.sort(key=lambda f: f[:2])
     for owner, face in first.values():
         outer.append((patchOf(points[list(face)].mean(axis=0)), owner, face))
-    outer.sort(key=lambda f: f[:2])
+    outer = _matched(outer, points, patches)
 
     folder = os.path.join(case.path, "constant", "polyMesh")
     os.makedirs(folder, exist_ok=True)
@@ -92,9 +119,11 @@ def writePolyMesh(case, points, cells, patchOf, patches):
     write("owner", "labelList", [str(f[0]) for f in inner] + [str(f[1]) for f in outer])
     write("neighbour", "labelList", [str(f[1]) for f in inner])
     boundary, start = [], len(inner)
-    for i, (name, kind) in enumerate(patches):
+    for i, (name, kind, *neighbour) in enumerate(patches):
         n = sum(1 for f in outer if f[0] == i)
-        boundary.append(f"{name} {{ type {kind}; nFaces {n}; startFace {start}; }}")
+        partner = "".join(f" neighbourPatch {p};" for p in neighbour)
+        boundary.append(
+            f"{name} {{ type {kind};{partner} nFaces {n}; startFace {start}; }}")
         start += n
     write("boundary", "polyBoundaryMesh", boundary)
 
@@ -111,13 +140,19 @@ def boxOfCells(case, kind, low, high, n, patches, moved=0.2, kept=(), seed=1):
         shift = plane[index[:, 0] + (n[0] + 1)*index[:, 1]]
         shift[:, 2] = 0
     for d in range(3):
+        if any(kind == "cyclic" and "xyz"[d] + "-" in sides
+               for kind, sides, *_ in patches.values()):
+            partner = index.copy()
+            partner[partner[:, d] == n[d], d] = 0
+            shift = shift[partner @ (1, n[0] + 1, (n[0] + 1)*(n[1] + 1))]
+    for d in range(3):
         shift[(index[:, d] == 0) | (index[:, d] == n[d]), d] = 0
     for d, at in kept:
         shift[index[:, d] == at, d] = 0
     points = low + (index + shift)*(high - low)/n
 
     names = list(patches)
-    ofSide = {side: names.index(name) for name, (_, sides) in patches.items()
+    ofSide = {side: names.index(name) for name, (_, sides, *_) in patches.items()
               for side in sides}
 
     def patchOf(x):
@@ -126,4 +161,5 @@ def boxOfCells(case, kind, low, high, n, patches, moved=0.2, kept=(), seed=1):
         return ofSide["xyz"[d] + "-+"[side]]
 
     writePolyMesh(case, points, _cells(kind, n), patchOf,
-                  [(name, kind) for name, (kind, _) in patches.items()])
+                  [(name, kind, *neighbour)
+                   for name, (kind, _, *neighbour) in patches.items()])

@@ -101,7 +101,11 @@ void Foam::mpm::materialPointCloud::sendRows()
 }
 
 
-void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
+void Foam::mpm::materialPointCloud::unpack
+(
+    DynamicList<cellChange>& cellChanges,
+    const bool last
+)
 {
     // A row is the cell followed by all columns
     const label row = 1 + rowSize();
@@ -130,7 +134,7 @@ void Foam::mpm::materialPointCloud::unpack(DynamicList<cellChange>& cellChanges)
             {
                 x[d] = xNew_[d][p];
             }
-            label celli = grid_.locate(announced, x);
+            label celli = last ? -1 : grid_.locate(announced, x);
             if (celli < 0 || (grid_.locatesAtOnce() && celli >= grid_.nCells()))
             {
                 // Outside the announced cell by rounding only
@@ -211,15 +215,17 @@ void Foam::mpm::materialPointCloud::exchange(DynamicList<cellChange>& cellChange
         arriving_.setSize(procs_.size());
     }
 
-    // Without a lattice a point may travel by way of a third processor
+    // Without a lattice a point may travel by way of a third processor. One
+    // between the planes of warped faces, which no cell wants, stays at last
+    constexpr label maxRounds = 20;
     label first = 0;
     bool more = true;
-    while (more)
+    for (label round = 1; more; ++round)
     {
         pack(SubList<cellChange>(cellChanges, cellChanges.size() - first, first));
         first = cellChanges.size();
         sendRows();
-        unpack(cellChanges);
+        unpack(cellChanges, round == maxRounds);
 
         more = false;
         if (!grid_.locatesAtOnce())

@@ -125,8 +125,71 @@ Foam::IOobject Foam::mpm::materialPointCloud::columnObject
 }
 
 
+Foam::label Foam::mpm::materialPointCloud::ownCellNear(const point& x) const
+{
+    const auto owns = [&](const label celli)
+    {
+        scalar xp[3] = {0, 0, 0};
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            xp[d] = x[grid_.direction(d)];
+        }
+        return grid_.locate(celli, xp) == celli;
+    };
+
+    // Rings around the cell with the nearest centre, at last all cells
+    labelHashSet tried;
+    DynamicList<label> cells;
+    if (grid_.nCells())
+    {
+        cells.append(grid_.mesh().findNearestCell(x));
+        tried.insert(cells[0]);
+    }
+    label first = 0;
+    for (int ring = 0; ring < 3 && first < cells.size(); ++ring)
+    {
+        const label end = cells.size();
+        for (; first < end; ++first)
+        {
+            if (owns(cells[first]))
+            {
+                return cells[first];
+            }
+            for (const label node : grid_.nodesOf(cells[first]))
+            {
+                for (const label celli : grid_.nodes().cellsOf(node))
+                {
+                    if (tried.insert(celli))
+                    {
+                        cells.append(celli);
+                    }
+                }
+            }
+        }
+    }
+    for (label celli = 0; celli < grid_.nCells(); ++celli)
+    {
+        if (!tried.found(celli) && owns(celli))
+        {
+            return celli;
+        }
+    }
+    return -1;
+}
+
+
 Foam::label Foam::mpm::materialPointCloud::ownCellBeside(const point& x) const
 {
+    // The way from another cell may lead through another processor
+    if (Pstream::parRun() && !grid_.locatesAtOnce())
+    {
+        const label celli = ownCellNear(x);
+        if (celli >= 0)
+        {
+            return celli;
+        }
+    }
+
     // decomposePar goes by the cell that the point was written with: on a side
     // it may be the other one
     for (const scalar sign : {-1, 1})
@@ -425,6 +488,10 @@ void Foam::mpm::materialPointCloud::findCells
         if (cell[p] < 0 || cell[p] >= grid_.nCells())
         {
             cell[p] = ownCellBeside(x[p]);
+            for (int d = 0; !grid_.locatesAtOnce() && d < D; ++d)
+            {
+                xp[d] = x[p][grid_.direction(d)];
+            }
         }
         if (cell[p] < 0)
         {

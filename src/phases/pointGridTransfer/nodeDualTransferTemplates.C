@@ -23,10 +23,8 @@ const dualNodes& nodeDualTransfer<Shape, DIM, HOOP>::reach
 ) const
 {
     dualNodes& nodes =
-        nodes_.try_emplace(&cloud, grid_.nNodes(), dual_).first->second;
-
-    // Other processors send sums for shared ones
-    nodes.update(cloud.cells(), shape_.cells, shared_.nodes());
+        nodes_.try_emplace(&cloud, dual_, boundary_).first->second;
+    nodes.update(cloud.cells(), shape_.cells);
     return nodes;
 }
 
@@ -40,7 +38,6 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gather
 ) const
 {
     nodes.gather<P>(u, U.data());
-    shared_.sum(U.data(), P, DIM);
     return U.data();
 }
 
@@ -53,7 +50,6 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
 ) const
 {
     nodes.gradient<DIM>(u, HOOP, L_.data());
-    shared_.sum(L_.data(), CL, CL);
     return L_.data();
 }
 
@@ -65,7 +61,6 @@ void nodeDualTransfer<Shape, DIM, HOOP>::spread
     scalar* q
 ) const
 {
-    shared_.sum(a_.data(), P, P);
     nodes.spread<P>(a_.data(), P, q);
 }
 
@@ -78,7 +73,6 @@ void nodeDualTransfer<Shape, DIM, HOOP>::spreadForce
     scalar* f
 ) const
 {
-    shared_.sum(F_.data(), CF, beside ? CF : CF/2);
     nodes.force<DIM>(F_.data(), beside, f);
 }
 
@@ -90,7 +84,7 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
     base(grid),
     grid_(grid),
     dual_(shape_.dual),
-    shared_(grid.shared(0)),
+    boundary_(dual_, grid.shared(shapeType::reach)),
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),
     a_(P*grid.nNodes()),

@@ -10,28 +10,54 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::mpm::dualNodes::reached(const label l) const
+void Foam::mpm::dualNodes::findMass()
 {
-    for (label e = dual_.begin(l); e < dual_.begin(l + 1); ++e)
+    for (const label l : withMass_)
     {
-        const label m = dual_.node(e);
-        if (!here_[m])
+        mass_[l] = 0;
+    }
+    withMass_.clear();
+    if (!boundary_.any)
+    {
+        return;
+    }
+    const auto mark = [&](const label l)
+    {
+        if (!mass_[l])
+        {
+            mass_[l] = 1;
+            withMass_.append(l);
+        }
+    };
+    for (const label m : nodes_)
+    {
+        if (!boundary_.feeds[m])
         {
             continue;
         }
-        if (m == l || !dual_.reduced(m))
+        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
         {
-            return true;
-        }
-        for (label i = dual_.begin(m); i < dual_.begin(m + 1); ++i)
-        {
-            if (dual_.node(i) == l && dual_.W(i) > 0)
+            if (dual_.W(e) > 0)
             {
-                return true;
+                mark(dual_.node(e));
             }
         }
     }
-    return false;
+    if (toShare_.size())
+    {
+        for (const label l : boundary_.shared.nodes())
+        {
+            toShare_[l] = mass_[l];
+        }
+        boundary_.shared.largest(toShare_.begin(), 1, 1);
+        for (const label l : boundary_.shared.nodes())
+        {
+            if (toShare_[l] > 0)
+            {
+                mark(l);
+            }
+        }
+    }
 }
 
 
@@ -41,8 +67,7 @@ bool Foam::mpm::dualNodes::addWall(const label m)
     bool all = true;
     for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
     {
-        const label l = dual_.node(e);
-        hasMass_.append(here_[l] || dual_.W(e) > 0 || reached(l));
+        hasMass_.append(mass_[dual_.node(e)]);
         all = all && hasMass_.last();
     }
     if (all)
@@ -104,11 +129,49 @@ void Foam::mpm::dualNodes::findRanges()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::dualNodes::dualNodes(const label nNodes, const nodeDual& dual)
+Foam::mpm::dualNodes::boundary::boundary
+(
+    const nodeDual& dual,
+    const sharedNodes& sums
+)
+:
+    shared(sums),
+    any(false),
+    feeds(dual.nRows(), false)
+{
+    scalarList ofBoundary(dual.nRows(), Zero);
+    for (label m = 0; m < dual.nRows(); ++m)
+    {
+        if (dual.reduced(m))
+        {
+            any = true;
+            for (label e = dual.begin(m); e < dual.begin(m + 1); ++e)
+            {
+                ofBoundary[dual.node(e)] = 1;
+            }
+        }
+    }
+    reduce(any, orOp<bool>());
+    shared.largest(ofBoundary.begin(), 1, 1);
+    for (label m = 0; m < dual.nRows(); ++m)
+    {
+        for (label e = dual.begin(m); e < dual.begin(m + 1); ++e)
+        {
+            feeds[m] =
+                feeds[m] || (dual.W(e) > 0 && ofBoundary[dual.node(e)] > 0);
+        }
+    }
+}
+
+
+Foam::mpm::dualNodes::dualNodes(const nodeDual& dual, const boundary& edge)
 :
     dual_(dual),
+    boundary_(edge),
     found_(false),
-    here_(nNodes, char(0))
+    here_(dual.nRows(), char(0)),
+    mass_(dual.nRows(), char(0)),
+    toShare_(Pstream::parRun() ? dual.nRows() : 0, Zero)
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -116,11 +179,16 @@ Foam::mpm::dualNodes::dualNodes(const label nNodes, const nodeDual& dual)
 void Foam::mpm::dualNodes::update
 (
     const labelList& cells,
-    const cellSimplices& vertices,
-    const labelUList& always
+    const cellSimplices& vertices
 )
 {
-    if (found_ && cells == cells_)
+    // Points of others give mass to nodes here
+    bool change = !found_ || cells != cells_;
+    if (boundary_.any)
+    {
+        reduce(change, orOp<bool>());
+    }
+    if (!change)
     {
         return;
     }
@@ -138,10 +206,6 @@ void Foam::mpm::dualNodes::update
         lowest = min(lowest, m);
         highest = max(highest, m);
     };
-    for (const label m : always)
-    {
-        mark(m);
-    }
     for (const label celli : cells)
     {
         const label* nodes = vertices.nodes(celli);
@@ -159,6 +223,7 @@ void Foam::mpm::dualNodes::update
             nodes_.append(m);
         }
     }
+    findMass();
     findRanges();
 }
 

@@ -7,8 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "nodeDual.H"
-#include "emptyPolyPatch.H"
-#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -23,68 +21,26 @@ Foam::tensor Foam::mpm::nodeDual::directions(const int nDim)
 }
 
 
-
-Foam::labelListList Foam::mpm::nodeDual::boundaryFaces(const pointGrid& grid)
+Foam::tensor Foam::mpm::nodeDual::makeRing(const int nDim, nodeRows::row& r)
 {
-    const polyMesh& mesh = grid.mesh();
-    List<DynamicList<label>> faces(grid.nNodes());
-    for (const polyPatch& pp : mesh.boundaryMesh())
+    tensor P(directions(nDim));
+    if (r.faces.empty())
     {
-        if (pp.coupled() || isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
-        {
-            continue;
-        }
-        forAll(pp, i)
-        {
-            for (const label pointi : pp[i])
-            {
-                DynamicList<label>& of = faces[grid.pointToNode()[pointi]];
-                if (!of.found(pp.start() + i))
-                {
-                    of.append(pp.start() + i);
-                }
-            }
-        }
+        return P;
     }
-    labelListList lists(grid.nNodes());
-    forAll(lists, n)
-    {
-        lists[n] = faces[n];
-    }
-    return lists;
-}
 
-
-Foam::tensor Foam::mpm::nodeDual::makeRing
-(
-    const pointGrid& grid,
-    const label m,
-    const labelUList& faces,
-    DynamicList<entry>& row
-)
-{
-    const polyMesh& mesh = grid.mesh();
-
-    // Groups of faces: patch, sum of the areas in the computed directions
+    // Groups of faces: patch, sum of the areas
     DynamicList<label> patch, group;
     DynamicList<vector> area;
-    DynamicList<vector> S;
-    for (const label facei : faces)
+    for (const nodeRows::ringFace& f : r.faces)
     {
-        vector s(Zero);
-        for (int d = 0; d < grid.nDim(); ++d)
-        {
-            s[d] = mesh.faceAreas()[facei][grid.direction(d)];
-        }
-        S.append(s);
-        const label patchi = mesh.boundaryMesh().whichPatch(facei);
         label g = 0;
         while
         (
             g < patch.size()
          && (
-                patch[g] != patchi
-             || (area[g] & s) < 0.8660254*mag(area[g])*mag(s)
+                patch[g] != f.patch
+             || (area[g] & f.area) < 0.8660254*mag(area[g])*mag(f.area)
             )
         )
         {
@@ -92,53 +48,31 @@ Foam::tensor Foam::mpm::nodeDual::makeRing
         }
         if (g == patch.size())
         {
-            patch.append(patchi);
+            patch.append(f.patch);
             area.append(vector(Zero));
         }
-        area[g] += s;
+        area[g] += f.area;
         group.append(g);
     }
 
-    for (entry& e : row)
+    boolList inGroup(patch.size());
+    for (nodeRows::entry& e : r.entries)
     {
-        e.N = 0;
-        bool all = true;
-        for (label g = 0; all && g < patch.size(); ++g)
+        scalar sum = 0;
+        inGroup = false;
+        forAll(r.faces, i)
         {
-            bool found = false;
-            forAll(faces, i)
+            const nodeRows::ringFace& f = r.faces[i];
+            if (f.has(e))
             {
-                const face& f = mesh.faces()[faces[i]];
-                for (const label pointi : f)
-                {
-                    found =
-                        found
-                     || (
-                            group[i] == g
-                         && grid.pointToNode()[pointi] == e.node
-                        );
-                }
+                inGroup[group[i]] = true;
+                sum += mag(f.area)/f.nodes.size();
             }
-            all = found;
         }
-        if (!all)
-        {
-            continue;
-        }
-        forAll(faces, i)
-        {
-            const face& f = mesh.faces()[faces[i]];
-            bool found = false;
-            for (const label pointi : f)
-            {
-                found = found || grid.pointToNode()[pointi] == e.node;
-            }
-            e.N += found ? mag(S[i])/f.size() : 0;
-        }
+        e.N = inGroup.found(false) ? 0 : sum;
     }
 
     // What the planes of the groups have in common
-    tensor P(directions(grid.nDim()));
     for (const vector& a : area)
     {
         const vector n(P & a);
@@ -156,13 +90,13 @@ void Foam::mpm::nodeDual::solve
     const int nDim,
     const label m,
     const tensor& P,
-    const DynamicList<entry>& row,
+    const UList<nodeRows::entry>& row,
     scalar* W
 )
 {
     // Newton's method for the least of log sum N exp(-q.d), which is convex
     scalar most = 0, furthest = 0;
-    for (const entry& e : row)
+    for (const nodeRows::entry& e : row)
     {
         most = e.N > 0 ? max(most, mag(P & e.d)) : most;
         furthest = max(furthest, mag(e.d));
@@ -183,7 +117,7 @@ void Foam::mpm::nodeDual::solve
         scalar Z = 0;
         mean = Zero;
         square = Zero;
-        for (const entry& e : row)
+        for (const nodeRows::entry& e : row)
         {
             const vector d((P & e.d)/h);
             const scalar w = e.N*std::exp(-(at & d));

@@ -273,11 +273,16 @@ Foam::mpm::gridNodes::cellsOf(const label node) const
 Foam::pointField Foam::mpm::gridNodes::positions() const
 {
     pointField x(size(), point(Zero));
+    const label nOwn = size() - ghostPoints_.size();
     forAll(x, n)
     {
         if (nodePoint_[n] >= 0)
         {
             x[n] = mesh_.points()[nodePoint_[n]];
+        }
+        else if (ghostPoints_.size())
+        {
+            x[n] = ghostPoints_[n - nOwn];
         }
     }
     return x;

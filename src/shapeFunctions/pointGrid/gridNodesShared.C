@@ -8,6 +8,7 @@ License
 
 #include "gridNodes.H"
 #include "processorPolyPatch.H"
+#include "PstreamBuffers.H"
 #include "globalIndex.H"
 #include "syncTools.H"
 #include "IndirectList.H"
@@ -156,6 +157,65 @@ void Foam::mpm::gridNodes::addGhost
 void Foam::mpm::gridNodes::closeGhosts()
 {
     nodePoint_.setSize(key_.size(), -1);
+}
+
+
+void Foam::mpm::gridNodes::addRing()
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    // To each neighbour the nodes of the cells at the nodes shared with it
+    const sharedNodes& common = shared(0);
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    forAll(common.procs(), i)
+    {
+        labelHashSet around;
+        for (const label node : common.with(i))
+        {
+            for (const label celli : cellsOf(node))
+            {
+                for (const label n : ofCell(celli))
+                {
+                    around.insert(n);
+                }
+            }
+        }
+        const labelList nodes(around.sortedToc());
+        UOPstream to(common.procs()[i], buffers);
+        to  << labelList(labelUIndList(key_, nodes)())
+            << pointField(positions(), nodes);
+    }
+    buffers.finishedSends();
+
+    Map<label> nodeOfKey(2*size());
+    forAll(key_, n)
+    {
+        nodeOfKey.insert(key_[n], n);
+    }
+    for (const label proci : common.procs())
+    {
+        UIPstream from(proci, buffers);
+        const labelList keys(from);
+        const pointField x(from);
+        labelList nodes(keys.size());
+        const label nBefore = key_.size();
+        addGhost(keys.cdata(), keys.size(), nodeOfKey, nodes.data());
+        forAll(nodes, k)
+        {
+            if (nodes[k] >= nBefore)
+            {
+                ghostPoints_.append(x[k]);
+            }
+        }
+    }
+    closeGhosts();
+
+    // Made with fewer nodes
+    cellStart_.clear();
+    cells_.clear();
 }
 
 

@@ -59,6 +59,7 @@ Foam::mpm::pointGrid::pointGrid(const polyMesh& mesh)
     {
         noLattice_ = noHexes_;
         nodes_.joinPoints();
+        nodes_.addRing();
         locator_.reset(new faceLocator(mesh, *this, ghosts_));
         return;
     }
@@ -77,6 +78,7 @@ Foam::mpm::pointGrid::pointGrid(const polyMesh& mesh)
     else
     {
         lattice_.clear();
+        nodes_.addRing();
         locator_.reset(new hexLocator(mesh, *this, *hexes_));
     }
 }

@@ -10,6 +10,9 @@ random by 20 % of the widths, but for the planes in which bodies begin.
                   polyhedra of polyDualMesh, whose faces are warped
     along a wall  the same block on a slip wall, moving along it (there nodes
                   have a gradient but no mass); tetrahedra
+    fall          a neo-Hookean block flies through a cyclic side and onto a fixed
+                  wall between slip walls, 120 steps: 2 and 3 processors against 1,
+                  1e-10 of each column; restart on 2 processors bit by bit
     impact        the plates of plateImpact, FMPM 3, strainFilter 1, Courant
                   number 0.9, 24 / 50 / 100 cells over the target: L1 9 / 6 / 4 %,
                   overshoot 20 / 13 / 13 %, momentum along the impact 1e-12
@@ -20,6 +23,7 @@ tension within 8 ns.
 
 import math
 import os
+import shutil
 import sys
 
 import numpy as np
@@ -39,17 +43,20 @@ STEPS, CO = 120, 0.4
 TRANSFERS = {"FLIP": {"transfer": "FLIP", "PICfraction": 0.01},
              "FMPM2": {"transfer": "FMPM", "order": 2, "strainFilter": 1}}
 
+COLUMNS = ("x", "U", "m", "V", "sigma", "leftStretch")
+
 #: Transfer of shocks; L1 and overshoot [%] by cells over the flyer
 SHOCK = {"transfer": "FMPM", "order": 3, "strainFilter": 1}
 LIMITS = {12: (9, 20), 25: (6, 13), 50: (4, 13)}
 
 
-def translation(kind, transfer, onWall=False):
+def translation(kind, transfer, onWall=False, split=None):
     """A block of 3 cells in each direction of a mesh of 10."""
     n = 10
     low = np.array([2, 2, 0 if onWall else 5])
     velocity = VELOCITY*(1, 1, not onWall)
-    case = FoamCase("anyMesh", f"translation-{kind}-{transfer}{'-wall'*onWall}")
+    case = FoamCase("anyMesh", f"translation-{kind}-{transfer}{'-wall'*onWall}"
+                               f"{'-split'*bool(split)}")
     case.write("constant/phaseProperties", {
         "phases": ["block"],
         "block": {"constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": E,
@@ -70,7 +77,12 @@ def translation(kind, transfer, onWall=False):
     if kind == "polyhedra":
         case.run("polyDualMesh", "60", "-overwrite")
     case.run("setMaterialPoints")
-    case.run("materialPointFoam", limit=300)
+    if split:
+        case.decompose(split)
+        case.runParallel(limit=300)
+        case.run("reconstructPar", "-latestTime")
+    else:
+        case.run("materialPointFoam", limit=300)
     return case, velocity, STEPS*dt, n*H
 
 
@@ -138,6 +150,70 @@ def impact(kind, cells, maxCo, numerics, width=3):
             "points": len(y), "steps": case.nSteps(), "core-seconds": seconds}
 
 
+def fall(kind, transfer, name):
+    """A block of 3 cells in each direction of a mesh of 8 whose sides x are cyclic
+    (of polyhedra slip walls)."""
+    n, cyclic = 8, kind != "polyhedra"
+    case = FoamCase("anyMesh", f"fall-{kind}-{name}")
+    case.write("constant/phaseProperties", {
+        "phases": ["block"],
+        "block": {"constitutiveModel": {"type": "neoHookean", "rho": RHO, "E": E,
+                                        "nu": NU}}})
+    sides = ({"left": ("cyclic", ("x-",), "right"), "right": ("cyclic", ("x+",), "left")}
+             if cyclic else {"sides": ("patch", ("x-", "x+"))})
+    boxOfCells(case, kind if cyclic else "tets", (0, 0, 0), (n*H,)*3, (n,)*3,
+               {**sides, "wall": ("wall", ("y-",)), "top": ("patch", ("y+",)),
+                "walls": ("patch", ("z-", "z+"))})
+    velocityFile(case, "block", {
+        **{name: "cyclic" if cyclic else "slip" for name in sides},
+        "wall": {"type": "fixedValue", "value": "uniform (0 0 0)"},
+        "top": "calculated", "walls": "slip"})
+    low = np.array([4.5 if cyclic else 3, 1.5, 0.5])
+    case.write("system/setMaterialPointsDict", {"regions": {"block": {
+        "phase": "block", "type": "box", "min": low*H, "max": (low + 3)*H,
+        "pointsPerCell": 2,
+        "velocity": np.array([0.35 if cyclic else 0.1, -0.25, 0.15])*WAVE}}})
+    case.write("system/fvSolution",
+               {"materialPoints": {"shapeFunction": "nodeDual", **TRANSFERS[transfer]}})
+    noSchemes(case)
+    dt = 0.2*H/WAVE
+    case.write("system/controlDict", controlDict(STEPS*dt, STEPS*dt/2, deltaT=dt))
+    if not cyclic:
+        case.run("polyDualMesh", "60", "-overwrite")
+    case.run("setMaterialPoints")
+    return case
+
+
+def onProcessors(table, kind, transfer, splits):
+    label = f"fall, {kind}, {transfer}"
+    one = fall(kind, transfer, f"{transfer}-1")
+    start = one.points("0", "block").byId("x")
+    one.run("materialPointFoam")
+    half, end = one.times()[1:3]
+    last = one.points(end, "block")
+    table.row(f"{label}: largest stress/E", 0.05, np.max(abs(last["sigma"]))/E, 0.05,
+              "atLeast")
+    table.check(f"{label}: points have left one side and come in at the other",
+                kind == "polyhedra" or np.min(last.byId("x") - start) < -4*H)
+    for split in splits:
+        several = fall(kind, transfer, f"{transfer}-{'x'.join(map(str, split))}")
+        several.decompose(split)
+        several.runParallel()
+        ranks = int(np.prod(split))
+        table.row(f"{label}: 1 against {ranks} processors, largest difference", 0,
+                  one.largestDifference(several, end, ["block"], COLUMNS), 1e-10, "atMost")
+        if kind == "tets" and ranks == 2:
+            again = fall(kind, transfer, f"{transfer}-again")
+            again.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+            again.decompose(split)
+            for p, q in zip(several.processors(), again.processors()):
+                shutil.copytree(os.path.join(p, half), os.path.join(q, half))
+            again.runParallel()
+            table.row(f"{label}: restart on 2 processors, largest difference", 0,
+                      several.largestDifference(again, end, ["block"], COLUMNS), 0,
+                      "atMost")
+
+
 def judgeImpact(table, label, cells, result):
     print(label, result, flush=True)
     l1, overshoot = LIMITS[cells]
@@ -152,12 +228,21 @@ def judgeImpact(table, label, cells, result):
 def main():
     table = Report("anyMesh")
     for run in (("tets", "FLIP"), ("tets", "FMPM2"), ("prisms", "FLIP"),
-                ("hexes", "FLIP"), ("polyhedra", "FLIP"), ("tets", "FLIP", True)):
-        label = f"translation, {run[0]}, {run[1]}{', along a wall'*(len(run) > 2)}"
+                ("hexes", "FLIP"), ("polyhedra", "FLIP"), ("tets", "FLIP", True),
+                ("tets", "FMPM2", False, (1, 1, 2)), ("polyhedra", "FLIP", False, (2, 1, 1))):
+        label = (f"translation, {run[0]}, {run[1]}{', along a wall'*(run[2:3] == (True,))}"
+                 f"{', 2 processors'*(len(run) > 3)}")
         try:
             judgeTranslation(table, label, *translation(*run))
         except RunFailed as e:
             table.check(f"{label} runs", False, e)
+    for run in (("tets", "FLIP", [(2, 1, 1), (1, 3, 1)]),
+                ("polyhedra", "FLIP", [(1, 2, 1)]),
+                ("prisms", "FMPM2", [(2, 1, 1)])):
+        try:
+            onProcessors(table, *run)
+        except RunFailed as e:
+            table.check(f"fall, {run[0]}, {run[1]} runs", False, e)
     for kind in ("tets", "prisms", "hexes")[:3 if VERIFY else 1]:
         for cells in list(LIMITS)[:3 if VERIFY else 1]:
             label = f"impact, {kind}, {2*cells} cells over the target"

@@ -110,6 +110,14 @@ SMOOTH = {
     "2D quadratic XPIC USL": (
         2, {"shapeFunction": "quadraticBSpline", "transfer": "XPIC",
             "stressUpdate": "USL"}, 0, [(2, 2, 1)]),
+    "2D nodeDual FLIP": (
+        2, {"shapeFunction": "nodeDual", "transfer": "FLIP", "energyBudget": True}, 0,
+        [(2, 1, 1), (3, 1, 1)]),
+    "2D skewed, nodeDual FMPM USAVG": (
+        2, {"shapeFunction": "nodeDual", "transfer": "FMPM", "order": 3,
+            "stressUpdate": "USAVG"}, 0.2, [(2, 1, 1), (1, 3, 1)]),
+    "3D nodeDual FLIP": (3, {"shapeFunction": "nodeDual", "transfer": "FLIP"}, 0,
+                         [(1, 2, 1)]),
     "3D GIMP FLIP": (3, {"shapeFunction": "GIMP", "transfer": "FLIP"}, 0,
                      [(2, 1, 1), (2, 2, 1)]),
     "3D linear FMPM": (3, {"shapeFunction": "linear", "transfer": "FMPM", "order": 2}, 0,
