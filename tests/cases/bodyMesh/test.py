@@ -10,6 +10,8 @@ plane      triangles and quadrilaterals in 2D and on a wedge (rings)
 gmsh       sphere, torus, two materials made by gmsh: volume and centre 1e-10 of the mesh's,
            moments of inertia to second order in the size of elements
 background the same body on boxes, tetrahedra and prisms
+cut        a sphere and a box in tetrahedra and prisms, cut by samples: volume 0.3 %, centre
+           0.5 % of a cell
 messages   what is wrong in a file or an entry
 mutated    40 files with bytes changed, lines taken away or doubled: a message or points
 """
@@ -244,6 +246,31 @@ def background(table):
               max(np.abs(s - sums[None, "body.msh"]).max() for s in sums.values())/mass, 1e-12)
 
 
+def cut(table):
+    """Shapes in cells that are no hexahedra: parts of the corners' regions by samples."""
+    sphere = {"type": "sphere", "centre": (0.1, 0, -0.05), "radius": 1}
+    box = {"type": "box", "min": (-0.77, -0.6, -0.9), "max": (0.83, 0.71, 0.41)}
+    for kind in ("tets", "prisms"):
+        case = build("cut-" + kind, ["body"], (-1.2,)*3, (1.2,)*3, (8,)*3, kind=kind)
+        for shape, V, centre, inertia in (
+                (sphere, 4/3*np.pi, sphere["centre"], 4/15*np.pi*np.ones(3)),
+                (box, 1.6*1.31*1.31, (0.03, 0.055, -0.245),
+                 1.6*1.31*1.31/12*np.array((1.6, 1.31, 1.31))**2)):
+            cloud, = fill(case, {"body": {**shape, "parts": "sampled"}})
+            m0, x0 = cloud["m"]/RHO, cloud["x"]
+            cloud, = fill(case, {"body": shape})
+            m, x = cloud["m"]/RHO, cloud["x"]
+            label = f"{shape['type']} in {kind}"
+            table.row(f"{label}: volume", V, m.sum(), 0.003, "relative")
+            table.row(f"{label}: centre/width of a cell", 0,
+                      np.abs(m@x/m.sum() - centre).max()/0.3, 0.005)
+            table.row(f"{label}: moments of inertia", 0,
+                      np.abs(m@(x - centre)**2/inertia - 1).max(), 0.02)
+            far, near = (np.abs(w@y/w.sum() - centre).max() for w, y in ((m0, x0), (m, x)))
+            table.row(f"{label}: error of the centre, whole points over cut ones", 4, far/near, 4,
+                      "atLeast")
+
+
 def messages(table):
     points, elements = solids()
     case = build("messages", ["all"], (-2, -2, -2), (11, 4, 4), (13, 6, 6))
@@ -330,5 +357,5 @@ def mutated(table, n=40):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("bodyMesh", formats, corners, plane, gmshBodies, background, messages,
-                      mutated))
+    sys.exit(runParts("bodyMesh", formats, corners, plane, gmshBodies, background, cut,
+                      messages, mutated))

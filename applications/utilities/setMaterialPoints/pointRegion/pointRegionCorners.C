@@ -11,49 +11,181 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
+void Foam::mpm::pointRegion::cutRegions
+(
+    const label celli,
+    const cornerRegions& c,
+    scalarField& part,
+    pointField& x
+) const
 {
-    const polyMesh& mesh = grid_.mesh();
-    const scalar whole = mesh.cellVolumes()[celli];
-    pointField x(1, mesh.cellCentres()[celli]);
-    scalarField part(1, 1.0);
-    if (n_[0] > 1)
+    // Just inside their vertices first
+    constexpr scalar inwards = 1e-6;
+
+    const UList<cornerRegions::simplex>& simplices = c.simplices();
+    DynamicList<point> near;
+    for (const cornerRegions::simplex& s : simplices)
     {
-        label side = -1;
-        const bitSet& empty = emptyFaces_;
-        for (const label facei : mesh.cells()[celli])
+        for (int k = 0; k < s.n; ++k)
         {
-            side = side < 0 && empty.test(facei) ? facei : side;
+            near.append(s.x[k] + inwards*(c.centre(s.region) - s.x[k]));
         }
-        const cornerRegions c
-        (
-            grid_.nDim() == 3
-          ? cornerRegions(mesh, celli)
-          : cornerRegions(mesh.faces()[side], mesh.points())
-        );
-        part = c.volume()/c.whole();
-        x.setSize(part.size());
-        forAll(x, i)
+    }
+    const boolList nearIn(shape_->contains(celli, pointField(near)));
+    labelList n(c.size(), Zero), nIn(c.size(), Zero);
+    label j = 0;
+    for (const cornerRegions::simplex& s : simplices)
+    {
+        for (int k = 0; k < s.n; ++k)
         {
-            x[i] = mesh.cellCentres()[celli];
-            for (int d = 0; d < grid_.nDim(); ++d)
-            {
-                const int k = grid_.direction(d);
-                x[i][k] = c.centre(i)[k];
-            }
+            ++n[s.region];
+            nIn[s.region] += nearIn[j++];
         }
     }
 
-    const label nBefore = points_.size();
-    const boolList inside(shape_->contains(celli, x));
+    part = 0;
+    forAll(n, i)
+    {
+        part[i] = nIn[i] == n[i];
+    }
+    scalarField volume(c.size(), Zero);
+    vectorField moment(c.size(), Zero);
+    for (const cornerRegions::simplex& s : simplices)
+    {
+        if (nIn[s.region] == 0 || nIn[s.region] == n[s.region])
+        {
+            continue;
+        }
+        pointField at(s.n == 3 ? m_*m_ : m_*m_*m_);
+        scalarField weight(at.size());
+        forAll(at, i)
+        {
+            at[i] = s.sample(m_, i, weight[i]);
+        }
+        weight *= s.volume/sum(weight);
+        const boolList inside(shape_->contains(celli, at));
+        forAll(at, i)
+        {
+            if (inside[i])
+            {
+                volume[s.region] += weight[i];
+                moment[s.region] += weight[i]*at[i];
+            }
+        }
+    }
+    forAll(volume, i)
+    {
+        const scalar share = volume[i]/c.volume()[i];
+        if (share > 1 - SMALL*100)
+        {
+            part[i] = 1;
+        }
+        else if (share > 0)
+        {
+            part[i] = share;
+            x[i] = moment[i]/volume[i];
+        }
+    }
+}
+
+
+void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
+{
+    const polyMesh& mesh = grid_.mesh();
+    const boundBox cellBox
+    (
+        mesh.points(), mesh.cellPoints()[celli], false
+    );
+    const boundBox shapeBox(shape_->bounds());
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        const int k = grid_.direction(d);
+        if
+        (
+            cellBox.min()[k] > shapeBox.max()[k]
+         || cellBox.max()[k] < shapeBox.min()[k]
+        )
+        {
+            return;
+        }
+    }
+
+    label side = -1;
+    for (const label facei : mesh.cells()[celli])
+    {
+        side = side < 0 && emptyFaces_.test(facei) ? facei : side;
+    }
+    const cornerRegions c
+    (
+        grid_.nDim() == 3
+      ? cornerRegions(mesh, celli)
+      : cornerRegions(mesh.faces()[side], mesh.points())
+    );
+
+    // Of the cell's volume; whole points in a gas
+    scalarField part(c.volume()/c.whole());
+    pointField x(c.size());
     forAll(x, i)
     {
-        if (!inside[i])
+        x[i] = c.centre(i);
+    }
+    if (!inGas_)
+    {
+        scalarField inside(c.size());
+        cutRegions(celli, c, inside, x);
+        part *= inside;
+        if (n_[0] == 1)
+        {
+            const scalar total = sum(part);
+            const point centre
+            (
+                min(inside) < 1 && total > 0
+              ? sum(part*x)/total
+              : mesh.cellCentres()[celli]
+            );
+            part = scalarField(1, min(inside) < 1 ? total : 1);
+            x = pointField(1, centre);
+        }
+    }
+    else
+    {
+        if (n_[0] == 1)
+        {
+            part = scalarField(1, scalar(1));
+            x = pointField(1, mesh.cellCentres()[celli]);
+        }
+        const boolList inside(shape_->contains(celli, x));
+        forAll(x, i)
+        {
+            part[i] *= inside[i];
+        }
+    }
+    addParts(celli, rho, part, x);
+}
+
+
+void Foam::mpm::pointRegion::addParts
+(
+    const label celli,
+    const scalar rho,
+    const scalarField& part,
+    const pointField& x
+)
+{
+    const scalar whole = grid_.mesh().cellVolumes()[celli];
+    const label nBefore = points_.size();
+    forAll(x, i)
+    {
+        if (!(part[i] > 0))
         {
             continue;
         }
         materialPointCloud::newPoint p;
-        p.x = x[i];
+        p.x = grid_.mesh().cellCentres()[celli];
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            p.x[grid_.direction(d)] = x[i][grid_.direction(d)];
+        }
         p.U = Zero;
         p.sigma = sigma_;
         p.T = T_;
