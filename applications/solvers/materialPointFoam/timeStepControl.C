@@ -53,7 +53,8 @@ Foam::mpm::timeStepControl::timeStepControl
     endTime_(GREAT),
     largest_(0),
     fallen_(false),
-    grown_(false)
+    grown_(false),
+    warnedCo_(0)
 {
     passed_.append
     (
@@ -406,12 +407,9 @@ void Foam::mpm::timeStepControl::setDeltaT()
             << "deltaT set by " << limiter().c_str() << endl;
     }
 
-    if (Co > 1)
+    if (!adjust)
     {
-        WarningInFunction
-            << "The Courant number " << Co << " is above 1: waves outrun the"
-            << " time step. Use a smaller deltaT, or adjustTimeStep with"
-            << " maxCo." << endl;
+        watchCourant(Co);
     }
 }
 
@@ -450,7 +448,9 @@ void Foam::mpm::timeStepControl::checkAdvances() const
             << "The time step " << dt << " s at time " << time_.timeName()
             << " would take " << nLeft << " steps to the end. It is set by "
             << limiter().c_str() << "." << nl
-            << "It follows from maxCo, maxDeltaT or deltaT in"
+            << deltaTHint_.c_str() << (deltaTHint_.empty() ? "" : "\n")
+            << (deltaTHint_.empty() ? "It follows" : "Otherwise it follows")
+            << " from maxCo, maxDeltaT or deltaT in"
             << " system/controlDict, the wave speeds and velocities of the"
             << " points and the size of the cells: look for a wrong unit in"
             << " constant/phaseProperties, setMaterialPointsDict or the"

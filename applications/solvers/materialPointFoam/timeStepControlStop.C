@@ -10,6 +10,7 @@ License
 #include "pointEnergy.H"
 #include "pointErosion.H"
 #include "dictionaryTools.H"
+#include "deltaTAdvice.H"
 #include <cstring>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -104,6 +105,26 @@ void Foam::mpm::timeStepControl::watchDeltaT()
             " by " + by + "."
         );
     }
+}
+
+
+void Foam::mpm::timeStepControl::watchCourant(const scalar Co)
+{
+    if (!(Co > 1 && Co >= 2*warnedCo_))
+    {
+        return;
+    }
+    const string advice(deltaTAdvice(time_.deltaTValue(), Co));
+    WarningInFunction
+        << "The Courant number " << Co << " is above 1: waves outrun the"
+        << " time step. " << advice.c_str() << endl;
+    if (!warnedCo_)
+    {
+        deltaTHint_ =
+            "The Courant number has been above 1 since time "
+          + time_.timeName() + ": " + advice;
+    }
+    warnedCo_ = Co;
 }
 
 

@@ -10,6 +10,7 @@ License
 #include "dictionaryTools.H"
 #include "IFstream.H"
 #include "Pstream.H"
+#include "HashSet.H"
 #include "token.H"
 #include <cstdlib>
 #include <exception>
@@ -54,6 +55,70 @@ template<class Error>
         {}
     }
     std::abort();
+}
+
+
+//- Letters to add, remove or replace between two words
+label editDistance(const word& a, const word& b)
+{
+    labelList row(identity(label(b.size() + 1)));
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+        label corner = row[0]++;
+        for (std::size_t j = 0; j < b.size(); ++j)
+        {
+            const label above = row[j + 1];
+            row[j + 1] =
+                min(min(row[j], above) + 1, corner + label(a[i] != b[j]));
+            corner = above;
+        }
+    }
+    return row.last();
+}
+
+
+//- Warn of words of controlDict that are nearly one that is read. Any word may
+//  stand there: as a variable, or for a library
+void warnOfWords(const dictionary& control)
+{
+    const wordList own
+    ({
+        "adjustTimeStep", "maxCo", "maxCoGas", "maxDeltaT", "minDeltaT",
+        "maxEnergyGrowth", "reportInterval", "rebuildInterval"
+    });
+    const wordHashSet openFOAM
+    ({
+        "FoamFile", "application", "startFrom", "startTime", "stopAt",
+        "endTime", "beginTime", "deltaT", "writeControl", "writeInterval",
+        "writeFrequency", "purgeWrite", "writeFormat", "writeVersion",
+        "writePrecision", "writeCompression", "secondaryWriteControl",
+        "secondaryWriteInterval", "secondaryPurgeWrite", "timeFormat",
+        "timePrecision", "graphFormat", "runTimeModifiable", "fileHandler",
+        "profiling", "libs", "functions", "maxDi", "maxAlphaCo",
+        "maxAcousticCo", "maxFo"
+    });
+    for (const word& key : control.toc())
+    {
+        if (own.found(key) || openFOAM.found(key))
+        {
+            continue;
+        }
+        wordList near;
+        for (const word& w : own)
+        {
+            const label most = w.size() > 6 ? 2 : 1;
+            if (editDistance(key, w) <= most)
+            {
+                near.append(w);
+            }
+        }
+        if (near.size())
+        {
+            IOWarningInFunction(control)
+                << "Entry " << key << " is not read; is " << near[0]
+                << " meant?" << endl;
+        }
+    }
 }
 
 }
@@ -109,6 +174,7 @@ void Foam::mpm::checkControlDict(const fileName& file)
         return;
     }
     const dictionary control(is);
+    warnOfWords(control);
     if (control.found("writeInterval") && control.found("endTime"))
     {
         const scalar interval = positive(control, "writeInterval");

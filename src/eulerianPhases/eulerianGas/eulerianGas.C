@@ -66,8 +66,14 @@ void checkNames(const Field& field, const word& gas)
         {
             if (dict.getOrDefault<word>(key, key) == key)
             {
+                // Those of total values need psi where the gas compresses
+                wordList all(asks[pf.type()]);
+                if (pf.type().compare(0, 5, "total") == 0)
+                {
+                    all.append("psi");
+                }
                 OStringStream names;
-                for (const word k : {"phi", "psi", "rho", "U"})
+                for (const word& k : all)
                 {
                     names
                         << ' ' << k << ' ' << IOobject::groupName(k, gas)

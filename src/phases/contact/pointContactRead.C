@@ -185,9 +185,16 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
              || isA<emptyPolyPatch>(patches[patchi])
             )
             {
+                const string what
+                (
+                    patchi < 0 ? "the mesh has no patch " + name
+                  : "patch " + name + " is of type " + patches[patchi].type()
+                  + ", which no point touches"
+                );
                 FatalIOErrorInFunction(sub)
-                    << "There is no patch " << name << " that is a wall." << nl
-                    << "Patches: " << patches.names() << exit(FatalIOError);
+                    << "Contact " << sub.dictName() << ": " << what.c_str()
+                    << "." << nl << "Patches: " << patches.names()
+                    << exit(FatalIOError);
             }
             if (fields_[a].holds(patchi))
             {

@@ -56,7 +56,7 @@ string inWords
     OStringStream os;
     os.precision(4);
     os  << who.c_str() << ": " << what << ' ' << speed << " m/s in "
-        << 1e3*width << " mm";
+        << (width < 1 ? 1e3*width : width) << (width < 1 ? " mm" : " m");
     return os.str();
 }
 

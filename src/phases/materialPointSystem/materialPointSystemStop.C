@@ -7,9 +7,33 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointSystem.H"
+#include "deltaTAdvice.H"
 #include "noTraps.H"
 #include "OSspecific.H"
 #include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- A line on a fixed deltaT above Courant number 1, else empty
+string deltaTHint(const Time& time, const scalar courantRate)
+{
+    const scalar Co = courantRate*time.deltaTValue();
+    if (!(Co > 1) || time.controlDict().getOrDefault("adjustTimeStep", false))
+    {
+        return "";
+    }
+    return
+        "Courant number above 1 in this step (take the deltaT of the first"
+        " warning in the log if that is larger): "
+      + mpm::deltaTAdvice(time.deltaTValue(), Co) + "\n";
+}
+
+}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -55,6 +79,8 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
     materialPointCloud& cloud = phase.cloud();
     const point x(cloud.position(pointi, cloud.cellOf(pointi)));
 
+    const string hint(deltaTHint(mesh_.time(), courantRate()));
+
     const bool badStress =
         !std::isfinite(magSqr(cloud.sigma(pointi)))
      || !std::isfinite(cloud.volume()[0][pointi]);
@@ -72,11 +98,16 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
             << ": from " << x << " with velocity " << cloud.velocity(pointi)
             << " to " << xNew << " in the step of " << dt << " s after time "
             << time.timeName() << "." << nl
-            << written.c_str() << nl
-            << "Make the mesh larger, keep points inside by the boundary"
+            << written.c_str() << nl << hint.c_str()
+            << (hint.empty() ? "M" : "Otherwise m")
+            << "ake the mesh larger, or keep points inside by the boundary"
             << " conditions of U." << phase.velocityField()
-            << " (fixedValue or slip), or let them go:"
-            << "  outflow { patches (...); }  in constant/phaseProperties."
+            << " (fixedValue or slip)"
+            << (
+                   coupling_ ? "."
+                 : ", or let them go:  outflow { patches (...); }  in"
+                   " constant/phaseProperties."
+               )
             << exit(FatalError);
     }
     FatalErrorInFunction
@@ -84,7 +115,7 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
         << phase.name() << " at " << x << ", time " << time.timeName()
         << ": " << (badStress ? "sigma (stress)" : "U (velocity)")
         << " is not finite in the step of " << dt << " s." << nl
-        << written.c_str() << nl
+        << written.c_str() << nl << hint.c_str()
         << "A smaller maxCo in system/controlDict or maxStrain in"
         << " fvSolution.materialPoints reduces the time step."
         << exit(FatalError);
@@ -149,6 +180,7 @@ void Foam::mpm::materialPointSystem::stopForStress
         << ", volume " << cloud.volume()[0][p] << "." << nl
         << "Nothing is written: the last written time is the last"
         << " good state." << nl
+        << deltaTHint(mesh_.time(), courantRate()).c_str()
         << "A smaller maxCo in system/controlDict or maxStrain in"
         << " fvSolution.materialPoints reduces the time step."
         << exit(FatalError);

@@ -10,6 +10,44 @@ License
 #include "pointMesh.H"
 #include "Time.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The field of a file, which must be there, or of a state
+pointVectorField fieldOfNodes
+(
+    const IOobject& io,
+    const pointMesh& mesh,
+    const mpm::fieldStates* states
+)
+{
+    if
+    (
+        !states
+     && returnReduce
+        (
+            io.localFilePath(pointVectorField::typeName).empty(),
+            orOp<bool>()
+        )
+    )
+    {
+        FatalErrorInFunction
+            << "Field " << io.name() << " is missing: there is no file "
+            << io.objectPath() << "." << nl
+            << "It holds the velocity of the mesh points of velocityField "
+            << io.group() << " with its boundary conditions: a pointVectorField"
+            << " for each velocityField of constant/phaseProperties (without"
+            << " the entry: the name of the phase)." << exit(FatalError);
+    }
+    return mpm::fileOrState<pointVectorField>(io, mesh, states);
+}
+
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::velocityField::velocityField
@@ -26,7 +64,7 @@ Foam::mpm::velocityField::velocityField
     stride_(grid.nDim() == 1 ? 2 : 4),
     Ufield_
     (
-        fileOrState<pointVectorField>
+        fieldOfNodes
         (
             IOobject
             (

@@ -149,10 +149,11 @@ void Foam::mpm::phaseWatches::warnOfOverlap
 {
     WarningInFunction
         << "The velocity fields " << points_.fields()[a].name() << " and "
-        << points_.fields()[b].name() << " meet at "
+        << points_.fields()[b].name() << " share the mesh point "
         << points_.mesh().points()[points_.grid().nodePoint()[node]]
-        << ", time " << points_.time().timeName()
-        << ". Nothing acts between them: phases with own velocity fields pass"
+        << " at time " << points_.time().timeName()
+        << ": points of both reach it, from up to two cells away."
+        << " Nothing acts between them: phases with own velocity fields pass"
         << " through each other. Give them the same velocityField in"
         << " constant/phaseProperties to let them stick and push, or add"
         << " contact { ... }; there." << endl;

@@ -90,6 +90,16 @@ def gasRows(solve, replace, remove, several, withPoints, line):
         ("gas with outflow", solve,
          inAir(replace(phases, "phases", "outflow { patches (outside); }\nphases")),
          inPhases + ["outflow", "does not work in a gas"]),
+        ("gas: point leaves the mesh", solve,
+         inAir(replace("system/setMaterialPointsDict", r"\(0 -1 0\)", "(0 40 0)"),
+               replace(control, r"1e-4", "5e-4")),
+         ["leaves the mesh", "Make the mesh larger"], {"lacks": "outflow"}),
+        ("gas: inletOutlet without names", solve,
+         inAir(replace("0/T.air", r"outside \{ type zeroGradient;",
+                       "outside { type inletOutlet; inletValue uniform 300;"
+                       " value uniform 300;")),
+         ["inletOutlet of patch outside of T.air", r"Add the entries: phi phi.air; "],
+         {"lacks": "(psi|rho|U) (psi|rho|U).air;"}),
         ("gas: waveTransmissive without names", solve,
          inAir(replace("0/p", r"outside \{ type zeroGradient;",
                        "outside { type waveTransmissive; gamma 1.4; fieldInf 1e5;"

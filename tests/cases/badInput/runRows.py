@@ -82,5 +82,5 @@ def runRows(solve, replace, remove, several, withPoints, meshOf, line):
         ("reportInterval 0", solve, replace(control, "maxCo", "reportInterval 0; maxCo"),
          [line("controlDict"), "reportInterval"]),
         ("no end in sight: who sets the step", solve, replace(phases, "1e6", "1e300"),
-         ["time step", r"set by b\w+: sound \S+ m/s in 1000 mm"]),
+         ["time step", r"set by b\w+: sound \S+ m/s in 1 m[.;]"]),
     ]

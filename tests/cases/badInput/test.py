@@ -741,7 +741,9 @@ ROWS = [
      inPhases + ["isentropic"]),
 
     #- missing files
-    ("no U of field", SOLVE, remove("0/U.body"), ["cannot find file", r"0/U\.body"]),
+    ("no U of field", SOLVE, remove("0/U.body"),
+     ["Field U.body is missing", r"no file \S*0/U\.body", "velocityField body"],
+     {"lacks": "cannot find file"}),
     ("no phaseProperties", SOLVE, remove(PHASES), ["cannot find file", PHASES]),
     ("no phaseProperties", SET, remove(PHASES), ["cannot find file", PHASES]),
     ("no setMaterialPointsDict", SET, remove(REGIONS), ["cannot find file", REGIONS]),
@@ -1096,6 +1098,21 @@ ROWS += [
              setValue("0.1/lagrangian/block/U", 47, "(10 0 0)")),
      [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME],
      {"seed": "half"}),
+    ("point leaves the mesh: deltaT is too large", SOLVE,
+     several(withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 50 0)")),
+             replace(NUMERICS, "transfer", "maxTravel 0.9; transfer"), fixedStep("0.017")),
+     [r"leaves the mesh", "Courant number above 1 in this step",
+      r"deltaT 0\.017 of system/controlDict is \S+ times the stable one: use +deltaT 0\.00",
+      "Otherwise make the mesh larger"]),
+    ("no end in sight: deltaT is too large", SOLVE,
+     several(replace(CONTROL, r"0\.2;", "1e6;"), fixedStep("0.5")),
+     ["deltaT 0.5 of system/controlDict is", "Otherwise it follows"]),
+    ("allowed: a warning at first and when the Courant number doubles", SOLVE,
+     fixedStep("0.02"), None, {"warnings": 1, "has": "is above 1", "end": True}),
+    ("allowed: words of controlDict that are nearly ours", SOLVE,
+     replace(CONTROL, "maxCo", "maxDeltat 1; reportIntervall 5; minDeltT 0; maxCoGass 1;"
+             " maxU 3; myLimit 7; maxAlphaCo 1; maxCo"), None,
+     {"warnings": 4, "has": "Entry maxDeltat is not read; is maxDeltaT meant?"}),
     ("allowed: deltaT 0.05, fixed", SOLVE, fixedStep("0.05"), None,
      {"maybe": True, "has": "Courant number", "end": True}),
     ("allowed: deltaT 0.2, fixed", SOLVE, fixedStep("0.2"), None,
@@ -1150,10 +1167,10 @@ ROWS += [
      contact("one { fields (base block base); type stick; }"), inContact + ["two velocity"]),
     ("contact with a patch that does not exist", SOLVE,
      contact("one { fields (base); patch floor; type frictionless; }"),
-     inContact + ["floor", "Patches: .*ground"]),
+     inContact + ["Contact one: the mesh has no patch floor", "Patches: .*ground"]),
     ("contact with an empty patch", SOLVE,
      contact("one { fields (base); patch frontAndBack; type frictionless; }"),
-     inContact + ["frontAndBack", "Patches: .*ground"]),
+     inContact + ["patch frontAndBack is of type empty", "Patches: .*ground"]),
     ("contact with a slip patch", SOLVE,
      contact("one { fields (base); patch ground; type frictionless; }", "slip; //"),
      inContact + ["ground", "calculated"]),
@@ -1259,6 +1276,8 @@ def judge(command, case, patterns, options):
         wrong.append("no output at " + " ".join(map(str, missed)))
     if "has" in options and options["has"] not in text:
         wrong.append(f"output without {options['has']}")
+    if "lacks" in options and re.search(options["lacks"], message):
+        wrong.append(f"message with {options['lacks']}")
     if "warnings" in options:
         n = len(re.findall(r"--> FOAM Warning", text))
         if n != options["warnings"]:

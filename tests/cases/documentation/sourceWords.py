@@ -50,7 +50,8 @@ NOT_ENTRIES = {
     # Asked for where they are not read
     "simulation.C": "gas", "regionTable.C": "gas contact",
     "setMaterialPoints.C": "gas velocity stress pressure",
-    "materialPointSystem.C": "outflow", "gasCoupling.C": "stick type",
+    "materialPointSystem.C": "outflow", "materialPointSystemStop.C": "adjustTimeStep",
+    "gasCoupling.C": "stick type",
 }
 
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//[^\n]*|/\*.*?\*/', re.S)

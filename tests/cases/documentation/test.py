@@ -168,7 +168,7 @@ def pictures(table):
 
 def commands(table):
     """Blocks of the language sh. The first line of a block may say that it is not run
-    here: "# on your own machine", or "# run by tests/Alltest <name>". Blocks of other
+    here: "# not run by the tests", or "# run by tests/Alltest <name>". Blocks of other
     languages and indented ones have no commands."""
     unknown, nBlocks, hidden = [], 0, []
     for path in [os.path.join(PROJECT, "README.md")] + sorted(glob.glob(
@@ -182,7 +182,7 @@ def commands(table):
             if other:
                 unknown += [f"{name}: {t}" for t in other.group(1).split() if t != "unit"
                             and not os.path.exists(os.path.join(HERE, "..", t, "test.py"))]
-            elif not block.startswith("# on your own machine"):
+            elif not block.startswith("# not run by the tests"):
                 here.append(block)
         if here:
             runBlocks(table, name, here)

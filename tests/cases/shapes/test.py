@@ -406,15 +406,18 @@ def messages(table):
     def millimetres(case):
         prisms(case, "a.stl", [[(-1, -1), (50, -1), (50, 50), (-1, 50)]], -1, 100)
 
-    check("surface in mm", text("mm", {"a": surfaceRegion("a.stl")}, before=millimetres),
-          "times as large as the mesh", "scale 1e-3;")
+    check("surface in mm", text(
+        "mm", {"a": surfaceRegion("a.stl")}, before=millimetres, fails=True),
+        "Region a fills the whole mesh", "times as large", "write scale", "1e-2 for cm")
+    check("region of several shapes", text("several", {"a": {
+        "type": "union", "shapes": {"b": box}}}), "a: union of")
 
     def far(case):
         prisms(case, "a.stl", [[(10, 10), (50, 10), (50, 50), (10, 50)]], -1, 100)
 
     check("surface in mm beside the mesh", text(
         "mmFar", {"a": surfaceRegion("a.stl")}, before=far, fails=True),
-        "has no points", "scale 1e-3;")
+        "has no points", "times as large as the mesh", "write scale", "1e-3 for mm")
     check("inner radius", text("inner", {"a": {
         "type": "sphere", "centre": (0, 0, 0), "radius": 0.02, "innerRadius": 0.03}},
         fails=True), "innerRadius is 0.03", "less than radius")

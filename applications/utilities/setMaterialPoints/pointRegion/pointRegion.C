@@ -10,6 +10,17 @@ License
 #include "dictionaryTools.H"
 #include "meshShape.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const char* const unitAdvice =
+    "if its unit is not m, write  scale  with the unit in m beside its file"
+    " (1e-3 for mm, 1e-2 for cm, 0.0254 for inches).";
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::pointRegion::local
@@ -233,21 +244,57 @@ void Foam::mpm::pointRegion::checkTemperature(const bool hasTemperature) const
 }
 
 
+bool Foam::mpm::pointRegion::fromFile() const
+{
+    return shape_->facets() || isA<meshShape>(*shape_);
+}
+
+
 Foam::string Foam::mpm::pointRegion::sizeHint() const
 {
     // Drawings are in mm: a thousand times too large or, scaled twice, small
     const scalar body = bounds().mag();
     const scalar mesh = mag(shape_->computed(grid_.mesh().bounds().span()));
     const scalar ratio = body/mesh;
-    const bool fromFile = shape_->facets() || isA<meshShape>(*shape_);
-    if (fromFile && (ratio > 20 || ratio < 0.02))
+    if (!fromFile() || (ratio < 20 && ratio > 0.02))
     {
-        return
-            " The " + shape_->type() + " is " + Foam::name(ratio) + " times as large as the"
-            " mesh: if its unit is not m, write  scale "
-          + word(ratio > 1 ? "1e-3" : "1e3") + ";  beside its file.";
+        return "";
     }
-    return "";
+    return
+        " The " + type() + " is " + Foam::name(ratio) + " times as large as the"
+        " mesh: " + (ratio > 1 ? unitAdvice : "look at  scale  beside its file,"
+        " and in blockMeshDict.");
+}
+
+
+void Foam::mpm::pointRegion::checkRoom() const
+{
+    const scalar all = volumeFraction_*sum(grid_.mesh().cellVolumes());
+    if (!fromFile() || volume_ < 0.999999*all)
+    {
+        return;
+    }
+    const boundBox& mesh = grid_.mesh().bounds();
+    const boundBox body(bounds());
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        const int c = grid_.direction(d);
+        const scalar more = 1e-3*mesh.span()[c];
+        if
+        (
+            body.min()[c] > mesh.min()[c] - more
+         || body.max()[c] < mesh.max()[c] + more
+        )
+        {
+            return;
+        }
+    }
+    FatalIOErrorInFunction(dict_)
+        << "Region " << name_ << " fills the whole mesh " << mesh
+        << ": the " << type() << " of " << body.span() << " m from "
+        << body.min() << " to " << body.max() << " is larger on all sides. It"
+        << " is " << body.mag()/mag(shape_->computed(mesh.span()))
+        << " times as large: " << unitAdvice << exit(FatalIOError);
 }
 
 
@@ -282,8 +329,9 @@ void Foam::mpm::pointRegion::create(const scalar rho)
         FatalIOErrorInFunction(dict_)
             << "Region " << name_ << " has no points: no sub-cell of the mesh "
             << grid_.mesh().bounds() << " has a part in the "
-            << shape_->type() << ", which lies in "
-            << shape_->bounds() << " [m]." << sizeHint() << exit(FatalIOError);
+            << type() << ", which lies in "
+            << shape_->bounds() << " [m]." << sizeHint().c_str()
+            << exit(FatalIOError);
     }
     for (materialPointCloud::newPoint& p : points_)
     {
@@ -291,6 +339,7 @@ void Foam::mpm::pointRegion::create(const scalar rho)
         mass_ += p.mass;
         volume_ += p.volume;
     }
+    checkRoom();
 }
 
 

@@ -251,7 +251,7 @@ void Foam::mpm::printStart
     for (const pointRegion& r : regions)
     {
         const boundBox bb(r.bounds());
-        Info<< "    " << r.name() << ": " << r.shape().type() << " of "
+        Info<< "    " << r.name() << ": " << r.type() << " of "
             << bb.span() << " m from " << bb.min() << " to " << bb.max()
             << " m, " << r.pointsPerCell()
             << (r.byElements() ? " points per element" : " points per cell")
