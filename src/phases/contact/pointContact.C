@@ -147,7 +147,7 @@ Foam::mpm::pointContact::pointContact
     otherOwner_(grid.nNodes(), label(-1)),
     placeOf_(grid.nNodes(), label(-1)),
     other_(grid.nNodes(), scalar(-1)),
-    reach_(2*grid.nNodes(), -GREAT)
+    reach_(4*grid.nNodes(), -GREAT)
 {
     read(dict);
     forAll(fields_, fieldi)
@@ -209,6 +209,23 @@ bool Foam::mpm::pointContact::between(const label a, const label b) const
         }
     }
     return false;
+}
+
+
+void Foam::mpm::pointContact::update()
+{
+    contactNodes_.clear();
+    forAll(pairs_, pairi)
+    {
+        meet(pairi);
+    }
+    any_ = returnReduce(!contactNodes_.empty(), orOp<bool>());
+    if (any_)
+    {
+        sumGradients();
+        setNormals();
+        setGaps();
+    }
 }
 
 

@@ -263,11 +263,14 @@ void Foam::mpm::pointContact::setNormals()
         {
             // The body whose surface is flat at the node counts, not the edge
             // of the other, whose gradient is smaller
-            scalar square[2] = {0, 0};
+            scalar square[2] = {0, 0}, both = 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                square[0] += sqr(gradient_[pair.a][A.stride()*m.node + d]);
-                square[1] += sqr(gradient_[pair.b][A.stride()*m.node + d]);
+                const scalar ga = gradient_[pair.a][A.stride()*m.node + d];
+                const scalar gb = gradient_[pair.b][A.stride()*m.node + d];
+                square[0] += sqr(ga);
+                square[1] += sqr(gb);
+                both += ga*gb;
             }
             const scalar larger = max(max(square[0], square[1]), VSMALL);
             size2 = larger;
@@ -283,6 +286,8 @@ void Foam::mpm::pointContact::setNormals()
                 wa = takeA ? 1 : 0;
                 wb = 1 - wa;
             }
+            // Both along one line, of which setGaps() takes the direction
+            wb *= both > 0 ? -1 : 1;
         }
         for (int d = 0; d < nDim_; ++d)
         {
@@ -345,12 +350,11 @@ void Foam::mpm::pointContact::setNormals()
 }
 
 
-Foam::scalar Foam::mpm::pointContact::reach
+Foam::FixedList<Foam::scalar, 2> Foam::mpm::pointContact::reach
 (
     const contactNode& m,
     const scalar* x,
-    const scalar* l,
-    const scalar sign
+    const scalar* l
 ) const
 {
     scalar along = 0, R = 0;
@@ -364,7 +368,8 @@ Foam::scalar Foam::mpm::pointContact::reach
         along += dx*m.n[d];
         R += sqr(l[d]*m.n[d]);
     }
-    return sign*along + std::sqrt(R);
+    R = std::sqrt(R);
+    return {along + R, R - along};
 }
 
 
@@ -434,25 +439,39 @@ void Foam::mpm::pointContact::setGaps()
                 )
                 {
                     const contactNode& m = contactNodes_[place];
-                    scalar& e = reach_[2*m.node + side];
-                    e = max(e, reach(m, x, l, side == 0 ? 1 : -1));
+                    const FixedList<scalar, 2> r(reach(m, x, l));
+                    scalar* e = reach_.data() + 4*m.node + side;
+                    e[0] = max(e[0], r[side]);
+                    e[2] = max(e[2], r[1 - side]);
                 }
             );
         }
-        fields_[pair.a].largestOfShared(reach_.data(), 2, 2);
+        fields_[pair.a].largestOfShared(reach_.data(), 4, 4);
 
         for (label i = first; i < last; ++i)
         {
             contactNode& m = contactNodes_[i];
             placeOf_[m.node] = -1;
-            scalar* e = reach_.data() + 2*m.node;
+            scalar* e = reach_.data() + 4*m.node;
             m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
+            const bool turn =
+                pair.b >= 0
+             && !(mag(pair.how.normal) > 0)
+             && -e[2] - e[3] > m.gap;
+            if (turn)
+            {
+                m.gap = -e[2] - e[3];
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    m.n[d] = -m.n[d];
+                }
+            }
             if (bodies_.size())
             {
-                reachA[i] = e[0];
-                reachB[i] = e[1];
+                reachA[i] = e[turn ? 2 : 0];
+                reachB[i] = e[turn ? 3 : 1];
             }
-            e[0] = e[1] = -GREAT;
+            e[0] = e[1] = e[2] = e[3] = -GREAT;
         }
         first = last;
     }
@@ -517,7 +536,7 @@ void Foam::mpm::pointContact::setPlaces
                     const contactNode& m = contactNodes_[place];
                     const scalar behind =
                         (isA ? reachA : reachB)[place]
-                      - reach(m, x, l, isA ? 1 : -1);
+                      - reach(m, x, l)[isA ? 0 : 1];
                     const scalar near =
                         1 - behind/(0.01*max(l[0], max(l[1], l[2])));
                     if (near <= 0)
@@ -566,24 +585,6 @@ void Foam::mpm::pointContact::setPlaces
             placeOf_[contactNodes_[i].node] = -1;
         }
         first = last;
-    }
-}
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::mpm::pointContact::update()
-{
-    contactNodes_.clear();
-    forAll(pairs_, pairi)
-    {
-        meet(pairi);
-    }
-    any_ = returnReduce(!contactNodes_.empty(), orOp<bool>());
-    if (any_)
-    {
-        sumGradients();
-        setNormals();
-        setGaps();
     }
 }
 
