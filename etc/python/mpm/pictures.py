@@ -212,7 +212,7 @@ def saveAnimation(figures, name, seconds=4, colours=128):
     found = np.repeat(found | 2, np.ceil(np.sqrt(count)).astype(int), axis=0)
     palette = PIL.Image.fromarray(found[None].astype(np.uint8)).quantize(colours)
     table = np.array(palette.getpalette()).reshape(-1, 3)
-    table[np.argmin(((table - 255)**2).sum(axis=1))] = 255      # white stays white
+    table[(table >= 250).all(axis=1)] = 255         # white stays white
     palette.putpalette(table.astype(np.uint8).tobytes())
     frames = [f.quantize(palette=palette, dither=PIL.Image.Dither.NONE) for f in frames]
     each = 10*round(min(max(100*seconds/len(frames), 5), 25))
