@@ -26,6 +26,9 @@ from mpm.files import (Points, fileHeader, foamText, readField,  # noqa: E402,F4
 
 RUN = os.path.join(TESTS, "run")
 
+#: Programs with the sanitizers are five to ten times slower
+PATIENCE = 20 if os.environ.get("MPM_BUILD") == "sanitize" else 1
+
 #: Also the long series
 VERIFY = os.environ.get("MPM_VERIFY", "") not in ("", "0")
 
@@ -45,6 +48,9 @@ class FoamCase(Case):
                 "log.*", "postProcessing", "polyMesh", "processor*", "VTK"))
         else:
             os.makedirs(self.path)
+
+    def run(self, *command, limit=None, **options):
+        return super().run(*command, limit=PATIENCE*(limit or self.limit), **options)
 
     def largestDifference(self, other, time, phases, columns):
         """Largest difference of any column by id over the column's maximum;

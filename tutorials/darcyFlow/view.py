@@ -2,7 +2,7 @@
 
 VIEWS = {
     "pressure": {
-        "profile": ("pressure [kPa]", (99, 115)),
+        "profile": ("pressure [kPa]", (99, 123)),
         "gas": {"field": "1e-3*p"},
         "points": [{"phases": ("block",)}],
     },

@@ -215,6 +215,9 @@ def saveAnimation(figures, name, seconds=4, colours=128):
     found, count = np.unique(some & 0xfc, axis=0, return_counts=True)
     found = np.repeat(found | 2, np.ceil(np.sqrt(count)).astype(int), axis=0)
     palette = PIL.Image.fromarray(found[None].astype(np.uint8)).quantize(colours)
+    table = np.array(palette.getpalette()).reshape(-1, 3)
+    table[(table >= 250).all(axis=1)] = 255         # white stays white
+    palette.putpalette(table.astype(np.uint8).tobytes())
     frames = [f.quantize(palette=palette, dither=PIL.Image.Dither.NONE) for f in frames]
     each = 10*round(min(max(100*seconds/len(frames), 5), 25))
     frames[0].save(name, save_all=True, append_images=frames[1:], loop=0, optimize=False,

@@ -8,6 +8,7 @@ incline    block on a slope, on a rigid body and on a patch, in 2D and 3D: frict
 disks      two elastic discs meet off centre: momentum, no pull; 1 and 2 processors
            give the same, a restart the same bit by bit
 balls      two balls in 3D meet off centre: momentum
+thin       ball in 2D on rigid floors of one and three layers of cells: gap, impulse, energy
 hertz      tutorials/hertz: half-width and pressure
 sand       tutorials/sandColumn: runout
 """
@@ -329,6 +330,46 @@ def tutorial(name, *scripts):
     return case.log(os.path.basename(sys.executable))
 
 
+def thin(table):
+    """On a floor of one layer the ball's points reach nodes of its underside."""
+    h, push = 0.004, {}
+    for layers in (1, 3):
+        low = -layers*h
+        case = FoamCase("contact", f"thin-{layers}")
+        case.write("constant/phaseProperties", {
+            "phases": ["ball", "floor"],
+            "ball": {"constitutiveModel": {"type": "neoHookean", "rho": 1100, "E": 2e6,
+                                           "nu": 0.45}},
+            "floor": {"type": "rigid", "rho": 2000},
+            "contact": {"both": {"type": "Coulomb", "mu": 0.6}}})
+        case.write("system/blockMeshDict", boxMesh(
+            (-0.06, low - h, 0), (0.06, 0.06, h), (30, 16 + layers, 1),
+            {"sides": ("patch", ("x-", "x+", "y-", "y+")),
+             "frontAndBack": ("empty", ("z-", "z+"))}))
+        for p in ("ball", "floor"):
+            velocityFile(case, p, {"sides": "calculated", "frontAndBack": "empty"})
+        case.write("system/setMaterialPointsDict", {"regions": {
+            "ball": {"phase": "ball", "type": "sphere", "centre": (0, 0.0247, 0.5*h),
+                     "radius": 0.02, "pointsPerCell": 2, "velocity": (0.5, -3, 0)},
+            "floor": {"phase": "floor", "type": "box", "min": (-0.06, low, 0),
+                      "max": (0.06, 0, h), "pointsPerCell": 2}}})
+        case.write("system/fvSolution", {"materialPoints": {**FLIP, "energyBudget": "yes"}})
+        noSchemes(case)
+        control = controlDict(6e-3, 6e-3, 0.4)
+        control["reportInterval"] = 1
+        case.write("system/controlDict", control)
+        case.run("blockMesh")
+        case.run("setMaterialPoints")
+        case.run("materialPointFoam", limit=300)
+        _, _, impulse, gap, _ = contactLog(case, "both")
+        push[layers] = -impulse[-1, 1]
+        table.row(f"floor, layers {layers}: least gap [cells]", 0, gap.min()/h,
+                  -0.25, "atLeast")
+        print(f"floor, layers {layers}: impulse {impulse[-1]}")
+    # Below the first layer the floor touches nothing
+    table.row("floor of one layer: impulse over that of three", 1, push[1]/push[3], 1e-4)
+
+
 def hertz(table):
     said = tutorial("hertz")
     for name in ("half-width", "peak pressure"):
@@ -345,7 +386,8 @@ def sand(table):
 
 
 def main():
-    return runParts("contact", plates, pair, incline, disks, balls, hertz, sand)
+    return runParts("contact", plates, pair, incline, disks, balls, thin,
+                    hertz, sand)
 
 
 if __name__ == "__main__":
