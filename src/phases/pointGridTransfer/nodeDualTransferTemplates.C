@@ -40,6 +40,33 @@ void nodeDualTransfer<Shape, DIM, HOOP>::reach
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
+void nodeDualTransfer<Shape, DIM, HOOP>::stencilOf
+(
+    const label celli,
+    DynamicList<label>& nodes
+) const
+{
+    ++stampNow_;
+    nodes.clear();
+    place_.setSize(grid_.nNodes());
+    for (label i = 0; i < shape_.cells.nVertices(celli); ++i)
+    {
+        const label m = shape_.cells.nodes(celli)[i];
+        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+        {
+            const label l = dual_.node(e);
+            if (stamp_[l] != stampNow_)
+            {
+                stamp_[l] = stampNow_;
+                place_[l] = nodes.size();
+                nodes.append(l);
+            }
+        }
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 void nodeDualTransfer<Shape, DIM, HOOP>::clear
 (
     const alignedArray& q,
@@ -69,128 +96,6 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gather
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::findFeeds()
-{
-    const label N = grid_.nNodes();
-    mark_.setSize(N, 0);
-    for (label m = 0; m < N; ++m)
-    {
-        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-        {
-            if (dual_.reduced(m))
-            {
-                mark_[dual_.node(e)] = 1;
-                anyReduced_ = true;
-            }
-        }
-    }
-    reduce(anyReduced_, orOp<bool>());
-    shared_.largest(mark_.data(), 1, 1);
-    feeds_.setSize(N, false);
-    for (label m = 0; m < N; ++m)
-    {
-        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-        {
-            feeds_[m] =
-                feeds_[m] || (dual_.W(e) > 0 && mark_[dual_.node(e)] > 0);
-        }
-    }
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::findMass() const
-{
-    if (!anyReduced_)
-    {
-        return;
-    }
-    for (const label m : nodes_)
-    {
-        for
-        (
-            label e = dual_.begin(m);
-            feeds_[m] && e < dual_.begin(m + 1);
-            ++e
-        )
-        {
-            if (dual_.W(e) > 0)
-            {
-                massStamp_[dual_.node(e)] = stampNow_;
-            }
-        }
-    }
-    if (shared_.nodes().size())
-    {
-        for (const label l : shared_.nodes())
-        {
-            mark_[l] = hasMass(l);
-        }
-        shared_.largest(mark_.data(), 1, 1);
-        for (const label l : shared_.nodes())
-        {
-            massStamp_[l] = mark_[l] > 0 ? stampNow_ : massStamp_[l];
-        }
-    }
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::gradientAtWall
-(
-    const label m,
-    const scalar* u,
-    scalar* L
-) const
-{
-    alignas(64) scalar U[P];
-    dual_.template gather<P>(m, u, U);
-    std::fill_n(L, DIM*P, 0.0);
-    for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-    {
-        const label l = dual_.node(e);
-        const lanes<P> ul = load<P>(hasMass(l) ? u + P*l : U);
-        for (int j = 0; j < DIM; ++j)
-        {
-            store<P>(L + P*j, load<P>(L + P*j) + dual_.G(e)[j]*ul);
-        }
-    }
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::forceAtWall
-(
-    const label m,
-    const scalar* F,
-    scalar* f
-) const
-{
-    lanes<P> rest = {};
-    for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-    {
-        lanes<P> part = {};
-        for (int j = 0; j < DIM; ++j)
-        {
-            part += dual_.G(e)[j]*load<P>(F + P*j);
-        }
-        const label l = dual_.node(e);
-        if (hasMass(l))
-        {
-            store<P>(f + P*l, load<P>(f + P*l) + part);
-        }
-        else
-        {
-            rest += part;
-        }
-    }
-    alignas(64) scalar ofRest[P];
-    store<P>(ofRest, rest);
-    dual_.template spread<P>(m, ofRest, f);
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
 const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
 (
     const scalar* u
@@ -210,7 +115,7 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
         }
         if constexpr (HOOP)
         {
-            dual_.template gather<P>(m, u, L + DIM*P);
+            store<P>(L + DIM*P, load<P>(u + P*m));
         }
     }
     return L_.data();
@@ -223,6 +128,68 @@ void nodeDualTransfer<Shape, DIM, HOOP>::spread(scalar* q) const
     for (const label m : nodes_)
     {
         dual_.template spread<P>(m, a_.data() + P*m, q);
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void nodeDualTransfer<Shape, DIM, HOOP>::spreadAffine
+(
+    materialPointCloud& cloud,
+    const passes::states state,
+    scalar* q
+) const
+{
+    const typename base::geometry geo(cloud, state == passes::tentative);
+    const scalar* mass = cloud.mass()[0];
+    const column& C =
+        state == passes::current ? *cloud.affine() : *cloud.affineNew();
+
+    clear(F_, nodeDualTransfer::C);
+    typename shapeType::gradientAccumulator acc;
+    base::forGroups
+    (
+        cloud,
+        [&](const typename shapeType::stencil&) { acc.clear(); },
+        [&]
+        (
+            const typename shapeType::stencil& s,
+            label,
+            const label p,
+            const int n
+        )
+        {
+            T X[DIM], L[DIM], A[DIM*DIM];
+            geo.load(p, X, L);
+            typename shapeType::gradients S;
+            shape_.evaluate(s, X, L, S);
+            const T m = load<W>(mass + p);
+            for (int i = 0; i < DIM*DIM; ++i)
+            {
+                A[i] = m*load<W>(C[i] + p);
+            }
+            shapeType::scatterGradient(S, A, n, acc);
+        },
+        [&](const typename shapeType::stencil& s)
+        {
+            shapeType::flushGradient(acc, s.nodes, F_.data());
+        }
+    );
+
+    const scalarList& offsets = dual_.offsets();
+    for (const label m : nodes_)
+    {
+        const scalar* A = F_.data() + nodeDualTransfer::C*m;
+        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+        {
+            lanes<P> v = load<P>(a_.data() + P*m);
+            for (int j = 0; j < DIM; ++j)
+            {
+                v += offsets[DIM*e + j]*load<P>(A + P*j);
+            }
+            scalar* to = q + P*dual_.node(e);
+            store<P>(to, load<P>(to) + dual_.W(e)*v);
+        }
     }
 }
 
@@ -245,7 +212,11 @@ void nodeDualTransfer<Shape, DIM, HOOP>::spreadForce
         {
             dual_.template force<DIM, P>(m, F, f);
         }
-        if (beside)
+        if (HOOP)
+        {
+            store<P>(f + P*m, load<P>(f + P*m) + load<P>(F + DIM*P));
+        }
+        else if (beside)
         {
             dual_.template spread<P>(m, F + DIM*P, f);
         }
@@ -270,7 +241,8 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
     UL_(P*grid.nNodes()),
     dU_(P*grid.nNodes()),
     L_(C*grid.nNodes()),
-    F_(C*grid.nNodes())
+    F_(C*grid.nNodes()),
+    nStencil_(-1)
 {
     findFeeds();
 }
@@ -334,21 +306,7 @@ void nodeDualTransfer<Shape, DIM, HOOP>::forStencils
     DynamicList<label> nodes;
     forAll(cloud.cells(), k)
     {
-        const label celli = cloud.cells()[k];
-        ++stampNow_;
-        nodes.clear();
-        for (label i = 0; i < shape_.cells.nVertices(celli); ++i)
-        {
-            const label m = shape_.cells.nodes(celli)[i];
-            for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-            {
-                if (stamp_[dual_.node(e)] != stampNow_)
-                {
-                    stamp_[dual_.node(e)] = stampNow_;
-                    nodes.append(dual_.node(e));
-                }
-            }
-        }
+        stencilOf(cloud.cells()[k], nodes);
         f(k, nodes);
     }
 }
@@ -362,17 +320,17 @@ void nodeDualTransfer<Shape, DIM, HOOP>::project
     scalar* mU
 ) const
 {
-    if (cloud.affine())
-    {
-        FatalErrorInFunction
-            << "The shape function nodeDual does not work with affine"
-            << " velocities of points yet: choose FLIP or FMPM."
-            << exit(FatalError);
-    }
     reach(cloud);
     clear(a_, P);
     base::project(cloud, state, a_.data());
-    spread(mU);
+    if (cloud.affine())
+    {
+        spreadAffine(cloud, state, mU);
+    }
+    else
+    {
+        spread(mU);
+    }
 }
 
 
@@ -412,16 +370,52 @@ scalar nodeDualTransfer<Shape, DIM, HOOP>::shortestWidth
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
+label nodeDualTransfer<Shape, DIM, HOOP>::nStencil() const
+{
+    if (nStencil_ < 0)
+    {
+        DynamicList<label> nodes;
+        for (label celli = 0; celli < grid_.nCells(); ++celli)
+        {
+            stencilOf(celli, nodes);
+            nStencil_ = max(nStencil_, nodes.size());
+        }
+    }
+    return nStencil_;
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 void nodeDualTransfer<Shape, DIM, HOOP>::massShares
 (
-    materialPointCloud&,
-    scalar*
+    materialPointCloud& cloud,
+    scalar* share
 ) const
 {
-    FatalErrorInFunction
-        << "The shape function nodeDual does not work with a gas yet: choose"
-        << " GIMP or linear."
-        << exit(FatalError);
+    // Of the vertices of the cells, then of the nodes that they reach
+    constexpr int most = shapeType::maxNodes;
+    const label n = nStencil();
+    static thread_local std::vector<scalar> ofVertices;
+    ofVertices.resize(most*cloud.cells().size());
+    base::massShares(cloud, ofVertices.data());
+
+    DynamicList<label> nodes;
+    forAll(cloud.cells(), k)
+    {
+        const label celli = cloud.cells()[k];
+        stencilOf(celli, nodes);
+        scalar* to = share + n*k;
+        std::fill_n(to, n, 0.0);
+        for (label i = 0; i < shape_.cells.nVertices(celli); ++i)
+        {
+            const scalar mass = ofVertices[most*k + i];
+            const label m = shape_.cells.nodes(celli)[i];
+            for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+            {
+                to[place_[dual_.node(e)]] += mass*dual_.W(e);
+            }
+        }
+    }
 }
 
 

@@ -95,12 +95,15 @@ void Foam::mpm::nodeDual::solve
 )
 {
     // Newton's method for the least of log sum N exp(-q.d), which is convex
-    scalar most = 0;
+    scalar most = 0, size = 0;
     for (const nodeRows::entry& e : row)
     {
         most = e.N > 0 ? max(most, mag(P & e.d)) : most;
+        size = max(size, mag(e.d));
     }
-    const scalar h = max(most, VSMALL);
+    // Rounding of P is no direction
+    const bool none = most <= 1e-9*size;
+    const scalar h = none ? max(size, VSMALL) : most;
     vector q(Zero);
     const auto values = [&](const vector& at, vector& mean, symmTensor& square)
     {
@@ -124,7 +127,7 @@ void Foam::mpm::nodeDual::solve
     symmTensor square;
     scalar F = values(q, mean, square);
     bool found = false;
-    for (int step = 0; step < 100 && !found && mag(q) < 50; ++step)
+    for (int step = 0; step < 100 && !none && !found && mag(q) < 50; ++step)
     {
         if (mag(mean) < 1e-15)
         {
@@ -141,7 +144,8 @@ void Foam::mpm::nodeDual::solve
         {
             break;
         }
-        const vector dq(inv(full) & mean);
+        vector dq(inv(full) & mean);
+        dq *= min(scalar(1), 10/max(mag(dq), VSMALL));
         scalar share = 1;
         vector newMean;
         symmTensor newSquare;
@@ -168,7 +172,7 @@ void Foam::mpm::nodeDual::solve
         W[i] = row[i].N*std::exp(-(q & (P & row[i].d))/h);
         Z += W[i];
     }
-    const bool alone = !found || most <= 0;
+    const bool alone = none || !found;
     forAll(row, i)
     {
         const bool own = row[i].node == m && magSqr(row[i].d) == 0;

@@ -113,7 +113,12 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
           ? corners3D(mesh, celli)
           : corners2D(mesh, mesh.faces()[side])
         );
-        part = c.volume/sum(c.volume);
+        // Of rings the volumes are the sections times their radius
+        part =
+            grid_.radial() < 0
+          ? c.volume
+          : c.moment.component(grid_.direction(grid_.radial()))();
+        part /= sum(part);
         x.setSize(part.size());
         forAll(x, i)
         {
