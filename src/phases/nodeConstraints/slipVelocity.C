@@ -11,6 +11,33 @@ License
 #include "fixedNormalSlipPointPatchField.H"
 #include <algorithm>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Nodes on the axis of a wedge, of cells that are no hexahedra by radius
+labelList onAxis(const mpm::pointGrid& grid)
+{
+    DynamicList<label> nodes(grid.axisNodes());
+    const scalar near = 1e-6*grid.mesh().bounds().mag();
+    const int r = grid.direction(grid.radial());
+    forAll(grid.nodePoint(), n)
+    {
+        const label pointi = grid.nodePoint()[n];
+        if (pointi >= 0 && grid.mesh().points()[pointi][r] < near)
+        {
+            nodes.append(n);
+        }
+    }
+    Foam::inplaceUniqueSort(nodes);
+    return labelList(std::move(nodes));
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::List<Foam::List<Foam::mpm::slipVelocity::faceNormal>>
@@ -52,7 +79,7 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
     {
         vector radius(Zero);
         radius[grid_.direction(grid_.radial())] = 1;
-        for (const label n : grid_.axisNodes())
+        for (const label n : onAxis(grid_))
         {
             add(n, -1, radius);
         }

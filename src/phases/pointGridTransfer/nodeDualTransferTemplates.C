@@ -30,6 +30,32 @@ const dualNodes& nodeDualTransfer<Shape, DIM, HOOP>::reach
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
+void nodeDualTransfer<Shape, DIM, HOOP>::stencilOf
+(
+    const label celli,
+    DynamicList<label>& nodes
+) const
+{
+    ++stampNow_;
+    nodes.clear();
+    for (label i = 0; i < shape_.cells.nVertices(celli); ++i)
+    {
+        const label m = shape_.cells.nodes(celli)[i];
+        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+        {
+            const label l = dual_.node(e);
+            if (stamp_[l] != stampNow_)
+            {
+                stamp_[l] = stampNow_;
+                place_[l] = nodes.size();
+                nodes.append(l);
+            }
+        }
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gather
 (
     const dualNodes& nodes,
@@ -49,7 +75,16 @@ const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gradient
     const scalar* u
 ) const
 {
-    nodes.gradient<DIM>(u, HOOP, L_.data());
+    nodes.gradient<DIM>(u, L_.data());
+    for (label i = 0; HOOP && i < nodes.nodes().size(); ++i)
+    {
+        const label m = nodes.nodes()[i];
+        store<P>
+        (
+            L_.data() + CL*m + dualColumns<DIM>::besideGradient,
+            load<P>(u + P*m)
+        );
+    }
     return L_.data();
 }
 
@@ -66,6 +101,86 @@ void nodeDualTransfer<Shape, DIM, HOOP>::spread
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
+void nodeDualTransfer<Shape, DIM, HOOP>::spreadAffine
+(
+    const dualNodes& nodes,
+    materialPointCloud& cloud,
+    const passes::states state,
+    scalar* q
+) const
+{
+    const typename base::geometry geo(cloud, state == passes::tentative);
+    const scalar* mass = cloud.mass()[0];
+    const column& C =
+        state == passes::current ? *cloud.affine() : *cloud.affineNew();
+
+    // Column j of A_m in L_, one behind the other
+    const auto A = [&](const int j) { return L_.data() + P*grid_.nNodes()*j; };
+    for (int j = 0; j < DIM; ++j)
+    {
+        nodes.clear(A(j), P, P);
+    }
+    typename shapeType::accumulator acc[DIM];
+    base::forGroups
+    (
+        cloud,
+        [&](const typename shapeType::stencil&)
+        {
+            for (auto& a : acc)
+            {
+                a.clear();
+            }
+        },
+        [&]
+        (
+            const typename shapeType::stencil& s,
+            label,
+            const label p,
+            const int n
+        )
+        {
+            T X[DIM], L[DIM];
+            geo.load(p, X, L);
+            typename shapeType::weights S;
+            shape_.evaluate(s, X, L, S);
+            const T m = load<W>(mass + p);
+            for (int j = 0; j < DIM; ++j)
+            {
+                T a[DIM];
+                for (int i = 0; i < DIM; ++i)
+                {
+                    a[i] = m*load<W>(C[i*DIM + j] + p);
+                }
+                shapeType::template scatter<DIM>(S, a, n, acc[j]);
+            }
+        },
+        [&](const typename shapeType::stencil& s)
+        {
+            for (int j = 0; j < DIM; ++j)
+            {
+                shapeType::flush(acc[j], s.nodes, A(j));
+            }
+        }
+    );
+
+    const scalarList& offsets = dual_.offsets();
+    for (const label m : nodes.nodes())
+    {
+        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+        {
+            lanes<P> v = load<P>(a_.data() + P*m);
+            for (int j = 0; j < DIM; ++j)
+            {
+                v += offsets[DIM*e + j]*load<P>(A(j) + P*m);
+            }
+            scalar* to = q + P*dual_.node(e);
+            store<P>(to, load<P>(to) + dual_.W(e)*v);
+        }
+    }
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 void nodeDualTransfer<Shape, DIM, HOOP>::spreadForce
 (
     const dualNodes& nodes,
@@ -73,7 +188,13 @@ void nodeDualTransfer<Shape, DIM, HOOP>::spreadForce
     scalar* f
 ) const
 {
-    nodes.force<DIM>(F_.data(), beside, f);
+    nodes.force<DIM>(F_.data(), beside && !HOOP, f);
+    for (label i = 0; HOOP && i < nodes.nodes().size(); ++i)
+    {
+        const label m = nodes.nodes()[i];
+        const scalar* F = F_.data() + CF*m + dualColumns<DIM>::symmetric;
+        store<P>(f + P*m, load<P>(f + P*m) + load<P>(F));
+    }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -86,7 +207,9 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
     dual_(shape_.dual),
     boundary_(dual_, grid.shared(shapeType::reach)),
     stamp_(grid.nNodes(), label(-1)),
+    place_(grid.nNodes(), label(-1)),
     stampNow_(0),
+    nStencil_(-1),
     a_(P*grid.nNodes()),
     U_(P*grid.nNodes()),
     UL_(P*grid.nNodes()),
@@ -155,21 +278,7 @@ void nodeDualTransfer<Shape, DIM, HOOP>::forStencils
     DynamicList<label> nodes;
     forAll(cloud.cells(), k)
     {
-        const label celli = cloud.cells()[k];
-        ++stampNow_;
-        nodes.clear();
-        for (label i = 0; i < shape_.cells.nVertices(celli); ++i)
-        {
-            const label m = shape_.cells.nodes(celli)[i];
-            for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-            {
-                if (stamp_[dual_.node(e)] != stampNow_)
-                {
-                    stamp_[dual_.node(e)] = stampNow_;
-                    nodes.append(dual_.node(e));
-                }
-            }
-        }
+        stencilOf(cloud.cells()[k], nodes);
         f(k, nodes);
     }
 }
@@ -183,17 +292,17 @@ void nodeDualTransfer<Shape, DIM, HOOP>::project
     scalar* mU
 ) const
 {
-    if (cloud.affine())
-    {
-        FatalErrorInFunction
-            << "The shape function nodeDual does not work with affine"
-            << " velocities of points yet: choose FLIP or FMPM."
-            << exit(FatalError);
-    }
     const dualNodes& nodes = reach(cloud);
     nodes.clear(a_.data(), P, P);
     base::project(cloud, state, a_.data());
-    spread(nodes, mU);
+    if (cloud.affine())
+    {
+        spreadAffine(nodes, cloud, state, mU);
+    }
+    else
+    {
+        spread(nodes, mU);
+    }
 }
 
 
@@ -233,16 +342,53 @@ scalar nodeDualTransfer<Shape, DIM, HOOP>::shortestWidth
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
+label nodeDualTransfer<Shape, DIM, HOOP>::nStencil() const
+{
+    if (nStencil_ < 0)
+    {
+        DynamicList<label> nodes;
+        for (label celli = 0; celli < grid_.nCells(); ++celli)
+        {
+            stencilOf(celli, nodes);
+            nStencil_ = max(nStencil_, nodes.size());
+        }
+    }
+    return nStencil_;
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 void nodeDualTransfer<Shape, DIM, HOOP>::massShares
 (
-    materialPointCloud&,
-    scalar*
+    materialPointCloud& cloud,
+    scalar* share
 ) const
 {
-    FatalErrorInFunction
-        << "The shape function nodeDual does not work with a gas yet: choose"
-        << " GIMP or linear."
-        << exit(FatalError);
+    // Of the vertices of the cells, then of the nodes that they reach
+    constexpr int most = shapeType::maxNodes;
+    const label n = nStencil();
+    static thread_local std::vector<scalar> ofVertices;
+    ofVertices.resize(most*cloud.cells().size());
+    base::massShares(cloud, ofVertices.data());
+
+    DynamicList<label> nodes;
+    typename shapeType::stencil s;
+    forAll(cloud.cells(), k)
+    {
+        shape_.prepare(cloud.cells()[k], s);
+        stencilOf(cloud.cells()[k], nodes);
+        scalar* to = share + n*k;
+        std::fill_n(to, n, 0.0);
+        for (int i = 0; i < shapeType::count(s); ++i)
+        {
+            const scalar mass = ofVertices[most*k + i];
+            const label m = s.nodes[i];
+            for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+            {
+                to[place_[dual_.node(e)]] += mass*dual_.W(e);
+            }
+        }
+    }
 }
 
 

@@ -49,10 +49,10 @@ Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
                     << "The shape function " << name
                     << " does not allow this mesh: " << reason << "." << nl
                     << "linear allows every mesh of hexahedra, nodeDual any"
-                    << " cells (one processor, no wedges), GIMP needs"
-                    << " boxes along the axes without re-entrant corners,"
-                    << " quadraticBSpline and cubicBSpline also one width of"
-                    << " all cells in each direction."
+                    << " cells, GIMP needs boxes along the axes without"
+                    << " re-entrant corners, quadraticBSpline and"
+                    << " cubicBSpline also one width of all cells in each"
+                    << " direction."
                     << exit(FatalIOError);
             }
         }

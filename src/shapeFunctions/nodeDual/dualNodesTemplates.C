@@ -348,12 +348,7 @@ void dualNodes::spread(const scalar* a, const int stride, scalar* q) const
 
 
 template<int DIM>
-void dualNodes::gradient
-(
-    const scalar* u,
-    const bool beside,
-    scalar* L
-) const
+void dualNodes::gradient(const scalar* u, scalar* L) const
 {
     typedef dualColumns<DIM> layout;
     constexpr int P = layout::P, C = layout::gradient;
@@ -376,13 +371,6 @@ void dualNodes::gradient
     forAll(walls_, i)
     {
         gradientAtWall<DIM>(i, u, L + C*walls_[i]);
-    }
-    if (beside)
-    {
-        for (const label m : nodes_)
-        {
-            dual_.gather<P>(m, u, L + C*m + layout::besideGradient);
-        }
     }
 }
 

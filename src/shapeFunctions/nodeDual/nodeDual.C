@@ -16,11 +16,14 @@ Foam::mpm::nodeDual::nodeDual
     const cellSimplices& cells
 )
 :
+    grid_(grid),
+    cells_(cells),
     nDim_(grid.nDim()),
     volume_(grid.nNodes(), Zero),
     width_(grid.nDim()*grid.nNodes(), Zero),
     start_(grid.nNodes() + 1, Zero),
-    reduced_(grid.nNodes(), false)
+    reduced_(grid.nNodes(), false),
+    hasOffsets_(false)
 {
     const nodeRows rows(grid, cells);
     DynamicList<label> nodes(16*grid.nNodes());
@@ -57,6 +60,34 @@ Foam::mpm::nodeDual::nodeDual
     G_.transfer(G);
     sortRows();
     findRuns();
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::scalarList& Foam::mpm::nodeDual::offsets() const
+{
+    if (!hasOffsets_)
+    {
+        const nodeRows rows(grid_, cells_);
+        nodeRows::row row;
+        offset_.setSize(nDim_*node_.size());
+        label at = 0;
+        for (label m = 0; m < grid_.nNodes(); ++m)
+        {
+            rows.get(m, row);
+            const tensor P(makeRing(nDim_, row));
+            for (const nodeRows::entry& e : row.entries)
+            {
+                const vector d(P & e.d);
+                for (int c = 0; c < nDim_; ++c)
+                {
+                    offset_[at++] = d[c];
+                }
+            }
+        }
+        hasOffsets_ = true;
+    }
+    return offset_;
 }
 
 // ************************************************************************* //

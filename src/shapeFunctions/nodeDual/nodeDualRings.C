@@ -151,7 +151,8 @@ void Foam::mpm::nodeDual::solve
         {
             break;
         }
-        const vector dq(inv(full) & mean);
+        vector dq(inv(full) & mean);
+        dq *= min(scalar(1), 10/max(mag(dq), VSMALL));
         scalar share = 1;
         vector newMean;
         symmTensor newSquare;

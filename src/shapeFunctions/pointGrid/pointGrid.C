@@ -132,7 +132,7 @@ Foam::scalarList Foam::mpm::pointGrid::nodeVolumes
     forAll(V, celli)
     {
         const SubList<label> nodes(nodesOf(celli));
-        if (!byRadius || radial() < 0)
+        if (!byRadius || radial() < 0 || !hexes_)
         {
             for (const label n : nodes)
             {

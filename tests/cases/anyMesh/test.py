@@ -7,7 +7,8 @@ random by 20 % of the widths, but for the planes in which bodies begin.
     translation   an elastic block crosses cells at Mach 0.1, 120 steps, FLIP and
                   FMPM 2: |u - v0|/|v0| of every point 1e-12, mass 1e-12,
                   position against x0 + v0 t 1e-12 of the mesh; also on the
-                  polyhedra of polyDualMesh, whose faces are warped
+                  polyhedra of polyDualMesh, whose faces are warped; through cyclic
+                  sides (APIC too), on 2 processors
     along a wall  the same block on a slip wall, moving along it (there nodes
                   have a gradient but no mass); tetrahedra
     fall          a neo-Hookean block flies through a cyclic side and onto a fixed
@@ -40,8 +41,11 @@ WAVE = np.sqrt(E*(1 - NU)/((1 + NU)*(1 - 2*NU))/RHO)
 VELOCITY = np.array([0.1, 0.065, -0.045])*WAVE
 STEPS, CO = 120, 0.4
 
+CYCLIC = {"left": ("cyclic", ("x-",), "right"), "right": ("cyclic", ("x+",), "left")}
+
 TRANSFERS = {"FLIP": {"transfer": "FLIP", "PICfraction": 0.01},
-             "FMPM2": {"transfer": "FMPM", "order": 2, "strainFilter": 1}}
+             "FMPM2": {"transfer": "FMPM", "order": 2, "strainFilter": 1},
+             "APIC": {"transfer": "APIC"}}
 
 COLUMNS = ("x", "U", "m", "V", "sigma", "leftStretch")
 
@@ -50,22 +54,24 @@ SHOCK = {"transfer": "FMPM", "order": 3, "strainFilter": 1}
 LIMITS = {12: (9, 20), 25: (6, 13), 50: (4, 13)}
 
 
-def translation(kind, transfer, onWall=False, split=None):
-    """A block of 3 cells in each direction of a mesh of 10."""
+def translation(kind, transfer, onWall=False, split=None, cyclic=False):
+    """A block of 3 cells in each direction of a mesh of 10; cyclic: out of one side
+    and in at the other."""
     n = 10
-    low = np.array([2, 2, 0 if onWall else 5])
+    low = np.array([6 if cyclic else 2, 2, 0 if onWall else 5])
     velocity = VELOCITY*(1, 1, not onWall)
     case = FoamCase("anyMesh", f"translation-{kind}-{transfer}{'-wall'*onWall}"
-                               f"{'-split'*bool(split)}")
+                               f"{'-split'*bool(split)}{'-cyclic'*cyclic}")
     case.write("constant/phaseProperties", {
         "phases": ["block"],
         "block": {"constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": E,
                                         "nu": NU}}})
     boxOfCells(case, "tets" if kind == "polyhedra" else kind, (0, 0, 0), (n*H,)*3, (n,)*3,
-               {"outside": ("patch", ("x-", "x+", "y-", "y+", "z+")),
-                "wall": ("patch", ("z-",))},
+               {"outside": ("patch", ("x-", "x+")[:2*(not cyclic)] + ("y-", "y+", "z+")),
+                "wall": ("patch", ("z-",)), **(CYCLIC if cyclic else {})},
                kept=[(d, low[d] + k) for d in range(3) for k in (0, 3)])
-    velocityFile(case, "block", {"outside": "calculated", "wall": "slip"})
+    velocityFile(case, "block", {"outside": "calculated", "wall": "slip",
+                                 **{side: "cyclic" for side in CYCLIC if cyclic}})
     case.write("system/setMaterialPointsDict", {"regions": {"block": {
         "phase": "block", "type": "box", "min": low*H, "max": (low + 3)*H,
         "pointsPerCell": 2, "velocity": velocity}}})
@@ -91,6 +97,9 @@ def judgeTranslation(table, label, case, velocity, t, size):
     speed = np.linalg.norm(velocity)
     u = last.byId("U")
     travel = last.byId("x") - first.byId("x") - velocity*t
+    if "cyclic" in label:
+        table.check(f"{label}: all have come through", np.all(travel[:, 0] < -0.9*size))
+        travel[:, 0] += size
     table.check(f"{label}: same points", len(u) == len(first["id"]), str(len(u)))
     # Polyhedra do not end at the faces of the block
     mass = np.sum(first.byId("m")) if "polyhedra" in label else RHO*(3*H)**3
@@ -159,8 +168,7 @@ def fall(kind, transfer, name):
         "phases": ["block"],
         "block": {"constitutiveModel": {"type": "neoHookean", "rho": RHO, "E": E,
                                         "nu": NU}}})
-    sides = ({"left": ("cyclic", ("x-",), "right"), "right": ("cyclic", ("x+",), "left")}
-             if cyclic else {"sides": ("patch", ("x-", "x+"))})
+    sides = CYCLIC if cyclic else {"sides": ("patch", ("x-", "x+"))}
     boxOfCells(case, kind if cyclic else "tets", (0, 0, 0), (n*H,)*3, (n,)*3,
                {**sides, "wall": ("wall", ("y-",)), "top": ("patch", ("y+",)),
                 "walls": ("patch", ("z-", "z+"))})
@@ -198,7 +206,7 @@ def onProcessors(table, kind, transfer, splits):
     for split in splits:
         several = fall(kind, transfer, f"{transfer}-{'x'.join(map(str, split))}")
         several.decompose(split)
-        several.runParallel()
+        several.runParallel(limit=300)
         ranks = int(np.prod(split))
         table.row(f"{label}: 1 against {ranks} processors, largest difference", 0,
                   one.largestDifference(several, end, ["block"], COLUMNS), 1e-10, "atMost")
@@ -208,7 +216,7 @@ def onProcessors(table, kind, transfer, splits):
             again.decompose(split)
             for p, q in zip(several.processors(), again.processors()):
                 shutil.copytree(os.path.join(p, half), os.path.join(q, half))
-            again.runParallel()
+            again.runParallel(limit=300)
             table.row(f"{label}: restart on 2 processors, largest difference", 0,
                       several.largestDifference(again, end, ["block"], COLUMNS), 0,
                       "atMost")
@@ -229,9 +237,11 @@ def main():
     table = Report("anyMesh")
     for run in (("tets", "FLIP"), ("tets", "FMPM2"), ("prisms", "FLIP"),
                 ("hexes", "FLIP"), ("polyhedra", "FLIP"), ("tets", "FLIP", True),
-                ("tets", "FMPM2", False, (1, 1, 2)), ("polyhedra", "FLIP", False, (2, 1, 1))):
+                ("tets", "FMPM2", False, (1, 1, 2)), ("polyhedra", "FLIP", False, (2, 1, 1)),
+                ("tets", "APIC", False, None, True), ("hexes", "FLIP", False, None, True)):
         label = (f"translation, {run[0]}, {run[1]}{', along a wall'*(run[2:3] == (True,))}"
-                 f"{', 2 processors'*(len(run) > 3)}")
+                 f"{', 2 processors'*(len(run) == 4)}"
+                 f"{', through cyclic sides'*(len(run) == 5)}")
         try:
             judgeTranslation(table, label, *translation(*run))
         except RunFailed as e:

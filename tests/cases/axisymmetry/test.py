@@ -37,7 +37,7 @@ WAVE = np.sqrt((LAMBDA + 2*MU)/RHO)
 FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0}
 FMPM = {"shapeFunction": "GIMP", "transfer": "FMPM", "order": 2}
 APIC = {"shapeFunction": "GIMP", "transfer": "APIC"}
-SHAPES = ("GIMP", "linear", "quadraticBSpline", "cubicBSpline")
+SHAPES = ("GIMP", "linear", "quadraticBSpline", "cubicBSpline", "nodeDual")
 COLUMNS = ("x", "U", "sigma", "m", "V", "leftStretch", "C")
 
 BALANCE = {"type": "materialPointBalance", "libs": "(mpmFunctionObjects)",
@@ -127,7 +127,7 @@ def identities(table):
     # the point: sums over the points stand for integrals of r dS/dr + S
     P = 0.01
     for shape, n in (("GIMP", 2), ("linear", 2), ("quadraticBSpline", 3),
-                     ("cubicBSpline", 5)):
+                     ("cubicBSpline", 5), ("nodeDual", 2)):
         case = tube(f"pressure-{shape}", (0, 0), (L, b), (8, 8),
                     {"left": "slip", "right": "slip", "outer": "slip"},
                     {**FLIP, "shapeFunction": shape}, controlDict(2, 2, maxCo=0.4),
@@ -147,12 +147,14 @@ def identities(table):
                       1e-9)
 
     # A cylinder that flies along the axis
-    for transfer in (FLIP, FMPM, APIC):
+    dual = {**FLIP, "shapeFunction": "nodeDual"}
+    for name, transfer in (("FLIP", FLIP), ("FMPM", FMPM), ("APIC", APIC),
+                           ("nodeDual FLIP", dual),
+                           ("nodeDual APIC", {**APIC, "shapeFunction": "nodeDual"})):
         v = 0.1
-        case = flight(f"flight-{transfer['transfer']}", transfer, v)
+        case = flight("flight-" + name.replace(" ", "-"), transfer, v)
         case.run("materialPointFoam")
         now = case.points(case.times()[-1], "body")
-        name = transfer["transfer"]
         table.row(f"flight, {name}: |u - v|/v", 0,
                   np.abs(now["U"] - (v, 0, 0)).max()/v, 1e-12)
         table.row(f"flight, {name}: stress / E", 0, np.abs(now["sigma"]).max()/E, 1e-13)
@@ -293,7 +295,7 @@ def cylinder(table):
     exact = 2*(LAMBDA + MU)*u/R
     v = [(0, (0, 0, 0)), (end/2, (0, 2*u/end, 0)), (end, (0, 0, 0)), (2*end, (0, 0, 0))]
     for shape, perCell in (("GIMP", 2), ("linear", 2), ("quadraticBSpline", 3),
-                           ("cubicBSpline", 4)):
+                           ("cubicBSpline", 4), ("nodeDual", 2)):
         case = tube(f"cylinder-{shape}", (0, 0), (0.2, R), (2, n), {
             "left": "slip", "right": "slip",
             "outer": TABLE},
@@ -379,6 +381,7 @@ def impacts(table):
     for name, numerics in (("FLIP", FLIP), ("FMPM", FMPM), ("APIC", APIC),
                            ("linear", {**FLIP, "shapeFunction": "linear"}),
                            ("cubic", {**FLIP, "shapeFunction": "cubicBSpline"}),
+                           ("nodeDual", {**FLIP, "shapeFunction": "nodeDual"}),
                            ("USAVG", {**FLIP, "stressUpdate": "USAVG"})):
         case = impact(f"impact-{name}", numerics)
         case.run("materialPointFoam")
@@ -432,7 +435,8 @@ def orientations(table):
 
 def parallel(table):
     for numerics in (FLIP, FMPM, APIC, {**FLIP, "shapeFunction": "linear"},
-                     {**FLIP, "shapeFunction": "cubicBSpline"}):
+                     {**FLIP, "shapeFunction": "cubicBSpline"},
+                     {**APIC, "shapeFunction": "nodeDual"}):
         name = f"{numerics['transfer']}-{numerics['shapeFunction']}"
         one = impact(f"parallel-{name}-1", numerics, end=0.3)
         one.run("materialPointFoam")

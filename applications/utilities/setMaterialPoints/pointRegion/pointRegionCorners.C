@@ -122,18 +122,27 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
       : cornerRegions(mesh.faces()[side], mesh.points())
     );
 
-    // Of the cell's volume; whole points in a gas
-    scalarField part(c.volume()/c.whole());
+    // Of the cell's volume, of rings the sections times their radius; whole
+    // points in a gas
+    const bool rings = grid_.radial() >= 0;
+    const int r = rings ? grid_.direction(grid_.radial()) : 0;
+    scalarField part(c.volume());
     pointField x(c.size());
     forAll(x, i)
     {
         x[i] = c.centre(i);
+        part[i] *= rings ? x[i][r] : 1;
     }
+    part /= rings ? sum(part) : c.whole();
     if (!inGas_)
     {
         scalarField inside(c.size());
         cutRegions(celli, c, inside, x);
         part *= inside;
+        for (label i = 0; rings && i < c.size(); ++i)
+        {
+            part[i] *= x[i][r]/c.centre(i)[r];
+        }
         if (n_[0] == 1)
         {
             const scalar total = sum(part);
