@@ -161,12 +161,15 @@ void Foam::mpm::nodeDual::solve
 )
 {
     // Newton's method for the least of log sum N exp(-q.d), which is convex
-    scalar most = 0;
+    scalar most = 0, size = 0;
     for (const entry& e : row)
     {
         most = e.N > 0 ? max(most, mag(P & e.d)) : most;
+        size = max(size, mag(e.d));
     }
-    const scalar h = max(most, VSMALL);
+    // Of an oblique corner P is zero to rounding
+    const bool reaches = most > 1e-6*size;
+    const scalar h = reaches ? most : 1;
     vector q(Zero);
     const auto values = [&](const vector& at, vector& mean, symmTensor& square)
     {
@@ -175,6 +178,10 @@ void Foam::mpm::nodeDual::solve
         square = Zero;
         for (const entry& e : row)
         {
+            if (!(e.N > 0))
+            {
+                continue;
+            }
             const vector d((P & e.d)/h);
             const scalar w = e.N*std::exp(-(at & d));
             Z += w;
@@ -188,9 +195,9 @@ void Foam::mpm::nodeDual::solve
 
     vector mean;
     symmTensor square;
-    scalar F = values(q, mean, square);
+    scalar F = reaches ? values(q, mean, square) : 0;
     bool found = false;
-    for (int step = 0; step < 100 && !found && mag(q) < 50; ++step)
+    for (int step = 0; step < 100 && reaches && !found && mag(q) < 50; ++step)
     {
         if (mag(mean) < 1e-15)
         {
@@ -231,10 +238,11 @@ void Foam::mpm::nodeDual::solve
     scalar Z = 0;
     forAll(row, i)
     {
-        W[i] = row[i].N*std::exp(-(q & (P & row[i].d))/h);
+        W[i] =
+            row[i].N > 0 ? row[i].N*std::exp(-(q & (P & row[i].d))/h) : 0;
         Z += W[i];
     }
-    const bool alone = !found || most <= 0;
+    const bool alone = !found;
     forAll(row, i)
     {
         const bool own = row[i].node == m && magSqr(row[i].d) == 0;
