@@ -5,8 +5,10 @@
 
 cuts each of 8 x 8 x 8 boxes into six tetrahedra (two prisms along z) and moves
 the inner points at random by up to 0.2 of the widths; prisms and hexahedra keep
-plane faces: points above each other in z move alike. kept: planes (axis, index)
-whose points stay in them.
+plane faces: points above each other in z move alike; hexahedra "warped" do not.
+kept: planes (axis, index) whose points stay in them. place: where the points of the
+box go at last, of an array of positions; zones: boxes (low, high) before that, whose
+cells become cellZones.
 
     {"left": ("cyclic", ("x-",), "right"), "right": ("cyclic", ("x+",), "left"), ...}
 
@@ -86,9 +88,10 @@ def _matched(outer, points, patches):
     return [f for _, f in sorted(turned, key=lambda f: f[0])]
 
 
-def writePolyMesh(case, points, cells, patchOf, patches):
+def writePolyMesh(case, points, cells, patchOf, patches, places=None):
     """cells: outward faces of each; patchOf(centre) gives the index of the patch of
-    a boundary face; patches: (name, type), of a cyclic one with its neighbour."""
+    a boundary face; patches: (name, type), of a cyclic one with its neighbour;
+    places: points to write instead."""
     first = {}
     inner, outer = [], []
     for c, faces in enumerate(cells):
@@ -112,7 +115,8 @@ def writePolyMesh(case, points, cells, patchOf, patches):
             f.write(_HEADER.format(kind=kind, name=name))
             f.write(f"{len(rows)}\n(\n" + "\n".join(rows) + "\n)\n")
 
-    write("points", "vectorField", [f"({x!r} {y!r} {z!r})" for x, y, z in points.tolist()])
+    write("points", "vectorField", [f"({x!r} {y!r} {z!r})" for x, y, z in
+                                     (points if places is None else places).tolist()])
     faces = [f[2] for f in inner] + [f[2] for f in outer]
     write("faces", "faceList",
           [f"{len(f)}({' '.join(map(str, f))})" for f in faces])
@@ -128,14 +132,27 @@ def writePolyMesh(case, points, cells, patchOf, patches):
     write("boundary", "polyBoundaryMesh", boundary)
 
 
-def boxOfCells(case, kind, low, high, n, patches, moved=0.2, kept=(), seed=1):
+def _writeZones(case, points, cells, zones):
+    centres = np.array([points[sorted({v for f in faces for v in f})].mean(axis=0)
+                        for faces in cells])
+    text = [_HEADER.format(kind="regIOobject", name="cellZones"), f"{len(zones)}\n("]
+    for name, (low, high) in zones.items():
+        inside = np.flatnonzero(np.all((centres > low) & (centres < high), axis=1))
+        text.append(f"{name}\n{{\n    type cellZone;\n    cellLabels List<label> "
+                    f"{len(inside)}({' '.join(map(str, inside))});\n}}")
+    with open(os.path.join(case.path, "constant", "polyMesh", "cellZones"), "w") as f:
+        f.write("\n".join(text + [")\n"]))
+
+
+def boxOfCells(case, kind, low, high, n, patches, moved=0.2, kept=(), seed=1,
+               place=None, zones=None):
     """patches: name: (type, sides) as those of boxMesh()."""
     low, high = np.array(low, float), np.array(high, float)
     random = np.random.default_rng(seed)
     k, j, i = np.meshgrid(*(np.arange(m + 1) for m in n[::-1]), indexing="ij")
     index = np.stack((i.ravel(), j.ravel(), k.ravel()), axis=1)
     shift = random.uniform(-moved, moved, index.shape)
-    if kind != "tets":
+    if kind not in ("tets", "warped"):
         plane = random.uniform(-moved, moved, ((n[0] + 1)*(n[1] + 1), 3))
         shift = plane[index[:, 0] + (n[0] + 1)*index[:, 1]]
         shift[:, 2] = 0
@@ -160,6 +177,10 @@ def boxOfCells(case, kind, low, high, n, patches, moved=0.2, kept=(), seed=1):
         side, d = np.unravel_index(np.argmin(far), far.shape)
         return ofSide["xyz"[d] + "-+"[side]]
 
-    writePolyMesh(case, points, _cells(kind, n), patchOf,
+    cells = _cells(kind, n)
+    writePolyMesh(case, points, cells, patchOf,
                   [(name, kind, *neighbour)
-                   for name, (kind, _, *neighbour) in patches.items()])
+                   for name, (kind, _, *neighbour) in patches.items()],
+                  place(points) if place else None)
+    if zones:
+        _writeZones(case, points, cells, zones)

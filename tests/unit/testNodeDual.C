@@ -7,7 +7,8 @@ License
 Description
     Node-dual functions on tetrahedra, prisms, hexahedra with warped faces,
     polyhedra and boxes, in 1D to 3D: identities of the operators, rings of
-    walls, edges and corners; two-level passes against the explicit functions.
+    walls, edges and corners; two-level passes against the explicit functions;
+    points found in cells with warped faces; cells that do not work.
 
 \*---------------------------------------------------------------------------*/
 
@@ -309,6 +310,102 @@ void explicitSums
     CHECK(change < 1e-12*largest);
 }
 
+
+
+//- A random position in a simplex of a cell, or on its outer side
+void inSimplex
+(
+    const cellSimplices& cells,
+    const label celli,
+    const label s,
+    const bool onSide,
+    std::mt19937& gen,
+    scalar* x
+)
+{
+    std::uniform_real_distribution<scalar> share(0.01, 1);
+    scalar w[4], sum = 0;
+    for (int k = 0; k < 4; ++k) sum += w[k] = k == 3 && onSide ? 0 : share(gen);
+    for (int d = 0; d < 3; ++d)
+    {
+        x[d] = w[3]/sum*cells.origin(celli)[d];
+        for (int k = 0; k < 3; ++k)
+        {
+            x[d] += w[k]/sum
+               *cells.position(celli, cells.corners(celli)[3*s + k])[d];
+        }
+    }
+}
+
+
+//- Points in all simplices, on their outer sides, in vertices and on edges
+void foundByCells(const pointGrid& g)
+{
+    const cellSimplices& cells = g.simplices();
+    const polyMesh& mesh = g.mesh();
+    std::mt19937 gen(7);
+    std::uniform_int_distribution<label> some(0, g.nCells() - 1);
+    label wrong = 0, far = 0, sides = 0, outside = 0, others = 0;
+    scalar x[3];
+    const auto lambdaOfOrigin = [&](const label celli)
+    {
+        const label s = cells.simplexOf(celli, x);
+        const scalar* I = cells.inverses(celli) + 9*s;
+        scalar lambda = 1;
+        for (int k = 0; k < 9; ++k)
+        {
+            lambda -= I[k]*(x[k % 3] - cells.origin(celli)[k % 3]);
+        }
+        return lambda;
+    };
+    for (label celli = 0; celli < g.nCells(); ++celli)
+    {
+        for (label s = 0; s < cells.nSimplices(celli); ++s)
+        {
+            inSimplex(cells, celli, s, false, gen, x);
+            wrong += g.find(x) != celli;
+            far += g.locate(some(gen), x) != celli;
+
+            inSimplex(cells, celli, s, true, gen, x);
+            const label facei = cells.faceOf(celli, s);
+            const label found = g.locate(celli, x);
+            if (facei >= 0 && mesh.isInternalFace(facei))
+            {
+                const label a = mesh.faceOwner()[facei];
+                const label b = mesh.faceNeighbour()[facei];
+                sides +=
+                    found != g.locate(a, x) || found != g.locate(b, x)
+                 || (found != a && found != b);
+                outside += lambdaOfOrigin(found) < -1e-13;
+            }
+            else if (facei >= 0)
+            {
+                sides += found != celli;
+            }
+        }
+        for (const label edgei : mesh.cellEdges()[celli])
+        {
+            // Cells around an edge may each have it to rounding
+            const point e
+            (
+                mesh.edges()[edgei].centre(mesh.points())
+            );
+            std::copy_n(&e[0], 3, x);
+            const label found = g.locate(celli, x);
+            others += found < 0 || lambdaOfOrigin(found) < -1e-12;
+        }
+    }
+    INFO("wrong " << wrong << " from far " << far << " sides " << sides
+        << " not in the cell " << outside << " edges " << others);
+    CHECK(wrong == 0);
+    CHECK(far == 0);
+    CHECK(sides == 0);
+    CHECK(outside == 0);
+    CHECK(others == 0);
+    scalar beyond[3] = {0.5, 0.5, 1.001};
+    CHECK(g.find(beyond) == -1);
+}
+
 }
 
 
@@ -331,6 +428,15 @@ TEST_CASE("node-dual operators: identities on all kinds of cells")
     identities(testMesh(9, 5, 4, uniform(vector(1, 1, 1))).grid(), 1, 0.2, true);
     identities(testMesh(7, 5, 0, graded).grid(), 1.4*3, 0.2, true);
     identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2, true);
+}
+
+
+TEST_CASE("node-dual cells: points are found by the triangles of warped faces")
+{
+    foundByCells(cellMesh(cellMesh::tets, 4).grid());
+    foundByCells(cellMesh(cellMesh::prisms, 4).grid());
+    foundByCells(cellMesh(cellMesh::hexes, 4).grid());
+    foundByCells(cellMesh(cellMesh::polyhedra, 4).grid());
 }
 
 

@@ -22,8 +22,12 @@ void Foam::mpm::materialPointSystem::readNumerics()
 
     checkNumerics(dict);
     numerics_ = dict;
+    if (!dict.found("shapeFunction"))
+    {
+        numerics_.add("shapeFunction", pointGridTransfer::usual(grid_));
+    }
     numericsRead_ = from_ ? from_->numericsRead : dict;
-    transfer_ = transferScheme::New(dict);
+    transfer_ = transferScheme::New(numerics_);
     stressUpdate_ = stressUpdate::New(dict);
     readLimits(dict);
 }
@@ -58,13 +62,16 @@ void Foam::mpm::materialPointSystem::readModified()
     {
         return;
     }
-    const dictionary& dict =
-        requiredDict(mesh_.solutionDict(), "materialPoints");
+    dictionary dict(requiredDict(mesh_.solutionDict(), "materialPoints"));
     if (numericsRead_ == dict)
     {
         return;
     }
     numericsRead_ = dict;
+    if (!dict.found("shapeFunction"))
+    {
+        dict.add("shapeFunction", pointGridTransfer::usual(grid_));
+    }
 
     // Entries that are fixed during a run; if the transfer has changed, its own
     // entries too

@@ -178,7 +178,8 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
         // Speeds
         forAll(cloud.cells(), k)
         {
-            const scalar h = grid_.shortestSide(cloud.cells()[k]);
+            const scalar h =
+                gridTransfer_->cellWidth(grid_, cloud.cells()[k]);
             for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
             {
                 const scalar u = phase.largestSpeed(p);

@@ -71,7 +71,13 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
             const label n = grid_.pointToNode()[pp.meshPoints()[i]];
             for (const label facei : pp.pointFaces()[i])
             {
-                add(n, patchi, pp.faceNormals()[facei]);
+                add
+                (
+                    n,
+                    patchi,
+                    grid_.mesh().faceAreas()[pp.start() + facei]
+                   /pp[facei].size()
+                );
             }
         }
     }
@@ -163,7 +169,7 @@ std::vector<Foam::vector> Foam::mpm::slipVelocity::surfaces
         bool known = false;
         for (vector& g : groups)
         {
-            if (!known && (g & nf) > 0.7*mag(g))
+            if (!known && (g & nf) > 0.7*mag(g)*mag(nf))
             {
                 g += nf;
                 known = true;
@@ -175,6 +181,39 @@ std::vector<Foam::vector> Foam::mpm::slipVelocity::surfaces
         }
     }
     return groups;
+}
+
+
+void Foam::mpm::slipVelocity::join
+(
+    const label patchi,
+    const std::vector<vector>& normals,
+    std::vector<surface>& all
+)
+{
+    for (const vector& n : normals)
+    {
+        surface* same = nullptr;
+        for (surface& s : all)
+        {
+            if
+            (
+                !same && s.first() >= 0 && patchi >= 0 && s.first() != patchi
+             && (s.second() & n) > 0.94*mag(s.second())*mag(n)
+            )
+            {
+                same = &s;
+            }
+        }
+        if (same)
+        {
+            same->second() += n;
+        }
+        else
+        {
+            all.push_back(surface(patchi, n));
+        }
+    }
 }
 
 
@@ -251,32 +290,32 @@ Foam::mpm::slipVelocity::slipVelocity
     fixed.insert(fixedNodes);
     normalsOfNodes ofNode(byNode(allNormals(U), fixed));
 
-    std::map<label, Eigen::Matrix3d> held;
+    std::map<label, std::vector<surface>> ofAll;
     for (auto& entry : ofNode)
     {
-        const label node = entry.first.first();
-        Eigen::Matrix3d& N =
-            held.emplace
-            (
-                node,
-                Eigen::Matrix3d(Eigen::Matrix3d::Zero())
-            ).first->second;
-        for (const vector& normal : surfaces(entry.second))
-        {
-            hold(node, entry.first.second(), normal, N);
-        }
+        join
+        (
+            entry.first.second(),
+            surfaces(entry.second),
+            ofAll[entry.first.first()]
+        );
     }
 
     DynamicList<label> nodes;
     DynamicList<scalar> projections;
-    for (const auto& s : held)
+    for (const auto& of : ofAll)
     {
-        nodes.append(s.first);
+        Eigen::Matrix3d N(Eigen::Matrix3d::Zero());
+        for (const surface& s : of.second)
+        {
+            hold(of.first, s.first(), s.second(), N);
+        }
+        nodes.append(of.first);
         for (int i = 0; i < grid_.nDim(); ++i)
         {
             for (int j = 0; j < grid_.nDim(); ++j)
             {
-                projections.append((i == j ? 1 : 0) - s.second(i, j));
+                projections.append((i == j ? 1 : 0) - N(i, j));
             }
         }
     }

@@ -22,6 +22,21 @@ namespace mpm
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
+Foam::word Foam::mpm::pointGridTransfer::usual(const pointGrid& grid)
+{
+    try
+    {
+        const auto iter = gridConstructorTablePtr_->cfind("GIMP");
+        iter.val()(grid);
+        return "GIMP";
+    }
+    catch (const string&)
+    {
+        return "nodeDual";
+    }
+}
+
+
 Foam::autoPtr<Foam::mpm::pointGridTransfer>
 Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
 {
@@ -68,6 +83,24 @@ Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::pointGridTransfer::meanWidth
+(
+    const pointGrid& grid,
+    const label celli
+) const
+{
+    scalar product = 1;
+    for (int d = 0; d < grid.nDim(); ++d)
+    {
+        product *= grid.width(celli, d);
+    }
+    return
+        grid.nDim() == 1 ? product
+      : grid.nDim() == 2 ? std::sqrt(product)
+      : std::cbrt(product);
+}
+
 
 void Foam::mpm::pointGridTransfer::forNodesOf
 (

@@ -114,15 +114,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     {
         for (label k = k0; k < k1; ++k)
         {
-            scalar product = 1;
-            for (int d = 0; d < DIM; ++d)
-            {
-                product *= cloud.grid().width(cloud.cells()[k], d);
-            }
-            const scalar l =
-                DIM == 1 ? product
-              : DIM == 2 ? std::sqrt(product)
-              : std::cbrt(product);
+            const scalar l = transfer.meanWidth(cloud.grid(), cloud.cells()[k]);
             const range r(part(k));
             std::fill
             (

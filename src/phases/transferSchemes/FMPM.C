@@ -31,7 +31,9 @@ using namespace Foam;
 scalar strainFilter(const dictionary& dict)
 {
     const word shape(dict.getOrDefault<word>("shapeFunction", ""));
-    return shape == "quadraticBSpline" || shape == "cubicBSpline" ? 1 : 0.75;
+    return
+        shape == "quadraticBSpline" || shape == "cubicBSpline"
+     || shape == "nodeDual" ? 1 : 0.75;
 }
 
 }

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellSimplices.H"
+#include "pointGrid.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -97,15 +98,80 @@ void Foam::mpm::cellSimplices::addVertices
 }
 
 
+Foam::labelList Foam::mpm::cellSimplices::findBasePoints(const pointGrid& grid)
+{
+    const polyMesh& mesh = grid.mesh();
+    labelList base(mesh.tetBasePtIs());
+    pointField O(mesh.nCells(), Zero);
+    forAll(O, celli)
+    {
+        const labelList& points = mesh.cellPoints()[celli];
+        for (const label pointi : points)
+        {
+            O[celli] += mesh.points()[pointi]/points.size();
+        }
+    }
+    forAll(base, facei)
+    {
+        const face& f = mesh.faces()[facei];
+        const bool inside = mesh.isInternalFace(facei);
+        const label patchi =
+            inside ? -1 : mesh.boundaryMesh().whichPatch(facei);
+        base[facei] = max(base[facei], label(0));
+        if (f.size() == 3 || (!inside && mesh.boundaryMesh()[patchi].coupled()))
+        {
+            continue;
+        }
+
+        // Least volume of a tetrahedron of both cells, over that of a cube of
+        // the face
+        const scalar size = std::pow(mag(mesh.faceAreas()[facei]), 1.5);
+        const auto least = [&](const label at)
+        {
+            scalar v = GREAT;
+            for (label k = 1; k < f.size() - 1; ++k)
+            {
+                const point& b = mesh.points()[f[at]];
+                const vector n
+                (
+                    (mesh.points()[f[(at + k) % f.size()]] - b)
+                  ^ (mesh.points()[f[(at + k + 1) % f.size()]] - b)
+                );
+                v = min(v, n & (b - O[mesh.faceOwner()[facei]]));
+                if (inside)
+                {
+                    v = min(v, n & (O[mesh.faceNeighbour()[facei]] - b));
+                }
+            }
+            return v/size;
+        };
+        scalar most = least(base[facei]);
+        for (label at = 0; most < 1e-3 && at < f.size(); ++at)
+        {
+            const scalar v = least(at);
+            if (v > most)
+            {
+                most = v;
+                base[facei] = at;
+            }
+        }
+    }
+    return base;
+}
+
+
 void Foam::mpm::cellSimplices::addCorners
 (
     const pointGrid& grid,
+    const bitSet& isEmpty,
     const labelUList& basePoints,
     const label celli,
     const labelUList& vertices,
-    DynamicList<label>& corners
+    DynamicList<label>& corners,
+    DynamicList<label>& faces
 )
 {
+    const polyMesh& mesh = grid.mesh();
     const int nDim = grid.nDim();
     const label n = vertices.size();
     corners.clear();
@@ -115,19 +181,30 @@ void Foam::mpm::cellSimplices::addCorners
         {
             corners.append(k);
         }
+        faces.append(-1);
         return;
     }
     if (nDim == 2)
     {
         for (label i = 0; i < n; ++i)
         {
+            const label a = vertices[i], b = vertices[(i + 1) % n];
             corners.append(i);
             corners.append((i + 1) % n);
+            label side = -1;
+            for (const label facei : mesh.cells()[celli])
+            {
+                const face& f = mesh.faces()[facei];
+                if (!isEmpty.test(facei) && f.found(a) && f.found(b))
+                {
+                    side = facei;
+                }
+            }
+            faces.append(side);
         }
         return;
     }
 
-    const polyMesh& mesh = grid.mesh();
     for (const label facei : mesh.cells()[celli])
     {
         const face& f = mesh.faces()[facei];
@@ -140,7 +217,7 @@ void Foam::mpm::cellSimplices::addCorners
                 continue;
             }
         }
-        const label base = max(basePoints.size() ? basePoints[facei] : 0, 0);
+        const label base = basePoints.size() ? basePoints[facei] : 0;
         for (label k = 1; k < f.size() - 1; ++k)
         {
             const label a = f[(base + k) % f.size()];
@@ -148,6 +225,7 @@ void Foam::mpm::cellSimplices::addCorners
             corners.append(vertices.find(f[base]));
             corners.append(vertices.find(outward ? a : b));
             corners.append(vertices.find(outward ? b : a));
+            faces.append(n == 4 ? -1 : facei);
         }
     }
 }
@@ -246,6 +324,47 @@ Foam::mpm::cellSimplices::regionsOf(const label celli) const
     return r;
 }
 
+
+void Foam::mpm::cellSimplices::refuse
+(
+    const polyMesh& mesh,
+    const labelUList& bad
+)
+{
+    const label n = returnReduce(bad.size(), sumOp<label>());
+    if (!n)
+    {
+        return;
+    }
+    OStringStream own;
+    for (label i = 0; i < min(bad.size(), label(5)); ++i)
+    {
+        own << (i ? "; " : "") << "cell " << bad[i];
+        if (Pstream::parRun())
+        {
+            own << " of processor " << Pstream::myProcNo();
+        }
+        own << " at " << mesh.cellCentres()[bad[i]] << ", volume "
+            << mesh.cellVolumes()[bad[i]];
+    }
+    List<string> places(Pstream::nProcs());
+    places[Pstream::myProcNo()] = own.str();
+    Pstream::gatherList(places);
+    Pstream::scatterList(places);
+    OStringStream s;
+    s   << n << (n == 1 ? " cell is" : " cells are") << " flat, folded over or"
+        << " far from convex: faces are not seen from the mean of the cell's"
+        << " points";
+    for (const string& of : places)
+    {
+        if (!of.empty())
+        {
+            s   << "; " << of.c_str();
+        }
+    }
+    throw string(s.str());
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::cellSimplices::cellSimplices
@@ -271,14 +390,14 @@ Foam::mpm::cellSimplices::cellSimplices
         triangles = triangles && f.size() == 3;
     }
     reduce(triangles, andOp<bool>());
-    const labelUList basePoints
+    const labelList basePoints
     (
         nDim_ < 3 || triangles || products
-      ? labelUList()
-      : labelUList(mesh.tetBasePtIs())
+      ? labelList()
+      : findBasePoints(grid)
     );
 
-    DynamicList<label> nodes, corners, points, ofCell;
+    DynamicList<label> nodes, corners, points, ofCell, faces;
     DynamicList<scalar> x, inverses, volumes;
     DynamicList<label> bad;
     for (label celli = 0; celli < grid.nCells(); ++celli)
@@ -307,9 +426,12 @@ Foam::mpm::cellSimplices::cellSimplices
         ofCell.clear();
         if (!products)
         {
-            addCorners(grid, basePoints, celli, points, ofCell);
+            addCorners
+            (
+                grid, isEmpty, basePoints, celli, points, ofCell, faces
+            );
         }
-        bool valid = n > nDim_;
+        bool valid = n > nDim_ && mesh.cellVolumes()[celli] > 0;
         scalar sum = 0;
         const label firstSub = volumes.size();
         for (label k = 0; valid && k < ofCell.size(); k += nDim_)
@@ -342,24 +464,13 @@ Foam::mpm::cellSimplices::cellSimplices
         subStart_[celli + 1] = volumes.size();
     }
 
-    if (returnReduce(bad.size(), sumOp<label>()))
-    {
-        OStringStream s;
-        s   << returnReduce(bad.size(), sumOp<label>())
-            << " cells have faces that are not seen from the mean of their"
-            << " points";
-        for (label i = 0; i < min(bad.size(), label(5)); ++i)
-        {
-            s   << (i ? "; " : ": ") << "cell " << bad[i] << " at "
-                << mesh.cellCentres()[bad[i]];
-        }
-        throw string(s.str());
-    }
+    refuse(mesh, bad);
     node_.transfer(nodes);
     x_.transfer(x);
     corner_.transfer(corners);
     inverse_.transfer(inverses);
     volume_.transfer(volumes);
+    face_.transfer(faces);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -372,6 +483,42 @@ Foam::label Foam::mpm::cellSimplices::maxVertices() const
         most = max(most, nVertices(celli));
     }
     return most;
+}
+
+
+Foam::label Foam::mpm::cellSimplices::simplexOf
+(
+    const label celli,
+    const scalar* x
+) const
+{
+    scalar y[3];
+    for (int d = 0; d < nDim_; ++d)
+    {
+        y[d] = x[d] - origin(celli)[d];
+    }
+    const scalar* I = inverses(celli);
+    label best = 0;
+    scalar most = -GREAT;
+    for (label s = 0; s < nSimplices(celli); ++s)
+    {
+        scalar least = GREAT;
+        for (int k = 0; k < nDim_; ++k)
+        {
+            scalar lambda = 0;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                lambda += *I++*y[d];
+            }
+            least = min(least, lambda);
+        }
+        if (least > most)
+        {
+            most = least;
+            best = s;
+        }
+    }
+    return best;
 }
 
 

@@ -119,6 +119,10 @@ void Foam::mpm::nodeDual::solve
         square = Zero;
         for (const nodeRows::entry& e : row)
         {
+            if (!(e.N > 0))
+            {
+                continue;
+            }
             const vector d((P & e.d)/h);
             const scalar w = e.N*std::exp(-(at & d));
             Z += w;
@@ -176,7 +180,8 @@ void Foam::mpm::nodeDual::solve
     scalar Z = 0;
     forAll(row, i)
     {
-        W[i] = row[i].N*std::exp(-(q & (P & row[i].d))/h);
+        W[i] =
+            row[i].N > 0 ? row[i].N*std::exp(-(q & (P & row[i].d))/h) : 0;
         Z += W[i];
     }
     forAll(row, i)

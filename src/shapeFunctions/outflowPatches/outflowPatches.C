@@ -51,10 +51,22 @@ Foam::mpm::outflowPatches::outflowPatches
         }
     }
 
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        open_.append
+        (
+            open.found(patch.name()) && patches.match(patch.name())
+        );
+    }
+    if (grid.locator().knowsPatches())
+    {
+        return;
+    }
+
     boolList onPatch(mesh.nPoints(), false);
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (!open.found(patch.name()) || !patches.match(patch.name()))
+        if (!open_[patch.index()])
         {
             continue;
         }
@@ -101,6 +113,12 @@ bool Foam::mpm::outflowPatches::through
     const scalar* x
 ) const
 {
+    if (grid_.locator().knowsPatches())
+    {
+        const label patchi = grid_.locator().patchOut(celli, x);
+        return patchi >= 0 && open_[patchi];
+    }
+
     const int D = grid_.nDim();
     scalar xi[3];
     grid_.localCoordinates(celli, x, xi);

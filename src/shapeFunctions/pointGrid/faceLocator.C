@@ -45,6 +45,16 @@ Foam::label Foam::mpm::faceLocator::behind
       : mesh_.faceOwner()[facei];
 }
 
+
+void Foam::mpm::faceLocator::pass(const label facei, scalar* x) const
+{
+    const vector& shift = coupled_.separation[facei - mesh_.nInternalFaces()];
+    for (int d = 0; d < nDim_; ++d)
+    {
+        x[d] += shift[axes_.direction(d)];
+    }
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::faceLocator::faceLocator
@@ -138,12 +148,7 @@ Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
         beyondBefore = worst;
         if (next >= 0 && !mesh_.isInternalFace(through))
         {
-            const vector& shift =
-                coupled_.separation[through - mesh_.nInternalFaces()];
-            for (int d = 0; d < nDim_; ++d)
-            {
-                x[d] += shift[axes_.direction(d)];
-            }
+            pass(through, x);
         }
         celli = next;
     }

@@ -9,6 +9,7 @@ License
 #include "pointGrid.H"
 #include "faceLocator.H"
 #include "hexLocator.H"
+#include "simplexLocator.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -100,6 +101,23 @@ const Foam::labelList& Foam::mpm::pointGrid::axisNodes() const
 {
     static const labelList none;
     return hexes_ ? hexes_->axisNodes() : none;
+}
+
+
+const Foam::mpm::cellSimplices& Foam::mpm::pointGrid::simplices() const
+{
+    if (!simplices_)
+    {
+        simplices_.reset(new cellSimplices(*this));
+        if (!lattice_)
+        {
+            locator_.reset
+            (
+                new simplexLocator(mesh(), *this, nodes_, *simplices_, ghosts_)
+            );
+        }
+    }
+    return *simplices_;
 }
 
 

@@ -1,0 +1,281 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "simplexLocator.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- In the order of their coordinates
+bool before(const scalar* a, const scalar* b)
+{
+    return
+        a[0] != b[0] ? a[0] < b[0]
+      : a[1] != b[1] ? a[1] < b[1]
+      : a[2] < b[2];
+}
+
+
+scalar along(const scalar* n, const scalar* from, const scalar* to)
+{
+    return
+        n[0]*(to[0] - from[0])
+      + n[1]*(to[1] - from[1])
+      + n[2]*(to[2] - from[2]);
+}
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::simplexLocator::beyondSimplex
+(
+    const label celli,
+    const label s,
+    const scalar* x
+) const
+{
+    const label* corner = cells_.corners(celli) + 3*s;
+    const scalar* p[3];
+    for (int k = 0; k < 3; ++k)
+    {
+        p[k] = cells_.position(celli, corner[k]);
+    }
+    for (const int k : {0, 1, 0})
+    {
+        if (before(p[k + 1], p[k]))
+        {
+            std::swap(p[k], p[k + 1]);
+        }
+    }
+    const scalar a[3] = {p[1][0] - p[0][0], p[1][1] - p[0][1], p[1][2] - p[0][2]};
+    const scalar b[3] = {p[2][0] - p[0][0], p[2][1] - p[0][1], p[2][2] - p[0][2]};
+    const scalar n[3] =
+    {
+        a[1]*b[2] - a[2]*b[1],
+        a[2]*b[0] - a[0]*b[2],
+        a[0]*b[1] - a[1]*b[0]
+    };
+    const scalar d =
+        along(n, p[0], x)/std::sqrt(sqr(n[0]) + sqr(n[1]) + sqr(n[2]));
+    return along(n, p[0], cells_.origin(celli)) < 0 ? d : -d;
+}
+
+
+Foam::label Foam::mpm::simplexLocator::exit
+(
+    const label celli,
+    const scalar* x,
+    scalar& beyond
+) const
+{
+    label through = -1;
+    beyond = 0;
+    const auto ask = [&](const label facei, const scalar out)
+    {
+        const bool inside = mesh_.isInternalFace(facei);
+        const scalar allowed =
+            inside ? 0
+          : (behind(celli, facei) < 0 ? 1e-10 : 1e-12)*width(celli, 0);
+        const bool onFace =
+            inside && out == 0 && mesh_.faceOwner()[facei] != celli;
+        if (out > max(allowed, beyond) || (onFace && through < 0))
+        {
+            beyond = out;
+            through = facei;
+        }
+    };
+    if (!cells_.isSimplex(celli))
+    {
+        const label s = cells_.simplexOf(celli, x);
+        const label facei = cells_.faceOf(celli, s);
+        const bool plane = nDim_ < 3 || mesh_.faces()[facei].size() == 3;
+        ask
+        (
+            facei,
+            plane
+          ? faceLocator::beyond(celli, facei, x)
+          : beyondSimplex(celli, s, x)
+        );
+        return through;
+    }
+    for (const label facei : mesh_.cells()[celli])
+    {
+        if (!isEmpty_.test(facei))
+        {
+            ask(facei, faceLocator::beyond(celli, facei, x));
+        }
+    }
+    return through;
+}
+
+
+Foam::label Foam::mpm::simplexLocator::search(const scalar* x) const
+{
+    scalar beyond;
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        if (exit(celli, x, beyond) < 0)
+        {
+            return celli;
+        }
+    }
+    return -1;
+}
+
+
+Foam::label Foam::mpm::simplexLocator::around
+(
+    const label celli,
+    const scalar* x
+) const
+{
+    scalar beyond;
+    for (const label n : nodes_.ofCell(celli))
+    {
+        for (const label c : nodes_.cellsOf(n))
+        {
+            if (exit(c, x, beyond) < 0)
+            {
+                return c;
+            }
+        }
+    }
+    return -1;
+}
+
+
+Foam::label Foam::mpm::simplexLocator::inCircle
+(
+    const label celli,
+    const scalar* x
+) const
+{
+    label c = celli, lowest = celli;
+    scalar worst = 0;
+    do
+    {
+        scalar out;
+        c = behind(c, exit(c, x, out));
+        worst = max(worst, out);
+        lowest = min(lowest, c);
+    } while (c != celli);
+
+    const label found = worst > 1e-12*width(celli, 0) ? search(x) : -1;
+    return found < 0 && worst < 1e-9*width(celli, 0) ? lowest : found;
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::simplexLocator::simplexLocator
+(
+    const polyMesh& mesh,
+    const gridAxes& axes,
+    const gridNodes& nodes,
+    const cellSimplices& cells,
+    ghostCells& ghosts
+)
+:
+    faceLocator(mesh, axes, ghosts),
+    nodes_(nodes),
+    cells_(cells)
+{}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::mpm::simplexLocator::locate(const label from, scalar* x) const
+{
+    // A circle of cells is found by a cell that is kept for 2, 4, 8... steps
+    label celli = from, kept = -1, until = 2;
+    for (label step = 0; step < 10000; ++step)
+    {
+        if (celli >= mesh_.nCells())
+        {
+            // Its processor goes on
+            return celli;
+        }
+        if (celli == kept)
+        {
+            return inCircle(celli, x);
+        }
+        if (step == until)
+        {
+            kept = celli;
+            until *= 2;
+        }
+
+        scalar out;
+        const label facei = exit(celli, x, out);
+        if (facei < 0)
+        {
+            return celli;
+        }
+        const label next = behind(celli, facei);
+        if (next < 0)
+        {
+            return around(celli, x);
+        }
+        if (!mesh_.isInternalFace(facei))
+        {
+            pass(facei, x);
+            kept = -1;
+        }
+        celli = next;
+    }
+    return -1;
+}
+
+
+Foam::label Foam::mpm::simplexLocator::find(scalar* x) const
+{
+    scalar at[3] = {0, 0, 0};
+    std::copy_n(x, nDim_, at);
+    const label celli = faceLocator::find(x);
+    if (celli < 0)
+    {
+        std::copy_n(at, nDim_, x);
+        return search(x);
+    }
+    return celli;
+}
+
+
+Foam::label Foam::mpm::simplexLocator::patchOut
+(
+    const label celli,
+    const scalar* x
+) const
+{
+    label c = celli;
+    for (int step = 0; step < 100 && c >= 0 && c < mesh_.nCells(); ++step)
+    {
+        scalar out;
+        const label facei = exit(c, x, out);
+        if (facei < 0)
+        {
+            return -1;
+        }
+        const label next = behind(c, facei);
+        if (next < 0)
+        {
+            return mesh_.boundaryMesh().whichPatch(facei);
+        }
+        if (!mesh_.isInternalFace(facei))
+        {
+            return -1;
+        }
+        c = next;
+    }
+    return -1;
+}
+
+// ************************************************************************* //
