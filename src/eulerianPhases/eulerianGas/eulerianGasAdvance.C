@@ -142,7 +142,10 @@ void Foam::mpm::eulerianGas::sumFaces
     {
         sums& to = sums_[c];
         to.rho += sign*s.rho;
-        to.rhoU += sign*(s.rhoU + (theta*(pStar_[f] - W_[c].p))*S[f]);
+        to.rhoU +=
+            Porous && pores->area0
+          ? sign*(s.rhoU + (pStar_[f] - W_[c].p)*(S[f] - pores->area0[f]))
+          : sign*(s.rhoU + (theta*(pStar_[f] - W_[c].p))*S[f]);
         if (Energy)
         {
             to.rhoE += sign*s.rhoE;

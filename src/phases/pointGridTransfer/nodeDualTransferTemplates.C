@@ -376,16 +376,31 @@ scalar nodeDualTransfer<Shape, DIM, HOOP>::shortestWidth
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::massShares
+const scalar* nodeDualTransfer<Shape, DIM, HOOP>::atShares
 (
-    materialPointCloud&,
-    scalar*
+    const materialPointCloud& cloud,
+    const scalar* u
 ) const
 {
-    FatalErrorInFunction
-        << "The shape function nodeDual does not work with a gas yet: choose"
-        << " GIMP or linear."
-        << exit(FatalError);
+    reach(cloud);
+    return gather(u, U_);
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void nodeDualTransfer<Shape, DIM, HOOP>::spreadShares
+(
+    const materialPointCloud& cloud,
+    scalar* q
+) const
+{
+    reach(cloud);
+    for (const label m : nodes_)
+    {
+        std::copy_n(q + P*m, P, a_.data() + P*m);
+        std::fill_n(q + P*m, P, 0.0);
+    }
+    spread(q);
 }
 
 

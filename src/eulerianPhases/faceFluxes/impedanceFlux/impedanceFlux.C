@@ -49,21 +49,23 @@ inline void Foam::mpm::impedanceFlux::porousFace
     const scalar uL = (L.u & S)/magS, uR = (R.u & S)/magS;
     const scalar dp = L.p - R.p;
 
+    const scalar bound = pores.soundLimit ? pores.soundLimit[f] : 0.4;
     const scalar a = min
     (
         theta/sumZ,
-        0.4*min(thetaL*sideL.V/qL, thetaR*sideR.V/qR)
+        bound*min(thetaL*sideL.V/qL, thetaR*sideR.V/qR)
        /(factor*magS*dt*theta)
     );
-    scalar u = (ZL*uL + ZR*uR)/sumZ + a*dp;
+    scalar u = (ZL*uL + ZR*uR)/sumZ + a*dp, push = a*dp, w = 0;
     scalar mu = ZL*ZR/sumZ/max(theta, max(thetaL, thetaR));
 
     if (pores.K && pores.fd != solidOnFaces::none)
     {
         const scalar rho0 = 0.5*(L.rho + R.rho);
         const scalar k = pores.K[f]*dt/(theta*rho0);
-        const scalar w = min(k/(1 + k), pores.dragLimit[f]);
+        w = min(k/(1 + k), pores.dragLimit[f]);
         u += w*(pores.uS[f] - u);
+        push *= 1 - w;
         if (pores.fd == solidOnFaces::impedance)
         {
             const scalar Zm = std::sqrt
@@ -73,6 +75,7 @@ inline void Foam::mpm::impedanceFlux::porousFace
             );
             const scalar wm = w*theta*theta;
             u += 0.5*wm*dp/Zm;
+            push += 0.5*wm*dp/Zm;
             // Explicit: no more than the gas beside a body can take
             mu += min
             (
@@ -81,7 +84,20 @@ inline void Foam::mpm::impedanceFlux::porousFace
             );
         }
     }
-    to.phi[f] = theta*u*magS;
+    if (pores.area)
+    {
+        // The middle term: both fluxes add up to S.u_s in a dense body
+        const vector& A = pores.area[f];
+        vector uf((ZL*L.u + ZR*R.u)/sumZ);
+        uf += w*(pores.U[f] - uf);
+        to.phi[f] =
+            ((S - A) & uf) + w*((A & pores.U[f]) - pores.phiS[f])
+          + theta*magS*push;
+    }
+    else
+    {
+        to.phi[f] = theta*u*magS;
+    }
     to.pStar[f] = (ZR*L.p + ZL*R.p)/sumZ + mu*(uL - uR);
 }
 
