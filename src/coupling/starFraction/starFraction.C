@@ -463,7 +463,7 @@ void Foam::mpm::starFraction::arrive(const scalar dt)
     {
         area0_[f] = areaNew_[f];
         area_[f] = areaNew_[f] = velocityOfFaces_[f] = Zero;
-        thetaS0_[f] = thetaS_[f] = phiS_[f] = uS_[f] = 0;
+        thetaS_[f] = phiS_[f] = uS_[f] = 0;
         rhoS_[f] = dragLimit_[f] = 0;
     }
     sumFaces();

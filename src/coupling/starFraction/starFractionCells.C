@@ -88,7 +88,6 @@ void Foam::mpm::starFraction::updateFace(const label f, const scalar dt)
 
     const vector& S = mesh_.faceAreas()[f];
     const scalar S2 = magSqr(S);
-    thetaS0_[f] = max(min((area0_[f] & S)/S2, most_), scalar(0));
     thetaS_[f] = max(min((area_[f] & S)/S2, most_), scalar(0));
 
     // Both faces of a cyclic pair have the same velocity; the first stands

@@ -142,10 +142,12 @@ void Foam::mpm::eulerianGas::sumFaces
     {
         sums& to = sums_[c];
         to.rho += sign*s.rho;
-        to.rhoU +=
-            Porous && pores->area0
-          ? sign*(s.rhoU + (pStar_[f] - W_[c].p)*(S[f] - pores->area0[f]))
-          : sign*(s.rhoU + (theta*(pStar_[f] - W_[c].p))*S[f]);
+        to.rhoU += sign*(s.rhoU + (theta*(pStar_[f] - W_[c].p))*S[f]);
+        if (Porous && pores->area0)
+        {
+            // thetaS0 is 0: this is the part of the solid
+            to.rhoU -= (sign*(pStar_[f] - W_[c].p))*pores->area0[f];
+        }
         if (Energy)
         {
             to.rhoE += sign*s.rhoE;
