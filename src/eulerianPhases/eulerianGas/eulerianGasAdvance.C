@@ -143,11 +143,6 @@ void Foam::mpm::eulerianGas::sumFaces
         sums& to = sums_[c];
         to.rho += sign*s.rho;
         to.rhoU += sign*(s.rhoU + (theta*(pStar_[f] - W_[c].p))*S[f]);
-        if (Porous && pores->area0)
-        {
-            // thetaS0 is 0: this is the part of the solid
-            to.rhoU -= (sign*(pStar_[f] - W_[c].p))*pores->area0[f];
-        }
         if (Energy)
         {
             to.rhoE += sign*s.rhoE;
@@ -208,7 +203,33 @@ void Foam::mpm::eulerianGas::sumFaces
             }
         }
     }
+    if (Porous && pores->area0)
+    {
+        addVectorAreas(pores->area0);
+    }
     addWedgeSides(all);
+}
+
+
+void Foam::mpm::eulerianGas::addVectorAreas(const vector* area)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    for (label f = 0; f < nInternal; ++f)
+    {
+        if (magSqr(area[f]) > 0)
+        {
+            const label P = own[f], N = nei[f];
+            sums_[P].rhoU -= (pStar_[f] - W_[P].p)*area[f];
+            sums_[N].rhoU += (pStar_[f] - W_[N].p)*area[f];
+        }
+    }
+    for (const label f : faces_.coupled)
+    {
+        const label P = own[f];
+        sums_[P].rhoU -= (pStar_[f] - W_[P].p)*area[f];
+    }
 }
 
 
