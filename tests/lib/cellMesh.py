@@ -74,7 +74,12 @@ def writePolyMesh(case, points, cells, patchOf, patches):
                 first[key] = (c, f)
     inner.sort(key=lambda f: f[:2])
     for owner, face in first.values():
-        outer.append((patchOf(points[list(face)].mean(axis=0)), owner, face))
+        patch = patchOf(points[list(face)].mean(axis=0))
+        if patches[patch][1].startswith("cyclic"):
+            # Both faces of a pair begin at the same point
+            at = face.index(min(face))
+            face = face[at:] + face[:at]
+        outer.append((patch, owner, face))
     outer.sort(key=lambda f: f[:2])
 
     folder = os.path.join(case.path, "constant", "polyMesh")
@@ -100,7 +105,8 @@ def writePolyMesh(case, points, cells, patchOf, patches):
 
 
 def boxOfCells(case, kind, low, high, n, patches, moved=0.2, kept=(), seed=1):
-    """patches: name: (type, sides) as those of boxMesh()."""
+    """patches: name: (type, sides) as those of boxMesh(); with cyclic ones the points of
+    the outside do not move."""
     low, high = np.array(low, float), np.array(high, float)
     random = np.random.default_rng(seed)
     k, j, i = np.meshgrid(*(np.arange(m + 1) for m in n[::-1]), indexing="ij")
@@ -112,6 +118,10 @@ def boxOfCells(case, kind, low, high, n, patches, moved=0.2, kept=(), seed=1):
         shift[:, 2] = 0
     for d in range(3):
         shift[(index[:, d] == 0) | (index[:, d] == n[d]), d] = 0
+    if any(kind.startswith("cyclic") for kind, _ in patches.values()):
+        outside = (index == 0) | (index == np.array(n))
+        outside[:, np.array(n) == 1] = False
+        shift[outside.any(axis=1)] = 0
     for d, at in kept:
         shift[index[:, d] == at, d] = 0
     points = low + (index + shift)*(high - low)/n
