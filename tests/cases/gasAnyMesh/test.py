@@ -7,9 +7,16 @@ anyMesh; points with node-dual functions.
     translation   a disc and a turned block move with the gas at 100 m/s across the
                   mesh: pressure of every step within 1e-11, momentum 1e-12
     rest          a block in still gas between walls: velocities 1e-11 m/s
+    rotation      a disc of 10 cells that turns with its pore gas, edge speed 100 m/s,
+                  sticking, for the time of half a turn: pressure in gas, mixed cells and
+                  core; no pressure set to the isentrope
+    shock         air of 4 bar meets a moving block at 30 degrees in a cyclic box: momentum
+                  of all 1e-12, mass 1e-12, energy residual <= 1 %, falling with the step
+    restart       at half time of a shock: bit by bit
 """
 
 import os
+import shutil
 import sys
 
 import numpy as np
@@ -52,8 +59,9 @@ def bodyInGas(name, kind, n, body, velocity, steps, walls=False, moved=0.2, Co=0
     case.write("constant/phaseProperties", {
         "phases": ["air", "block"],
         "air": {"type": "gas", "thermo": "perfectGas", "R": R, "gamma": 1.4, **(gas or {})},
-        "block": {"constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": modulus,
-                                        "nu": 0}, **(phase or {})}})
+        "block": {**({} if "type" in (phase or {}) else
+                     {"constitutiveModel": {"type": "linearElastic", "rho": RHO,
+                                            "E": modulus, "nu": 0}}), **(phase or {})}})
     flat = n[2] == 1
     sides = ("x-", "x+", "y-", "y+") + (() if flat else ("z-", "z+"))
     patches = {"outside": ("wall" if walls else "patch", sides)}
@@ -75,7 +83,8 @@ def bodyInGas(name, kind, n, body, velocity, steps, walls=False, moved=0.2, Co=0
     gasSchemes(case)
     case.write("system/setMaterialPointsDict", {"regions": {"block": {
         "phase": "block", **region(case, body, n, h), "pointsPerCell": points,
-        "velocity": velocity, "stress": "ambient", "pressure": P0}}})
+        **({} if "type" in (phase or {}) else
+           {"velocity": velocity, "stress": "ambient", "pressure": P0})}}})
     case.write("system/fvSolution", {"materialPoints": numerics})
     dt = Co*h/(np.sqrt(modulus/RHO) + np.max(np.abs(velocity)))
     case.write("system/controlDict", {
@@ -160,6 +169,29 @@ def shock(table):
                     f"{residual[0]:.2e}, {residual[1]:.2e}")
 
 
+def restart(table):
+    def prepare(case):
+        case.run("postProcess", "-func", "writeCellCentres", "-time", "0")
+        C = readInternal(case.file("0", "C"))
+        p = np.where(C[:, 0] < 5*H, 4*P0, P0)
+        case.change("0/p", "internalField.*;",
+                    f"internalField nonuniform List<scalar> {len(p)} {foamText(p)};")
+
+    straight = bodyInGas("restart", "prisms", (16, 16, 1), BLOCK, (0, 0, 0), 120, walls=True,
+                         prepare=prepare, writes=2)
+    half, end = straight.times()[1:]
+    again = FoamCase("gasAnyMesh", "restart-again", template=straight.path)
+    shutil.copytree(straight.file("constant", "polyMesh"),
+                    again.file("constant", "polyMesh"))
+    shutil.rmtree(again.file(end))
+    again.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+    again.run("materialPointFoam")
+    table.row("restart at half time: points", 0, straight.largestDifference(
+        again, end, ["block"], ("x", "U", "sigma", "V")), 0, "atMost")
+    files = [open(c.file(end, "thetaRhoE.air"), "rb").read() for c in (straight, again)]
+    table.check("restart at half time: gas bit by bit", files[0] == files[1])
+
+
 def turningDisc(name, kind, edge, arc, R=10, n=(36, 36, 1), points=2, Co=0.4,
                 numerics=None):
     """A disc that turns by arc [cells at its edge] with its pore gas."""
@@ -185,7 +217,7 @@ def turningDisc(name, kind, edge, arc, R=10, n=(36, 36, 1), points=2, Co=0.4,
             "radius": R*H}
     return bodyInGas(name, kind, n, body, (0, 0, 0), steps, walls=True, prepare=prepare,
                      writes=20, points=points, Co=Co,
-                     numerics=numerics or {**FLIP, "PICfraction": 0.001}), centre
+                     numerics=numerics or FLIP), centre
 
 
 def deviation(case):
@@ -209,8 +241,8 @@ def angularMomentum(case, time, centre):
 
 
 def rotation(table):
-    """Sticking, half a turn at 100 m/s."""
-    for kind in ("prisms", "hexes"):
+    """Sticking, half a turn at 100 m/s; limits: what the recipe had on such meshes."""
+    for kind, ofCore, ofMixed in (("prisms", 0.33, 0.32), ("hexes", 0.14, 0.05)):
         case, centre = turningDisc(f"rotation {kind}", kind, 100, np.pi*10)
         gas, mixed, core = deviation(case)
         f = figures(case)
@@ -218,8 +250,8 @@ def rotation(table):
              / angularMomentum(case, "0", centre))
         label = f"disc, 100 m/s, half a turn, {kind}"
         table.row(f"{label}: |dP|/P in the gas", 0, gas, 3e-2, "atMost")
-        table.row(f"{label}: in mixed cells", 0, mixed, 0.4, "atMost")
-        table.row(f"{label}: in the core", 0, core, 0.4, "atMost")
+        table.row(f"{label}: in mixed cells", 0, mixed, ofMixed, "atMost")
+        table.row(f"{label}: in the core", 0, core, ofCore, "atMost")
         table.row(f"{label}: pressures set to the isentrope", 0, f["fixups"][-1][2], 0)
         print(f"{label}: Theta {f['Theta'].min():.4f} to {f['Theta'].max():.4f}; FLIP leaves"
               f" {L:.3f} of the angular momentum; {case.nSteps()} steps,"
@@ -227,4 +259,4 @@ def rotation(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock))
+    sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, restart))
