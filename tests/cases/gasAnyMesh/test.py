@@ -13,8 +13,12 @@ anyMesh; points with node-dual functions.
     shock         air of 4 bar meets a moving block at 30 degrees in a cyclic box: momentum
                   of all 1e-12, mass 1e-12, energy residual <= 1 %, falling with the step
     restart       at half time of a shock: bit by bit
+    spall         plates in air on prisms, FMPM 2, Courant number 0.3, failure at 400 MPa:
+                  first tension 3 % (50 cells over the target), p > 0, no pressure set to
+                  the isentrope, mass of the gas 1e-12
 """
 
+import math
 import os
 import shutil
 import sys
@@ -22,10 +26,13 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+import plateImpactExact as exact
 from blockInGas import EXTREMES, P0, R, figures, gasFields, gasSchemes
 from cellMesh import boxOfCells
+from coupledCases import gasLog
 from foamCase import (FoamCase, VERIFY, controlDict, foamText, readField, readInternal,
                       runParts, velocityFile, writeField)
+from plates import crossing, plateCase
 from surfaces import prisms, surfaceRegion
 
 H, E, RHO = 1e-4, 70e9, 2700.0
@@ -192,6 +199,39 @@ def restart(table):
     table.check("restart at half time: gas bit by bit", files[0] == files[1])
 
 
+def spall(table):
+    """Plates in air, with failure, 50 cells over the target."""
+    cells, end = 25, 3e-6
+    h = exact.H/cells
+    case = plateCase("gasAnyMesh", "spall", cells,
+                     {"shapeFunction": "nodeDual", "transfer": "FMPM", "order": 2,
+                      "strainFilter": 1}, end, 1e-6, 0.3, strength=400e6, air={},
+                     probes=[("target", "middle", ("sigma_yy",), exact.H - h/2,
+                              exact.H + h/2, "mean")])
+    margin = max(4, math.ceil(exact.V*(end - 0.7e-6)/h) + 3)
+    boxOfCells(case, "prisms", (0, -margin*h, 0), (4*h, 3*exact.H + margin*h, h),
+               (4, 3*cells + 2*margin, 1),
+               {"low": ("cyclic; neighbourPatch high", ("y-",)),
+                "high": ("cyclic; neighbourPatch low", ("y+",)),
+                "sides": ("patch", ("x-", "x+")), "frontAndBack": ("empty", ("z-", "z+"))},
+               kept=[(1, margin + k*cells) for k in (0, 2, 3)])
+    shutil.rmtree(case.file("0/lagrangian"))
+    case.run("setMaterialPoints")
+    case.change("system/controlDict", "^adjustTimeStep", "reportInterval 20;\nadjustTimeStep")
+    case.run("materialPointFoam", limit=300)
+    log = gasLog(case)
+    t, stress = case.series("middle", "sigma_yy.dat").T
+    label = "spall in air, prisms, strength 400 MPa, to 3 us"
+    table.row(f"{label}: first tension, 343.7 MPa [us]", 1.1195,
+              1e6*crossing(t, stress, exact.STRESS/2), 0.03, "relative")
+    table.row(f"{label}: least pressure [Pa]", 0, log["pMin"].min(), 0, "atLeast")
+    table.row(f"{label}: largest pressure [Pa]", 2e5, log["pMax"].max(), 2e5, "atMost")
+    table.row(f"{label}: pressures set to the isentrope", 0, log["isentropic"][-1], 0)
+    table.row(f"{label}: mass of the gas", log["mass"][0], log["mass"][-1], 1e-12,
+              "relative")
+    print(label, "Theta", log["ThetaMin"].min(), log["ThetaMax"].max(), case.nSteps())
+
+
 def turningDisc(name, kind, edge, arc, R=10, n=(36, 36, 1), points=2, Co=0.4,
                 numerics=None):
     """A disc that turns by arc [cells at its edge] with its pore gas."""
@@ -259,4 +299,4 @@ def rotation(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, restart))
+    sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, restart, spall))
