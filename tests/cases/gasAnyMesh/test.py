@@ -280,7 +280,7 @@ def angularMomentum(case, time, centre):
 
 
 def rotation(table):
-    """Sticking, half a turn at 100 m/s; limits: what the recipe had on such meshes."""
+    """Sticking, half a turn at 100 m/s; limits: those of a prototype in 2D."""
     for kind, ofCore, ofMixed in (("prisms", 0.33, 0.32), ("hexes", 0.14, 0.05)):
         case, centre = turningDisc(f"rotation {kind}", kind, 100, np.pi*10)
         gas, mixed, core = deviation(case)
