@@ -146,7 +146,8 @@ def _writeZones(case, points, cells, zones):
 
 def boxOfCells(case, kind, low, high, n, patches, moved=0.2, kept=(), seed=1,
                place=None, zones=None):
-    """patches: name: (type, sides) as those of boxMesh()."""
+    """patches: name: (type, sides) as those of boxMesh(), of cyclic ones with the
+    neighbour: the points of both move alike."""
     low, high = np.array(low, float), np.array(high, float)
     random = np.random.default_rng(seed)
     k, j, i = np.meshgrid(*(np.arange(m + 1) for m in n[::-1]), indexing="ij")

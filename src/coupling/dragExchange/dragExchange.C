@@ -104,7 +104,8 @@ Foam::vector Foam::mpm::dragExchange::impulse
     const vector ug((gas_.rhoU()[celli] + J_[celli])/rho);
     vector relative(Us - ug);
 
-    if (model.normalOnly())
+    const scalar solid = fraction_.theta()[celli];
+    if (model.normalOnly() && solid <= fraction_.fullForNormal())
     {
         const vector& n = fraction_.normals()[celli];
         if (magSqr(n) > 0)
@@ -114,7 +115,7 @@ Foam::vector Foam::mpm::dragExchange::impulse
     }
 
     // The pores of a full cell are there for the gas' equations alone
-    const bool full = model.none() && fraction_.theta()[celli] > fullOfSolid;
+    const bool full = model.none() && solid > fraction_.fullOfSolid();
     const scalar K =
         full
       ? dragModel::sticking
@@ -168,11 +169,10 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
         }
     }
 
-    const scalar* UL = field.UL();
+    const scalar* UL =
+        levels_ ? levels_->atShares(cloud, field.UL()) : field.UL();
     const scalar* volume = (*cloud.gasVolume())[0];
-    passes.forStencils
-    (
-        cloud,
+    const auto exchangeCell =
         [&](const label k, const labelUList& nodes)
         {
             const label celli = cloud.cells()[k];
@@ -200,9 +200,67 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
                     impulse_[stride*nodes[i] + d] -= part*J[grid.direction(d)];
                 }
             }
+        };
+    if (levels_)
+    {
+        levels_->forShares(cloud, exchangeCell);
+    }
+    else
+    {
+        passes.forStencils(cloud, exchangeCell);
+    }
+    dragDense(phasei, UL, dt);
+    if (levels_)
+    {
+        levels_->spreadShares(cloud, impulse_.data());
+    }
+    points_.addImpulse(fieldi, impulse_.data());
+}
+
+
+void Foam::mpm::dragExchange::dragDense
+(
+    const label phasei,
+    const scalar* U,
+    const scalar dt
+)
+{
+    const pointGrid& grid = points_.grid();
+    const int D = grid.nDim();
+    const int stride = points_.fields()[points_.fieldOf(phasei)].stride();
+    fraction_.forDenseCells
+    (
+        phasei,
+        [&]
+        (
+            const label celli,
+            const labelUList& nodes,
+            const UList<scalar>& share,
+            const scalar thetaS
+        )
+        {
+            scalar M = 0;
+            vector mU(Zero);
+            forAll(nodes, i)
+            {
+                M += share[i];
+                for (int d = 0; d < D && share[i] > 0; ++d)
+                {
+                    mU[grid.direction(d)] += share[i]*U[stride*nodes[i] + d];
+                }
+            }
+            const scalar V = fraction_.mesh().V()[celli];
+            const vector J(impulse(phasei, celli, M/V, mU/M, thetaS, dt));
+            forAll(nodes, i)
+            {
+                for (int d = 0; d < D && share[i] > 0; ++d)
+                {
+                    impulse_[stride*nodes[i] + d] -=
+                        share[i]*V/M*J[grid.direction(d)];
+                }
+            }
         }
     );
-    points_.addImpulse(fieldi, impulse_.data());
 }
 
 
@@ -283,6 +341,7 @@ Foam::mpm::dragExchange::dragExchange
     held_(fraction.mesh().nCells(), 0),
     K_(fraction.mesh().nFaces(), 0),
     inertia_(fraction.mesh().nFaces(), 0),
+    levels_(dynamic_cast<const twoLevelShares*>(&points.gridTransfer())),
     work_(0)
 {
     forAll(points_.phases(), phasei)

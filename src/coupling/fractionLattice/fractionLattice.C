@@ -187,32 +187,13 @@ Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid)
     stride_{0, 0, 0}
 {
     const int D = grid_.nDim();
-    string reason(grid_.noLattice());
-    for (int d = 0; d < D && reason.empty(); ++d)
-    {
-        scalar least = GREAT, most = 0;
-        for (label i = 1; i <= grid_.lattice().nLatticeCells(d); ++i)
-        {
-            const scalar h = grid_.lattice().planes(d)[i + 1] - grid_.lattice().planes(d)[i];
-            least = min(least, h);
-            most = max(most, h);
-        }
-        reduce(least, minOp<scalar>());
-        reduce(most, maxOp<scalar>());
-        if (most > (1 + 1e-4)*least)
-        {
-            OStringStream s;
-            s   << "direction " << "xyz"[grid_.direction(d)]
-                << " is graded, its cells are " << least << " to " << most
-                << " m wide";
-            reason = s.str();
-        }
-    }
+    const string reason(refuses(grid_));
     if (!reason.empty())
     {
         FatalErrorInFunction
-            << "Material points in a gas need boxes of one size in each"
-            << " direction: " << reason.c_str() << "." << exit(FatalError);
+            << "solidFraction lattice needs boxes of one size in each"
+            << " direction: " << reason.c_str() << ". On other meshes choose"
+            << " solidFraction star." << exit(FatalError);
     }
 
     for (int d = 0; d < D; ++d)
@@ -240,6 +221,34 @@ Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid)
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::mpm::fractionLattice::refuses(const pointGrid& grid)
+{
+    string reason(grid.noLattice());
+    for (int d = 0; d < grid.nDim() && reason.empty(); ++d)
+    {
+        scalar least = GREAT, most = 0;
+        for (label i = 1; i <= grid.lattice().nLatticeCells(d); ++i)
+        {
+            const scalar h =
+                grid.lattice().planes(d)[i + 1] - grid.lattice().planes(d)[i];
+            least = min(least, h);
+            most = max(most, h);
+        }
+        reduce(least, minOp<scalar>());
+        reduce(most, maxOp<scalar>());
+        if (most > (1 + 1e-4)*least)
+        {
+            OStringStream s;
+            s   << "direction " << "xyz"[grid.direction(d)]
+                << " is graded, its cells are " << least << " to " << most
+                << " m wide";
+            reason = s.str();
+        }
+    }
+    return reason;
+}
+
 
 void Foam::mpm::fractionLattice::sum(scalar* q, const int nComp) const
 {

@@ -40,6 +40,7 @@ Foam::mpm::gasCoupling::gasCoupling
             << " material points it needs thermo perfectGas or isentropic."
             << exit(FatalIOError);
     }
+    fraction_->beside(gas.theta());
     fraction_->show(pores_);
     drag_.show(pores_);
 

@@ -8,6 +8,18 @@ License
 
 #include "latticeFraction.H"
 #include "syncTools.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(latticeFraction, 0);
+    addToRunTimeSelectionTable(solidFraction, latticeFraction, dictionary);
+}
+}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

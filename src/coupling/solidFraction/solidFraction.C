@@ -6,9 +6,21 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "latticeFraction.H"
+#include "solidFraction.H"
+#include "fractionLattice.H"
 #include "dictionaryTools.H"
 #include <algorithm>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeNameAndDebug(solidFraction, 0);
+    defineRunTimeSelectionTable(solidFraction, dictionary);
+}
+}
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
@@ -66,7 +78,8 @@ Foam::mpm::solidFraction::solidFraction
     theta_(mesh_.nCells(), 0),
     dilation_(mesh_.nCells(), 0),
     own_(points.phases().size()),
-    oldVolume_(points.phases().size())
+    oldVolume_(points.phases().size()),
+    gasTheta_(nullptr)
 {
     for (materialPointPhase& phase : points.phases())
     {
@@ -82,7 +95,18 @@ Foam::autoPtr<Foam::mpm::solidFraction> Foam::mpm::solidFraction::New
     const dictionary& gasDict
 )
 {
-    return autoPtr<solidFraction>(new latticeFraction(points, gasDict));
+    const word name
+    (
+        oneOfOrDefault
+        (
+            gasDict,
+            "solidFraction",
+            fractionLattice::refuses(points.grid()).empty() ? "lattice" : "star",
+            dictionaryConstructorTablePtr_->sortedToc()
+        )
+    );
+    Info<< "Points in gas: solidFraction " << name << nl << endl;
+    return dictionaryConstructorTablePtr_->cfind(name).val()(points, gasDict);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -335,7 +335,7 @@ Foam::mpm::eulerianGas::eulerianGas
         wordList
         ({
             "type", "mu", "Pr", "poreFloor", "faceDrag", "faceFlux",
-            "pressureClosure"
+            "pressureClosure", "solidFraction"
         })
     );
     valid.append(faceFlux_->keywords());

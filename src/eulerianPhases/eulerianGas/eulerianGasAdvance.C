@@ -203,7 +203,33 @@ void Foam::mpm::eulerianGas::sumFaces
             }
         }
     }
+    if (Porous && pores->area0)
+    {
+        addVectorAreas(pores->area0);
+    }
     addWedgeSides(all);
+}
+
+
+void Foam::mpm::eulerianGas::addVectorAreas(const vector* area)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    for (label f = 0; f < nInternal; ++f)
+    {
+        if (magSqr(area[f]) > 0)
+        {
+            const label P = own[f], N = nei[f];
+            sums_[P].rhoU -= (pStar_[f] - W_[P].p)*area[f];
+            sums_[N].rhoU += (pStar_[f] - W_[N].p)*area[f];
+        }
+    }
+    for (const label f : faces_.coupled)
+    {
+        const label P = own[f];
+        sums_[P].rhoU -= (pStar_[f] - W_[P].p)*area[f];
+    }
 }
 
 

@@ -29,7 +29,14 @@ void Foam::mpm::eulerianGas::markNearSolid(const solidOnFaces& pores)
     }
     for (label f = 0; f < mesh_.nFaces(); ++f)
     {
-        if (pores.thetaS[f] > 0 || pores.thetaS0[f] > 0)
+        if
+        (
+            pores.thetaS[f] > 0 || pores.thetaS0[f] > 0
+         || (
+                pores.area
+             && (magSqr(pores.area[f]) > 0 || magSqr(pores.area0[f]) > 0)
+            )
+        )
         {
             near_[own[f]] = true;
             if (f < nInternal)
@@ -69,7 +76,7 @@ void Foam::mpm::eulerianGas::limitOutflow
         const scalar theta = theta_[c];
         return
             Porous
-          ? max(min(0.9*theta, theta - 0.5*pores->eps), 0.01*theta)
+          ? max(min(0.9*theta, theta - 0.5*pores->eps), pores->leak*theta)
           : 0.9;
     };
 

@@ -30,32 +30,6 @@ const dualNodes& nodeDualTransfer<Shape, DIM, HOOP>::reach
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::stencilOf
-(
-    const label celli,
-    DynamicList<label>& nodes
-) const
-{
-    ++stampNow_;
-    nodes.clear();
-    for (label i = 0; i < shape_.cells.nVertices(celli); ++i)
-    {
-        const label m = shape_.cells.nodes(celli)[i];
-        for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-        {
-            const label l = dual_.node(e);
-            if (stamp_[l] != stampNow_)
-            {
-                stamp_[l] = stampNow_;
-                place_[l] = nodes.size();
-                nodes.append(l);
-            }
-        }
-    }
-}
-
-
-template<template<int> class Shape, int DIM, bool HOOP>
 const scalar* nodeDualTransfer<Shape, DIM, HOOP>::gather
 (
     const dualNodes& nodes,
@@ -207,9 +181,7 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
     dual_(shape_.dual),
     boundary_(dual_, grid.shared(shapeType::reach)),
     stamp_(grid.nNodes(), label(-1)),
-    place_(grid.nNodes(), label(-1)),
     stampNow_(0),
-    nStencil_(-1),
     a_(P*grid.nNodes()),
     U_(P*grid.nNodes()),
     UL_(P*grid.nNodes()),
@@ -278,7 +250,21 @@ void nodeDualTransfer<Shape, DIM, HOOP>::forStencils
     DynamicList<label> nodes;
     forAll(cloud.cells(), k)
     {
-        stencilOf(cloud.cells()[k], nodes);
+        const label celli = cloud.cells()[k];
+        ++stampNow_;
+        nodes.clear();
+        for (label i = 0; i < shape_.cells.nVertices(celli); ++i)
+        {
+            const label m = shape_.cells.nodes(celli)[i];
+            for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+            {
+                if (stamp_[dual_.node(e)] != stampNow_)
+                {
+                    stamp_[dual_.node(e)] = stampNow_;
+                    nodes.append(dual_.node(e));
+                }
+            }
+        }
         f(k, nodes);
     }
 }
@@ -342,53 +328,30 @@ scalar nodeDualTransfer<Shape, DIM, HOOP>::shortestWidth
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-label nodeDualTransfer<Shape, DIM, HOOP>::nStencil() const
+const scalar* nodeDualTransfer<Shape, DIM, HOOP>::atShares
+(
+    const materialPointCloud& cloud,
+    const scalar* u
+) const
 {
-    if (nStencil_ < 0)
-    {
-        DynamicList<label> nodes;
-        for (label celli = 0; celli < grid_.nCells(); ++celli)
-        {
-            stencilOf(celli, nodes);
-            nStencil_ = max(nStencil_, nodes.size());
-        }
-    }
-    return nStencil_;
+    return gather(reach(cloud), u, U_);
 }
 
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void nodeDualTransfer<Shape, DIM, HOOP>::massShares
+void nodeDualTransfer<Shape, DIM, HOOP>::spreadShares
 (
-    materialPointCloud& cloud,
-    scalar* share
+    const materialPointCloud& cloud,
+    scalar* q
 ) const
 {
-    // Of the vertices of the cells, then of the nodes that they reach
-    constexpr int most = shapeType::maxNodes;
-    const label n = nStencil();
-    static thread_local std::vector<scalar> ofVertices;
-    ofVertices.resize(most*cloud.cells().size());
-    base::massShares(cloud, ofVertices.data());
-
-    DynamicList<label> nodes;
-    typename shapeType::stencil s;
-    forAll(cloud.cells(), k)
+    const dualNodes& nodes = reach(cloud);
+    for (const label m : nodes.nodes())
     {
-        shape_.prepare(cloud.cells()[k], s);
-        stencilOf(cloud.cells()[k], nodes);
-        scalar* to = share + n*k;
-        std::fill_n(to, n, 0.0);
-        for (int i = 0; i < shapeType::count(s); ++i)
-        {
-            const scalar mass = ofVertices[most*k + i];
-            const label m = s.nodes[i];
-            for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
-            {
-                to[place_[dual_.node(e)]] += mass*dual_.W(e);
-            }
-        }
+        std::copy_n(q + P*m, P, a_.data() + P*m);
+        std::fill_n(q + P*m, P, 0.0);
     }
+    spread(nodes, q);
 }
 
 

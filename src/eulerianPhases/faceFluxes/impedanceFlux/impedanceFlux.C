@@ -22,7 +22,7 @@ namespace mpm
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<bool General>
+template<bool General, bool Vector>
 inline void Foam::mpm::impedanceFlux::porousFace
 (
     const label f,
@@ -49,13 +49,15 @@ inline void Foam::mpm::impedanceFlux::porousFace
     const scalar uL = (L.u & S)/magS, uR = (R.u & S)/magS;
     const scalar dp = L.p - R.p;
 
+    const scalar bound = Vector ? pores.soundLimit[f] : 0.4;
     const scalar a = min
     (
         theta/sumZ,
-        0.4*min(thetaL*sideL.V/qL, thetaR*sideR.V/qR)
+        bound*min(thetaL*sideL.V/qL, thetaR*sideR.V/qR)
        /(factor*magS*dt*theta)
     );
     scalar u = (ZL*uL + ZR*uR)/sumZ + a*dp;
+    scalar push = Vector ? a*dp : 0, ofSolid = 0;
     scalar mu = ZL*ZR/sumZ/max(theta, max(thetaL, thetaR));
 
     if (pores.K && pores.fd != solidOnFaces::none)
@@ -64,6 +66,11 @@ inline void Foam::mpm::impedanceFlux::porousFace
         const scalar k = pores.K[f]*dt/(theta*rho0);
         const scalar w = min(k/(1 + k), pores.dragLimit[f]);
         u += w*(pores.uS[f] - u);
+        if (Vector)
+        {
+            push *= 1 - w;
+            ofSolid = w;
+        }
         if (pores.fd == solidOnFaces::impedance)
         {
             const scalar Zm = std::sqrt
@@ -73,6 +80,10 @@ inline void Foam::mpm::impedanceFlux::porousFace
             );
             const scalar wm = w*theta*theta;
             u += 0.5*wm*dp/Zm;
+            if (Vector)
+            {
+                push += 0.5*wm*dp/Zm;
+            }
             // Explicit: no more than the gas beside a body can take
             mu += min
             (
@@ -81,12 +92,25 @@ inline void Foam::mpm::impedanceFlux::porousFace
             );
         }
     }
-    to.phi[f] = theta*u*magS;
+    if (Vector)
+    {
+        // The middle term: both fluxes add up to S.u_s in a dense body
+        const vector& A = pores.area[f];
+        vector uf((ZL*L.u + ZR*R.u)/sumZ);
+        uf += ofSolid*(pores.U[f] - uf);
+        to.phi[f] =
+            ((S - A) & uf) + ofSolid*((A & pores.U[f]) - pores.phiS[f])
+          + theta*magS*push;
+    }
+    else
+    {
+        to.phi[f] = theta*u*magS;
+    }
     to.pStar[f] = (ZR*L.p + ZL*R.p)/sumZ + mu*(uL - uR);
 }
 
 
-template<bool Porous, bool General>
+template<bool Porous, bool General, bool Vector>
 void Foam::mpm::impedanceFlux::insideFaces
 (
     const gasStates<General>& states,
@@ -126,7 +150,7 @@ void Foam::mpm::impedanceFlux::insideFaces
         const label P = own[f], N = nei[f];
         if (Porous && (solid->near[P] || solid->near[N]))
         {
-            porousFace<General>
+            porousFace<General, Vector>
             (
                 f, states,
                 {states.cell(P), solid->theta[P], V[P]},
@@ -151,7 +175,7 @@ void Foam::mpm::impedanceFlux::insideFaces
         const label P = own[f], i = f - nInternal;
         if (Porous && (solid->near[P] || solid->near[nCells + i]))
         {
-            porousFace<General>
+            porousFace<General, Vector>
             (
                 f, states,
                 {states.cell(P), solid->theta[P], V[P]},
@@ -228,7 +252,7 @@ void Foam::mpm::impedanceFlux::all
 ) const
 {
     to.out = 0;
-    insideFaces<false>(states, nullptr, to);
+    insideFaces<false, General, false>(states, nullptr, to);
     boundaryFaces<false>(states, nullptr, to);
 }
 
@@ -262,7 +286,14 @@ void Foam::mpm::impedanceFlux::flux
 ) const
 {
     to.out = 0;
-    insideFaces<true>(states, &solid, to);
+    if (solid.pores.area)
+    {
+        insideFaces<true, false, true>(states, &solid, to);
+    }
+    else
+    {
+        insideFaces<true, false, false>(states, &solid, to);
+    }
     boundaryFaces<true>(states, &solid, to);
 }
 

@@ -1,0 +1,392 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "starFraction.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::starFraction::thetaOf(const label node) const
+{
+    return
+        (1 - eps_)*node_[starPoints::nodeStride*node + starPoints::volume]
+       /stars_.nodeVolume(node);
+}
+
+
+Foam::scalar Foam::mpm::starFraction::meanTheta(const label node) const
+{
+    return
+        0.5*(1 - eps_)
+       *(old_[node] + node_[starPoints::nodeStride*node + starPoints::volume])
+       /stars_.nodeVolume(node);
+}
+
+
+Foam::vector Foam::mpm::starFraction::velocityOf(const label facei) const
+{
+    const int D = stars_.grid().nDim();
+    scalar sum = 0, u[3] = {0, 0, 0};
+    for (const label pointi : mesh_.faces()[facei])
+    {
+        const label l = stars_.grid().pointToNode()[pointi];
+        if (!hasNode_[l])
+        {
+            continue;
+        }
+        forAll(velocity_, phasei)
+        {
+            const scalar weight =
+            (
+                oldOfPhase_[phasei][l]
+              + ofPhase_[phasei]
+                [
+                    starPoints::nodeStride*l + starPoints::volume
+                ]
+            )/stars_.nodeVolume(l);
+            sum += weight;
+            for (int d = 0; d < D; ++d)
+            {
+                u[d] += weight*velocity_[phasei][D*l + d];
+            }
+        }
+    }
+    return sum > 0 ? inAxes(u)/sum : vector(Zero);
+}
+
+
+Foam::scalar Foam::mpm::starFraction::density(const label facei) const
+{
+    scalar m = 0, v = 0;
+    for (const label pointi : mesh_.faces()[facei])
+    {
+        const label l = stars_.grid().pointToNode()[pointi];
+        if (hasNode_[l])
+        {
+            const scalar* q = node_.begin() + starPoints::nodeStride*l;
+            m += q[starPoints::mass];
+            v += q[starPoints::volume];
+        }
+    }
+    return v > 0 ? m/v : 0;
+}
+
+
+void Foam::mpm::starFraction::updateFace(const label f, const scalar dt)
+{
+    const int D = stars_.grid().nDim();
+    const scalar* q = face_.begin() + faceStride*f;
+    const scalar share = 1 - eps_;
+    area_[f] =
+        0.5*(area0_[f] + share*inAxes(q + starPoints::gradOld(D)));
+    areaNew_[f] = share*inAxes(q + starPoints::gradNew(D));
+    phiS_[f] = share*q[starPoints::way(D)]/dt;
+
+    const vector& S = mesh_.faceAreas()[f];
+    const scalar S2 = magSqr(S);
+    thetaS_[f] = max(min((area_[f] & S)/S2, most_), scalar(0));
+
+    // Both faces of a cyclic pair have the same velocity; the first stands
+    // first in faces_
+    const label other = stars_.mate(f);
+    velocityOfFaces_[f] =
+        other >= 0 && magSqr(velocityOfFaces_[other]) > 0
+      ? velocityOfFaces_[other]
+      : velocityOf(f);
+    uS_[f] = (velocityOfFaces_[f] & S)/std::sqrt(S2);
+    rhoS_[f] = density(f);
+}
+
+
+void Foam::mpm::starFraction::updateFaces(const scalar dt)
+{
+    for (const label f : faces_)
+    {
+        updateFace(f, dt);
+    }
+}
+
+
+void Foam::mpm::starFraction::updateTheta()
+{
+    for (const label c : around_)
+    {
+        isAround_[c] = false;
+        theta_[c] = dilation_[c] = 0;
+    }
+    around_.clear();
+    for (const label l : nodes_)
+    {
+        for (const label v : stars_.verticesOf(l))
+        {
+            const label c = stars_.cellOf(v);
+            if (!isAround_[c])
+            {
+                isAround_[c] = true;
+                around_.append(c);
+            }
+        }
+    }
+    for (const label c : around_)
+    {
+        const label* nodes = stars_.cells().nodes(c);
+        const label first = stars_.start(c);
+        scalar sum = 0;
+        for (label i = 0; i < stars_.cells().nVertices(c); ++i)
+        {
+            if (hasNode_[nodes[i]])
+            {
+                sum += stars_.vertexVolume(first + i)*thetaOf(nodes[i]);
+            }
+        }
+        theta_[c] = sum/mesh_.V()[c];
+    }
+}
+
+
+void Foam::mpm::starFraction::limitDrag()
+{
+    // Largest theta_l of each cell, of the cells of a node, of all cells that
+    // share a node with a cell
+    const cellSimplices& cells = stars_.cells();
+    for (const label c : around_)
+    {
+        const label* nodes = cells.nodes(c);
+        scalar most = 0;
+        for (label i = 0; i < cells.nVertices(c); ++i)
+        {
+            most = max(most, hasNode_[nodes[i]] ? meanTheta(nodes[i]) : 0);
+            largest_[nodes[i]] = 0;
+        }
+        around1_[c] = most;
+    }
+    for (const label c : around_)
+    {
+        const label* nodes = cells.nodes(c);
+        for (label i = 0; i < cells.nVertices(c); ++i)
+        {
+            scalar& most = largest_[nodes[i]];
+            most = max(most, around1_[c]);
+        }
+    }
+    for (const label c : around_)
+    {
+        const label* nodes = cells.nodes(c);
+        for (label i = 0; i < cells.nVertices(c); ++i)
+        {
+            around1_[c] = max(around1_[c], largest_[nodes[i]]);
+        }
+    }
+    for (const label f : faces_)
+    {
+        const label other =
+            f < mesh_.nInternalFaces() ? mesh_.faceNeighbour()[f]
+          : mesh_.faceOwner()[stars_.mate(f)];
+        const scalar most =
+            max(around1_[mesh_.faceOwner()[f]], around1_[other]);
+        dragLimit_[f] = most > 0 ? thetaS_[f]/most : 0;
+    }
+}
+
+
+void Foam::mpm::starFraction::updateDilation(const scalar dt)
+{
+    for (const label c : around_)
+    {
+        const scalar* q = cell_.begin() + starPoints::cellStride*c;
+        if (q[0] > 0)
+        {
+            dilation_[c] = min(theta_[c], most_)*q[1]/q[0];
+            continue;
+        }
+        const label* nodes = stars_.cells().nodes(c);
+        const label first = stars_.start(c);
+        scalar sum = 0;
+        for (label i = 0; i < stars_.cells().nVertices(c); ++i)
+        {
+            const label l = nodes[i];
+            if (hasNode_[l])
+            {
+                sum +=
+                    stars_.vertexVolume(first + i)/stars_.nodeVolume(l)
+                   *node_[starPoints::nodeStride*l + starPoints::dilation];
+            }
+        }
+        dilation_[c] = (1 - eps_)*sum/mesh_.V()[c];
+    }
+    blendDilation(dt);
+}
+
+
+Foam::boolList Foam::mpm::starFraction::failedNodes() const
+{
+    boolList failed;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        const materialPointCloud& cloud = phase.cloud();
+        const column* damage = cloud.damage();
+        if (!damage)
+        {
+            continue;
+        }
+        failed.setSize(old_.size(), false);
+        cloud.forCells
+        (
+            [&](const label p, const label celli)
+            {
+                if ((*damage)[0][p] >= 1)
+                {
+                    const label* nodes = stars_.cells().nodes(celli);
+                    for (label i = 0; i < stars_.cells().nVertices(celli); ++i)
+                    {
+                        failed[nodes[i]] = true;
+                    }
+                }
+            }
+        );
+    }
+    return failed;
+}
+
+
+void Foam::mpm::starFraction::blendDilation(const scalar dt)
+{
+    const boolList failed(failedNodes());
+    const scalar least = 1 - gap_;
+    for (const label c : around_)
+    {
+        const label* nodes = stars_.cells().nodes(c);
+        scalar m = 1;
+        for (label i = 0; i < stars_.cells().nVertices(c); ++i)
+        {
+            const label l = nodes[i];
+            const bool full =
+                hasNode_[l] && !(failed.size() && failed[l]);
+            m = min(m, full ? thetaOf(l) : 0);
+        }
+        if (!(m > least))
+        {
+            continue;
+        }
+        scalar sum = 0;
+        for (const label f : mesh_.cells()[c])
+        {
+            const vector u
+            (
+                hasFace_[f] ? velocityOfFaces_[f] : velocityOf(f)
+            );
+            const scalar flux = u & mesh_.faceAreas()[f];
+            sum += mesh_.faceOwner()[f] == c ? flux : -flux;
+        }
+        const scalar b = min(scalar(1), (m - least)/(most_ - least));
+        const scalar theta = 1 - (*gasTheta_)[c];
+        dilation_[c] += b*(theta*dt*sum/mesh_.V()[c] - dilation_[c]);
+    }
+}
+
+void Foam::mpm::starFraction::findDense()
+{
+    forAll(dense_, phasei)
+    {
+        dense_[phasei].clear();
+    }
+    for (const label c : around_)
+    {
+        if (!(theta_[c] > 0.5) || cell_[starPoints::cellStride*c] > 0)
+        {
+            continue;
+        }
+        forAll(dense_, phasei)
+        {
+            dense d{c, 0, {}, {}};
+            scalar M = 0, v = 0;
+            for (label i = 0; i < stars_.cells().nVertices(c); ++i)
+            {
+                const label l = stars_.cells().nodes(c)[i];
+                const scalar w =
+                    stars_.vertexVolume(stars_.start(c) + i)
+                   /stars_.nodeVolume(l);
+                const scalar* q =
+                    ofPhase_[phasei].begin() + starPoints::nodeStride*l;
+                d.nodes.append(l);
+                d.share.append(w*q[starPoints::mass]);
+                M += d.share.last();
+                v += w*q[starPoints::volume];
+            }
+            if (M > 0)
+            {
+                d.theta = min((1 - eps_)*v/mesh_.V()[c], most_);
+                dense_[phasei].append(d);
+            }
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::starFraction::forDenseCells
+(
+    const label phasei,
+    const denseCellAction& f
+) const
+{
+    for (const dense& d : dense_[phasei])
+    {
+        f(d.celli, d.nodes, d.share, d.theta);
+    }
+}
+
+
+void Foam::mpm::starFraction::updateNormals()
+{
+    // Difference of the fraction over a cell below which it is uniform
+    constexpr scalar uniform = 5e-4;
+
+    const cellSimplices& cells = stars_.cells();
+    scalarField ofCells(theta_);
+    scalarList ofNodes;
+    for (int pass = 0; pass < 2; ++pass)
+    {
+        stars_.toNodes(ofCells, ofNodes);
+        forAll(ofCells, c)
+        {
+            scalar sum = 0;
+            for (label i = 0; i < cells.nVertices(c); ++i)
+            {
+                sum +=
+                    stars_.vertexVolume(stars_.start(c) + i)
+                   *ofNodes[cells.nodes(c)[i]];
+            }
+            ofCells[c] = sum/mesh_.V()[c];
+        }
+    }
+    stars_.toNodes(ofCells, ofNodes);
+
+    normals_.setSize(mesh_.nCells());
+    forAll(normals_, c)
+    {
+        vector n(Zero);
+        scalar low = GREAT, high = -GREAT;
+        for (label i = 0; i < cells.nVertices(c); ++i)
+        {
+            const scalar q = ofNodes[cells.nodes(c)[i]];
+            low = min(low, q);
+            high = max(high, q);
+        }
+        if (high - low > uniform)
+        {
+            for (label i = 0; i < cells.nVertices(c); ++i)
+            {
+                n += ofNodes[cells.nodes(c)[i]]*stars_.sideSum(c, i);
+            }
+            n /= mag(n);
+        }
+        normals_[c] = n;
+    }
+}
+
+// ************************************************************************* //
