@@ -186,7 +186,7 @@ def halfPipe(table, runs=(("hexes", 0, "slip"), ("prisms", 0, "slip"),
                   np.max(abs(exactP)), np.max(abs(P[:, 0]/m)), 0.01, "relative")
 
 
-def incline(table):
+def incline(table, slab=()):
     """A block slides on an oblique wall and on an oblique rigid slab with Coulomb
     friction, in its own velocity field: g (sin - mu cos)."""
     angle, ramp, end, mu = math.radians(-30), 0.05, 0.25, 0.3
@@ -194,7 +194,7 @@ def incline(table):
     pull = {"type": "uniform", "acceleration":
             f"table ((0 (0 0 0)) ({ramp} (0 {-G} 0)) (10 (0 {-G} 0)))"}
     for kind, n, floor in (("prisms", (20, 5), "patch"), ("hexes", (20, 5), "patch"),
-                           ("prisms", (20, 7), "slab"), ("tets", (14, 4, 4), "patch")):
+                           ("tets", (14, 4, 4), "patch"), *slab):
         deep = len(n) == 3
         low = 2*H if floor == "slab" else 0
         z = (H, 3*H) if deep else (0, H)
@@ -427,7 +427,11 @@ def choice(table):
                 found[0] if found else text[-300:])
 
 
+def inclineOnSlab(table):
+    incline(table, (("prisms", (20, 7), "slab"),))
+
+
 PARTS = (choice, slope, incline, plates, rigidMass, rest, outflow, crack)
 
 #: Not within its limits yet
-OPEN = (halfPipe,)
+OPEN = (halfPipe, inclineOnSlab)
