@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "nodeDual.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -76,6 +77,17 @@ const Foam::scalarList& Foam::mpm::nodeDual::offsets() const
         {
             rows.get(m, row);
             const tensor P(makeRing(nDim_, row));
+
+            // As sortRows()
+            std::stable_sort
+            (
+                row.entries.begin(),
+                row.entries.end(),
+                [](const nodeRows::entry& a, const nodeRows::entry& b)
+                {
+                    return a.node < b.node;
+                }
+            );
             for (const nodeRows::entry& e : row.entries)
             {
                 const vector d(P & e.d);
