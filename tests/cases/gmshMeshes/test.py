@@ -112,7 +112,7 @@ def bracket(table):
         table.row(f"bracket: displacement of the centre of mass along {'xy'[d]} [m]", exact[d],
                   x[d], 0.06, "relative")
     table.row("bracket: residual of the energy/work of the weight", 0,
-              case.numbers("residual N")[-1, 0]/case.numbers("external N")[-1, 0], 1e-6)
+              case.numbers("residual N")[-1]/case.numbers("external N")[-1], 1e-6)
 
 
 def ball(table, h=0.01, n=10, steps=100):
