@@ -36,7 +36,8 @@ pointVectorField fieldOfNodes
     )
     {
         FatalErrorInFunction
-            << "there is no such file." << nl << "It holds the velocity of the mesh points of velocityField "
+            << "there is no such file." << nl
+            << "It holds the velocity of the mesh points of velocityField "
             << io.group() << " with its boundary conditions: a pointVectorField"
             << " for each velocityField of constant/phaseProperties (without"
             << " the entry: the name of the phase)." << exit(FatalError);
