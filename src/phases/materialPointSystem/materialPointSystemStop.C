@@ -60,6 +60,14 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
     const noTraps guard;
     const string written(writeBeforeStop());
 
+    // Of the state before the step; rate_ is that of the failed one
+    scalar speed = 0;
+    for (const materialPointPhase& p : phases_)
+    {
+        speed = max(speed, speedRate(p));
+    }
+    reduce(speed, maxOp<scalar>());
+
     // One processor reports and ends the others, which wait
     const label teller = returnReduce
     (
@@ -79,7 +87,7 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
     materialPointCloud& cloud = phase.cloud();
     const point x(cloud.position(pointi, cloud.cellOf(pointi)));
 
-    const string hint(deltaTHint(mesh_.time(), courantRate()));
+    const string hint(deltaTHint(time, speed + waveRate_ + parts_.courantRate()));
 
     const bool badStress =
         !std::isfinite(magSqr(cloud.sigma(pointi)))
@@ -180,7 +188,6 @@ void Foam::mpm::materialPointSystem::stopForStress
         << ", volume " << cloud.volume()[0][p] << "." << nl
         << "Nothing is written: the last written time is the last"
         << " good state." << nl
-        << deltaTHint(mesh_.time(), courantRate()).c_str()
         << "A smaller maxCo in system/controlDict or maxStrain in"
         << " fvSolution.materialPoints reduces the time step."
         << exit(FatalError);
