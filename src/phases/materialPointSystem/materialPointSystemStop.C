@@ -33,6 +33,26 @@ string deltaTHint(const Time& time, const scalar courantRate)
       + mpm::deltaTAdvice(time.deltaTValue(), Co) + "\n";
 }
 
+
+//- The time from which a restart would go on: the last complete one, or the
+//  start
+word restartTime(const Time& time)
+{
+    const instantList times(Time::findTimes(time.path()));
+    for (label i = times.size() - 1; i >= 0; --i)
+    {
+        const fileName state
+        (
+            time.path()/times[i].name()/"uniform"/"materialPointState"
+        );
+        if (isFile(state))
+        {
+            return times[i].name();
+        }
+    }
+    return Time::timeName(time.startTime().value());
+}
+
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -49,9 +69,15 @@ Foam::string Foam::mpm::materialPointSystem::writeBeforeStop()
           + " on disk.";
     }
     writePoints();
+    if (mesh_.foundObject<regIOobject>("gasState"))
+    {
+        mesh_.lookupObject<regIOobject>("gasState").write();
+    }
+    const word from(restartTime(time));
     time.writeNow();
     return
-        "The state before the step is written to " + time.timeName() + ".";
+        "The state before the step is written to " + time.timeName()
+      + " for inspection; a restart begins at " + from + ".";
 }
 
 
