@@ -325,7 +325,7 @@ def messages(table):
     refused("unknown group", ["group lead", "steel"], {"group": "lead"})
     refused("scale 0", ["scale"], {"scale": 0})
     refused("pointsPerCell 3", ["pointsPerCell", "centroid"], {"pointsPerCell": 3})
-    refused("too large for the mesh", ["scale 1e-3"], {"scale": 1000})
+    refused("too large for the mesh", ["write scale with", "1e-3"], {"scale": 1000})
     refused("version 1", ["version 1", "gmsh -save"], {},
             lambda t: t.replace("2.2 0 8", "1 0 8"))
     refused("no .msh", ["$MeshFormat"], {}, lambda t: "solid body\n" + t)
