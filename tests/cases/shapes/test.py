@@ -284,12 +284,12 @@ def volumes(table):
         # The sector comes from the patches, with the digits of blockMesh
         V = case.points("0", "a")["V"].sum()
         table.row(f"{name} on a wedge: volume / exact - 1", 0, V/exact - 1, 1e-10)
-        said = case.log("setMaterialPoints")
+        log = case.log("setMaterialPoints")
         table.row(f"{name} on a wedge: exact of the table / exact - 1", 0,
-                  float(re.search(r"^ +total +a +\d+ +\S+ +\S+ +(\S+)", said, re.M)[1])/exact
+                  float(re.search(r"^ +total +a +\d+ +\S+ +\S+ +(\S+)", log, re.M)[1])/exact
                   - 1, 1e-5)
         table.check(f"{name} on a wedge: does not reach beyond the mesh",
-                    "reaches beyond" not in said)
+                    "reaches beyond" not in log)
 
 
 def places(table):

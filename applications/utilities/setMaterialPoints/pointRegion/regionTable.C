@@ -83,6 +83,32 @@ std::string outside(const mpm::pointRegion& r)
 }
 
 
+//- The boxes of the bodies
+void printBodies(const PtrList<mpm::pointRegion>& regions)
+{
+    for (const mpm::pointRegion& r : regions)
+    {
+        const boundBox bb(r.bounds());
+        Info<< "    " << r.name() << ": " << r.type() << " of "
+            << bb.span() << " m from " << bb.min() << " to " << bb.max()
+            << " m, " << r.pointsPerCell()
+            << (r.byElements() ? " points per element" : " points per cell")
+            << (r.samplesUnused()
+              ? "; samples is not used, parts of sub-cells are exact"
+              : "")
+            << outside(r).c_str() << nl;
+        if (r.wholeSubCells())
+        {
+            const boundBox filled(r.pointBounds());
+            Info<< "        points (whole sub-cells in a gas) fill "
+                << filled.span() << " m from " << filled.min() << " to "
+                << filled.max() << " m" << nl;
+        }
+    }
+    Info<< endl;
+}
+
+
 //- Warn of a shape of which 1 % or more lies beyond the mesh, unless each side
 //  that cuts it does so in the middle: a half or quarter at symmetry planes
 void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
@@ -351,27 +377,7 @@ void Foam::mpm::printStart
         return phases[names.find(r.phase())];
     };
 
-    for (const pointRegion& r : regions)
-    {
-        const boundBox bb(r.bounds());
-        Info<< "    " << r.name() << ": " << r.type() << " of "
-            << bb.span() << " m from " << bb.min() << " to " << bb.max()
-            << " m, " << r.pointsPerCell()
-            << (r.byElements() ? " points per element" : " points per cell")
-            << (r.samplesUnused()
-              ? "; samples is not used, parts of sub-cells are exact"
-              : "")
-            << outside(r).c_str() << nl;
-        if (r.wholeSubCells())
-        {
-            const boundBox filled(r.pointBounds());
-            Info<< "        points (whole sub-cells in a gas) fill "
-                << filled.span() << " m from " << filled.min() << " to "
-                << filled.max() << " m" << nl;
-        }
-    }
-    Info<< endl;
-
+    printBodies(regions);
     const scalarField p
     (
         gases.size() ? startPressure(phases[0].cloud().grid().mesh())
