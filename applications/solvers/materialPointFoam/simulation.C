@@ -14,48 +14,6 @@ License
 #include "Time.H"
 #include "uniformDimensionedFields.H"
 
-// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Fields of a gas as one object of the mesh
-class gasFieldsWriter
-:
-    public regIOobject
-{
-    mpm::eulerianGas& gas_;
-
-public:
-
-    gasFieldsWriter(const fvMesh& mesh, mpm::eulerianGas& gas)
-    :
-        regIOobject(IOobject("gasState", mesh.time().timeName(), mesh)),
-        gas_(gas)
-    {}
-
-    bool writeData(Ostream&) const override
-    {
-        return true;
-    }
-
-    bool writeObject
-    (
-        IOstream::streamFormat,
-        IOstream::versionNumber,
-        IOstream::compressionType,
-        const bool
-    ) const override
-    {
-        gas_.writeFields();
-        return true;
-    }
-};
-
-}
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::simulation::simulation(const fvMesh& mesh)
@@ -138,7 +96,6 @@ void Foam::mpm::simulation::makePhases(rows* from)
     if (points_ && gas_)
     {
         coupling_.reset(new gasCoupling(*points_, *gas_, properties_));
-        gasState_.reset(new gasFieldsWriter(*mesh_, *gas_));
     }
 }
 
@@ -307,7 +264,6 @@ Foam::mpm::simulation::rows Foam::mpm::simulation::takeDown()
     }
     r.points.properties = properties_;
 
-    gasState_.clear();
     coupling_.clear();
     gas_.clear();
     points_.clear();

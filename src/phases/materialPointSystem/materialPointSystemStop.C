@@ -69,9 +69,9 @@ Foam::string Foam::mpm::materialPointSystem::writeBeforeStop()
           + " on disk.";
     }
     writePoints();
-    if (mesh_.foundObject<regIOobject>("gasState"))
+    if (coupling_)
     {
-        mesh_.lookupObject<regIOobject>("gasState").write();
+        coupling_->writeFields();
     }
     const word from(restartTime(time));
     time.writeNow();
