@@ -11,7 +11,8 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     brazilianDisc/crack halfCylinder/crack taylorBar/strain projectile/materials \
     spallInAir/plates blockInAir/moving freePiston/piston shockOnSlab/cylinder \
     dustyShockTube/dustyShockTube houimOran/dense darcyFlow/darcy fluidisedColumn/fluidised \
-    ballThroughPlate/debris blastWall/blast kirsch/kirsch spallOnTriangles/spallOnTriangles
+    ballThroughPlate/debris blastWall/blast kirsch/kirsch spallOnTriangles/spallOnTriangles \
+    bracket/bracket
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done

@@ -125,7 +125,8 @@ class Scene:
         if source is None:
             return
         last = pv.Calculator(registrationName=phase + ": radius", Input=self.placed(source))
-        last.ResultArrayName, last.Function = "radius", f"{RADIUS}*halfSize_X"
+        half = f"0.5*sqrt(V/{layer['section']:g})" if "section" in layer else "halfSize_X"
+        last.ResultArrayName, last.Function = "radius", f"{RADIUS}*{half}"
         if "field" in layer:
             last = pv.Calculator(registrationName=phase + ": field", Input=last)
             last.ResultArrayName = layer.get("label") or self.view["profile"][0]

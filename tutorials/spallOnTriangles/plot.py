@@ -28,7 +28,8 @@ for ax, want, (xlim, ylim), title in (
         (axes[0], 0.5e-6, whole, "compression"), (axes[1], 3e-6, whole, "torn"),
         (axes[2], 3e-6, near, "its edge")):
     time = case.nearest(want, "lagrangian")
-    frame(ax, xlim, ylim, ylabel=None, title=f"{float(time)*1e6:g} $\\mu$s: {title}")
+    frame(ax, xlim, ylim, ylabel="y [mm]" if ax is axes[0] else None,
+           title=f"{float(time)*1e6:g} $\\mu$s: {title}")
     if ax is axes[2]:
         ax.triplot(*mesh[0].T, mesh[1], color="0.7", lw=0.4)
     for phase in ("target", "flyer"):

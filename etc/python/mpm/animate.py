@@ -117,7 +117,7 @@ class Drawing:
                    cloud[failed[0]] >= failed[1] if failed else None, scale=self.factor,
                    axes=(self.across, self.up), mirror=self.view.get("mirror"),
                    close=layer.get("close", 0.5), outline=layer.get("outline"),
-                   pixels=self.pixels)
+                   pixels=self.pixels, section=layer.get("section"))
 
     def profile(self, time):
         """Fields over x."""

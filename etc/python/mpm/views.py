@@ -36,7 +36,7 @@ for ParaView (etc/paraview/show).
     log        True: colours by the logarithm
     colour     in place of a field: "BODY", "RIGID", "FAILED" or any of matplotlib's names
     failed     column and value from which on points have the colour of failed matter
-    close, outline      as in pictures.drawPoints
+    close, outline, section     as in pictures.drawPoints
 
 Components are named by their directions: sigma_yy, U_x, U.air_x.
 """
@@ -62,7 +62,7 @@ _COMPONENTS = {3: ("x", "y", "z"), 6: ("xx", "xy", "xz", "yy", "yz", "zz")}
 _KEYS = {"case", "time", "length", "box", "axes", "mirror", "floor", "size", "from", "profile",
          "points", "gas"}
 _LAYER = {"phases", "field", "label", "limits", "colours", "log", "colour", "failed", "close",
-          "outline"}
+          "outline", "section"}
 
 
 def readViews(folder="."):

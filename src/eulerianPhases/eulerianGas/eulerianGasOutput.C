@@ -182,11 +182,12 @@ void Foam::mpm::eulerianGas::report() const
     {
         Info<< ", kept positive at faces " << n;
     }
-    if (returnReduce(nPores, sumOp<label>()))
+    reduce(freeMin, minOp<scalar>());
+    reduce(freeMax, maxOp<scalar>());
+    if (returnReduce(nPores, sumOp<label>()) && freeMin <= freeMax)
     {
-        Info<< nl << "    where theta > 0.5: p "
-            << returnReduce(freeMin, minOp<scalar>()) << " to "
-            << returnReduce(freeMax, maxOp<scalar>());
+        Info<< nl << "    where theta > 0.5: p " << freeMin << " to "
+            << freeMax;
     }
     Info<< endl;
 }

@@ -33,6 +33,26 @@ string deltaTHint(const Time& time, const scalar courantRate)
       + mpm::deltaTAdvice(time.deltaTValue(), Co) + "\n";
 }
 
+
+//- The time from which a restart would go on: the last complete one, or the
+//  start
+word restartTime(const Time& time)
+{
+    const instantList times(Time::findTimes(time.path()));
+    for (label i = times.size() - 1; i >= 0; --i)
+    {
+        const fileName state
+        (
+            time.path()/times[i].name()/"uniform"/"materialPointState"
+        );
+        if (isFile(state))
+        {
+            return times[i].name();
+        }
+    }
+    return Time::timeName(time.startTime().value());
+}
+
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -49,9 +69,15 @@ Foam::string Foam::mpm::materialPointSystem::writeBeforeStop()
           + " on disk.";
     }
     writePoints();
+    if (coupling_)
+    {
+        coupling_->writeFields();
+    }
+    const word from(restartTime(time));
     time.writeNow();
     return
-        "The state before the step is written to " + time.timeName() + ".";
+        "The state before the step is written to " + time.timeName()
+      + " for inspection; a restart begins at " + from + ".";
 }
 
 
@@ -59,6 +85,14 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
 {
     const noTraps guard;
     const string written(writeBeforeStop());
+
+    // Of the state before the step; rate_ is that of the failed one
+    scalar speed = 0;
+    for (const materialPointPhase& p : phases_)
+    {
+        speed = max(speed, speedRate(p));
+    }
+    reduce(speed, maxOp<scalar>());
 
     // One processor reports and ends the others, which wait
     const label teller = returnReduce
@@ -79,7 +113,7 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
     materialPointCloud& cloud = phase.cloud();
     const point x(cloud.position(pointi, cloud.cellOf(pointi)));
 
-    const string hint(deltaTHint(mesh_.time(), courantRate()));
+    const string hint(deltaTHint(time, speed + waveRate_ + parts_.courantRate()));
 
     const bool badStress =
         !std::isfinite(magSqr(cloud.sigma(pointi)))
@@ -180,7 +214,6 @@ void Foam::mpm::materialPointSystem::stopForStress
         << ", volume " << cloud.volume()[0][p] << "." << nl
         << "Nothing is written: the last written time is the last"
         << " good state." << nl
-        << deltaTHint(mesh_.time(), courantRate()).c_str()
         << "A smaller maxCo in system/controlDict or maxStrain in"
         << " fvSolution.materialPoints reduces the time step."
         << exit(FatalError);

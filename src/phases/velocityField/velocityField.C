@@ -36,8 +36,7 @@ pointVectorField fieldOfNodes
     )
     {
         FatalErrorInFunction
-            << "Field " << io.name() << " is missing: there is no file "
-            << io.objectPath() << "." << nl
+            << "there is no such file." << nl
             << "It holds the velocity of the mesh points of velocityField "
             << io.group() << " with its boundary conditions: a pointVectorField"
             << " for each velocityField of constant/phaseProperties (without"

@@ -26,7 +26,7 @@ import time
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
 RUN = os.path.join(PROJECT, "tests", "run", "badInput", "cases")
-LIMIT = 10.0
+LIMIT = 200.0 if os.environ.get("MPM_BUILD") == "sanitize" else 10.0
 CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
     r"|Assertion|terminate called"
 
@@ -742,7 +742,7 @@ ROWS = [
 
     #- missing files
     ("no U of field", SOLVE, remove("0/U.body"),
-     ["Field U.body is missing", r"no file \S*0/U\.body", "velocityField body"],
+     [r"0/U\.body\S* cannot be read: there is no such file", "velocityField body"],
      {"lacks": "cannot find file"}),
     ("no phaseProperties", SOLVE, remove(PHASES), ["cannot find file", PHASES]),
     ("no phaseProperties", SET, remove(PHASES), ["cannot find file", PHASES]),
@@ -979,7 +979,7 @@ ROWS += [
      several(withPoints(meshOf(lShape)), replace(NUMERICS, "GIMP", "linear")), None),
     ("allowed: mesh with prisms", SET, meshOf(prisms), None),
     ("mesh with prisms", SOLVE, meshOf(prisms), [r"Cell \d+ at \(", "hexahedr"]),
-    ("mesh of a tetrahedron", SET, tetrahedron, ["Region base has no points"]),
+    ("allowed: mesh of a tetrahedron", SET, tetrahedron, None),
     ("allowed: mesh with wedges", SET, meshOf(wedge), None),
     ("allowed: mesh with wedges", SOLVE, withPoints(meshOf(wedge)), None),
     ("wedge off axis", SET, meshOf(lambda case: wedge(case, shift=2)),
@@ -1084,7 +1084,8 @@ ROWS += [
      [POINT, TIME]),
     ("point leaves the mesh", SOLVE,
      withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 50 0)")),
-     [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME, "U.body"]),
+     [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME, "U.body",
+      r"for inspection; a restart begins at 0\."]),
     ("point leaves the mesh after restart", SOLVE,
      lambda c: c.column("0.1/lagrangian/block/U", lambda v: ["(100 0 0)"]*len(v)),
      [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME, "U.body"],
@@ -1102,13 +1103,14 @@ ROWS += [
      several(withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 50 0)")),
              replace(NUMERICS, "transfer", "maxTravel 0.9; transfer"), fixedStep("0.017")),
      [r"leaves the mesh", "Courant number above 1 in this step",
-      r"deltaT 0\.017 of system/controlDict is \S+ times the stable one: use +deltaT 0\.00",
+      r"deltaT 0\.01\d of system/controlDict is \S+ times the stable one: use +deltaT 0\.00",
       "Otherwise make the mesh larger"]),
     ("no end in sight: deltaT is too large", SOLVE,
-     several(replace(CONTROL, r"0\.2;", "1e6;"), fixedStep("0.5")),
-     ["deltaT 0.5 of system/controlDict is", "Otherwise it follows"]),
+     several(withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 -15 0)")),
+             replace(CONTROL, r"0\.2;", "9.9e7;"), fixedStep("0.05")),
+     ["would take", "deltaT 0.05 of system/controlDict is", "Otherwise it follows"]),
     ("allowed: a warning at first and when the Courant number doubles", SOLVE,
-     fixedStep("0.02"), None, {"warnings": 1, "has": "is above 1", "end": True}),
+     fixedStep("0.032"), None, {"warnings": 1, "has": "is above 1", "end": True}),
     ("allowed: words of controlDict that are nearly ours", SOLVE,
      replace(CONTROL, "maxCo", "maxDeltat 1; reportIntervall 5; minDeltT 0; maxCoGass 1;"
              " maxU 3; myLimit 7; maxAlphaCo 1; maxCo"), None,

@@ -20,6 +20,8 @@ products   a charge with the JWL equation of state, all reacted, in air. Points 
            grown beyond a cell fill it unevenly: the run stops with the reason, before
            fix-ups have a share in the energy; the gas has no more than the charge gave
            (with 9 points per cell it had 2e9 J of 3e5). 36 points go further
+stopped    a slab flies out of the mesh: the state before the step has the gas' fields, and
+           the next start begins where the message says
 
 MPM_VERIFY=1: the slab on twice as many cells.
 """
@@ -284,9 +286,42 @@ def products(table):
           flush=True)
 
 
+def stopped(table):
+    end = 1e-6
+    case = coupledCase(
+        "bodiesInGas", "stopped", (20, 1, 1), (20*H, H, H),
+        lambda x, y, z: (RHO0 + 0*x, 0*x, P0 + 0*x), end, {"slab": SOLID},
+        {"slab": {"type": "box", "min": (14*H, 0, 0), "max": (19*H, H, H),
+                  "stress": ambient(P0), "velocity": (500, 0, 0)}},
+        ends=OPEN, pointConditions="calculated", writeInterval=end/10,
+        control={"reportInterval": 1, "startFrom": "latestTime"})
+    starts = []
+    for _ in range(2):
+        case.run("materialPointFoam", limit=100, fails=True)
+        log = " ".join(case.log().split())
+        starts.append(float(re.search(r" Time = (\S+)", log)[1]))
+        written = re.search(r"is written to (\S+) for inspection; a restart begins at"
+                            r" (\S+)\. ", log)
+        table.check("slab that leaves: the message says where a restart begins",
+                    bool(written), log[-300:])
+        if not written:
+            return
+        last, begin = written.groups()
+        missing = [f for f in ("p", "T.air", "U.air", "rho.air", "theta.air",
+                               "lagrangian/slab/x")
+                   if not os.path.isfile(case.file(f"{last}/{f}"))]
+        table.check(f"slab that leaves: the gas is in the state before the step, {last}",
+                    not missing, missing)
+        table.check("slab that leaves: it is no state of a restart", not os.path.isfile(
+            case.file(f"{last}/uniform/materialPointState")))
+    table.check("slab that leaves: the next start puts it aside and begins where said",
+                f"the run starts from {begin} " in log and starts[0] < float(begin)
+                < starts[1], (begin, starts))
+
+
 def main():
     table = Report("bodiesInGas")
-    for part in (rotation, disorder, slab, products):
+    for part in (rotation, disorder, slab, products, stopped):
         try:
             part(table)
         except RunFailed as e:

@@ -7,7 +7,7 @@ formats    tetrahedra, hexahedra, prisms and pyramids in .msh 2.2 and 4.1, ASCII
 corners    a tetrahedron has points at 25/48, 23/144, a box 2 x 2 x 2; half-sizes end at the
            outside
 plane      triangles and quadrilaterals in 2D and on a wedge (rings)
-gmsh       sphere, torus, two materials made by gmsh: volume and centre 1e-10 of the mesh's,
+gmsh       sphere, torus, a STEP part, two materials made by gmsh: volume and centre 1e-10 of the mesh's,
            moments of inertia to second order in the size of elements
 background the same body on boxes, tetrahedra and prisms
 cut        a sphere and a box in tetrahedra and prisms, cut by samples: volume 0.3 %, centre
@@ -178,6 +178,7 @@ def plane(table):
 GEO = {
     "sphere": "Sphere(1) = {0.1, 0.2, 0.3, 1}; s = %g;",
     "torus": "Torus(1) = {0.1, 0.2, 0.3, 0.8, 0.35}; s = %g;",
+    "part": 'Merge "part.step"; s = %g;',
     "two": "Sphere(1) = {0, 0, 0, 1}; Box(2) = {-0.5, -0.5, -0.5, 1, 1, 1};"
            " BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; }"
            " Physical Volume(\"core\") = {2}; Physical Volume(\"shell\") = {3}; s = %g;",
@@ -193,10 +194,38 @@ def gmsh(case, geo, size, *options):
     return readMsh22(case.file("body22.msh"), 3)
 
 
+#: A plate with a boss and a hole, written as STEP by gmsh's OpenCASCADE and read again
+STEP = """SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 1.2, 0.8, 0.3};
+Cylinder(2) = {0.3, 0.4, 0, 0, 0, 0.9, 0.25};
+Cylinder(3) = {0.9, 0.4, -0.1, 0, 0, 1, 0.15};
+BooleanUnion(4) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+BooleanDifference(5) = { Volume{4}; Delete; }{ Volume{3}; Delete; };
+Save "part.step";
+"""
+
+
+def stepPart(table):
+    """A part from CAD."""
+    case = build("step", ["body"], (-0.1, -0.1, -0.1), (1.3, 0.9, 1.0), (14, 10, 11))
+    with open(case.file("part.geo"), "w") as f:
+        f.write(STEP)
+    case.run("gmsh", "-0", "part.geo", "-o", "unused.geo_unrolled")
+    points, elements = gmsh(case, "part", 0.1)
+    V, x, _ = whole(points, elements)
+    cloud, = fill(case, {"body": {"file": "body.msh"}})
+    m = cloud["m"]/RHO
+    table.row("part from STEP: volume", V, m.sum(), 1e-10, "relative")
+    table.row("part from STEP: centre [m]", 0, np.abs(m@cloud["x"]/m.sum() - x).max(), 1e-10)
+    table.row("part from STEP: volume of the drawing", 0.288 + np.pi*(0.25**2*0.6 - 0.15**2*0.3),
+              m.sum(), 0.02, "relative")
+
+
 def gmshBodies(table):
     if not shutil.which("gmsh"):
         table.check("gmsh is installed (etc/installOpenFOAM -packages)", False)
         return
+    stepPart(table)
     for geo, exact in (("sphere", 4/3*np.pi), ("torus", 2*np.pi**2*0.8*0.35**2)):
         errors = {1: [], 2: []}
         for size in (0.4, 0.2):
@@ -296,7 +325,7 @@ def messages(table):
     refused("unknown group", ["group lead", "steel"], {"group": "lead"})
     refused("scale 0", ["scale"], {"scale": 0})
     refused("pointsPerCell 3", ["pointsPerCell", "centroid"], {"pointsPerCell": 3})
-    refused("too large for the mesh", ["scale 1e-3"], {"scale": 1000})
+    refused("too large for the mesh", ["write scale with", "1e-3"], {"scale": 1000})
     refused("version 1", ["version 1", "gmsh -save"], {},
             lambda t: t.replace("2.2 0 8", "1 0 8"))
     refused("no .msh", ["$MeshFormat"], {}, lambda t: "solid body\n" + t)

@@ -271,6 +271,12 @@ def volumes(table):
              SECTOR*2/3*R**3),
             ("torus", {"type": "sphere", "centre": (0, 0.03, 0), "radius": 0.0213},
              SECTOR*0.03*np.pi*0.0213**2),
+            ("rod", {"type": "cylinder", "point1": (-0.0312, 0, 0),
+                     "point2": (0.0207, 0, 0), "radius": 0.0213},
+             SECTOR*0.5*0.0213**2*0.0519),
+            ("tube", {"type": "cylinder", "point1": (-0.0312, 0, 0), "innerRadius": 0.0113,
+                      "point2": (0.0207, 0, 0), "radius": 0.0371},
+             SECTOR*0.5*(0.0371**2 - 0.0113**2)*0.0519),
             ("box", {"type": "box", "min": (-0.0312, 0.0113, -1), "max": (0.0207, 0.0371, 1)},
              SECTOR*0.5*(0.0371**2 - 0.0113**2)*0.0519)):
         case = build(f"wedge-{name}", (0, 0), h, (12, 6), {"a": shape},
@@ -278,6 +284,12 @@ def volumes(table):
         # The sector comes from the patches, with the digits of blockMesh
         V = case.points("0", "a")["V"].sum()
         table.row(f"{name} on a wedge: volume / exact - 1", 0, V/exact - 1, 1e-10)
+        log = case.log("setMaterialPoints")
+        table.row(f"{name} on a wedge: exact of the table / exact - 1", 0,
+                  float(re.search(r"^ +total +a +\d+ +\S+ +\S+ +(\S+)", log, re.M)[1])/exact
+                  - 1, 1e-5)
+        table.check(f"{name} on a wedge: does not reach beyond the mesh",
+                    "reaches beyond" not in log)
 
 
 def places(table):
@@ -445,6 +457,30 @@ def messages(table):
             table.check(f"Gf, {label}: no warning", "narrower" not in said)
     check("half of a shape beyond the mesh", text("beyond", {
         "a": {**box, "min": (-0.05, 0, 0)}}), "reaches beyond the mesh, 50 % of it")
+    # Less than 1 % or half at a plane of symmetry may be meant
+    for label, low, words in (("1.2 %", -0.0006, "1.2 % of its box has no points"),
+                              ("0.8 %", -0.0004, None), ("half", -0.05, None)):
+        said = text("warns-" + label.split()[0], {"a": {**box, "min": (low, 0, 0)}})
+        table.check(f"{label} of a shape beyond the mesh: "
+                    + ("warning" if words else "no warning"),
+                    words in said if words else "has no points. The" not in said)
+    # sqrt(1.346 E/rho) = 36.69 m/s; another body of two cells, and layers of one
+    for label, regions, words in (
+            ("4.9 times the wave speed", {"a": {**box, "velocity": (180, 0, 0)}}, None),
+            ("5.1 times the wave speed", {"a": {**box, "velocity": (187, 0, 0)}},
+             ["5.09", "times the wave speed of phase a", "wrong unit"]),
+            ("1.9 cells wide", {"a": {**box, "max": (0.019, 0.05, 1)}},
+             ["1.9 cells wide in x", "fewer than 2"]),
+            ("2 cells wide", {"a": {**box, "max": (0.02, 0.05, 1)}}, None),
+            ("layers of one cell", {
+                "a": {**box, "max": (0.01, 0.05, 1)},
+                "b": {**box, "phase": "a", "min": (0.01, 0, 0), "max": (0.02, 0.05, 1)}},
+             None)):
+        said = text("units-" + label.replace(" ", "-"), regions, phases={"a": soft()})
+        if words:
+            check(label, said, *words)
+        else:
+            table.check(f"{label}: no warning", "Warning" not in said and "End" in said)
     air = {"type": "gas", "thermo": "perfectGas", "R": 287, "gamma": 1.4}
 
     def bar(case):

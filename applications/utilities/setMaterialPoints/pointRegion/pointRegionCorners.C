@@ -122,51 +122,52 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
       : cornerRegions(mesh.faces()[side], mesh.points())
     );
 
-    // Of the cell's volume, of rings the sections times their radius; whole
-    // points in a gas
-    const bool rings = grid_.radial() >= 0;
-    const int r = rings ? grid_.direction(grid_.radial()) : 0;
-    scalarField part(c.volume());
+    // Of the cell's volume; of rings the volumes are the sections times their
+    // radius
+    const int radial = grid_.radial();
+    const auto rings = [&](const scalarField& section, const pointField& at)
+    {
+        return
+            radial < 0
+          ? section
+          : scalarField(section*at.component(grid_.direction(radial)));
+    };
     pointField x(c.size());
     forAll(x, i)
     {
         x[i] = c.centre(i);
-        part[i] *= rings ? x[i][r] : 1;
     }
-    part /= rings ? sum(part) : c.whole();
+    const scalar whole = sum(rings(c.volume(), x));
+
+    scalarField inside(c.size(), scalar(1));
     if (!inGas_)
     {
-        scalarField inside(c.size());
         cutRegions(celli, c, inside, x);
-        part *= inside;
-        for (label i = 0; rings && i < c.size(); ++i)
-        {
-            part[i] *= x[i][r]/c.centre(i)[r];
-        }
-        if (n_[0] == 1)
-        {
-            const scalar total = sum(part);
-            const point centre
-            (
-                min(inside) < 1 && total > 0
-              ? sum(part*x)/total
-              : mesh.cellCentres()[celli]
-            );
-            part = scalarField(1, min(inside) < 1 ? total : 1);
-            x = pointField(1, centre);
-        }
     }
-    else
+    scalarField section(c.volume()*inside);
+    if (n_[0] == 1)
     {
-        if (n_[0] == 1)
-        {
-            part = scalarField(1, scalar(1));
-            x = pointField(1, mesh.cellCentres()[celli]);
-        }
-        const boolList inside(shape_->contains(celli, x));
+        const scalar all = sum(section);
+        const bool cut = min(inside) < 1 && all > 0;
+        x = pointField
+        (
+            1,
+            cut ? point(sum(section*x)/all) : mesh.cellCentres()[celli]
+        );
+        section = scalarField(1, all);
+    }
+    scalarField part(rings(section, x)/whole);
+    if (n_[0] == 1 && min(inside) == 1)
+    {
+        part = 1;
+    }
+    if (inGas_)
+    {
+        // Whole points
+        const boolList has(shape_->contains(celli, x));
         forAll(x, i)
         {
-            part[i] *= inside[i];
+            part[i] *= has[i];
         }
     }
     addParts(celli, rho, part, x);

@@ -54,24 +54,153 @@ void printLine
 }
 
 
-//- How much of a shape lies outside the mesh; may be meant (half a body at a
-//  symmetry plane)
-std::string outside(const mpm::pointRegion& r)
+//- Share of a shape that lies beyond the mesh; negative: nothing, or not known
+scalar shareOutside(const mpm::pointRegion& r)
 {
     if (r.shape().insideMesh() || r.shape().type() == "cells")
     {
-        return "";
+        return -1;
     }
     const scalar whole = r.wholeVolume();
-    const scalar part = whole > 0 ? 1 - r.volume()/whole : 0;
+    return whole > 0 ? 1 - r.volume()/whole : 0;
+}
+
+
+//- How much of a shape lies outside the mesh
+std::string outside(const mpm::pointRegion& r)
+{
+    const scalar part = shareOutside(r);
     return
-        "; it reaches beyond the mesh"
+        part < 0
+      ? std::string()
+      : "; it reaches beyond the mesh"
       + (
             part > 1e-3
           ? ", " + Foam::name(0.1*std::round(1000*part))
           + " % of it has no points"
           : std::string()
         );
+}
+
+
+//- The boxes of the bodies
+void printBodies(const PtrList<mpm::pointRegion>& regions)
+{
+    for (const mpm::pointRegion& r : regions)
+    {
+        const boundBox bb(r.bounds());
+        Info<< "    " << r.name() << ": " << r.type() << " of "
+            << bb.span() << " m from " << bb.min() << " to " << bb.max()
+            << " m, " << r.pointsPerCell()
+            << (r.byElements() ? " points per element" : " points per cell")
+            << (r.samplesUnused()
+              ? "; samples is not used, parts of sub-cells are exact"
+              : "")
+            << outside(r).c_str() << nl;
+        if (r.wholeSubCells())
+        {
+            const boundBox filled(r.pointBounds());
+            Info<< "        points (whole sub-cells in a gas) fill "
+                << filled.span() << " m from " << filled.min() << " to "
+                << filled.max() << " m" << nl;
+        }
+    }
+    Info<< endl;
+}
+
+
+//- Warn of a shape of which 1 % or more lies beyond the mesh, unless each side
+//  that cuts it does so in the middle: a half or quarter at symmetry planes
+void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
+{
+    const scalar part = shareOutside(r);
+    if (part < 0.01)
+    {
+        return;
+    }
+    const boundBox body(r.shape().bounds());
+    const boundBox& mesh = grid.mesh().bounds();
+    bool meant = false;
+    for (int d = 0; d < grid.nDim(); ++d)
+    {
+        const int c = grid.direction(d);
+        const scalar middle = 0.5*(body.min()[c] + body.max()[c]);
+        const scalar tol = 1e-3*(body.max()[c] - body.min()[c]);
+        const bool low = d != grid.radial() && body.min()[c] < mesh.min()[c] - tol;
+        const bool high = body.max()[c] > mesh.max()[c] + tol;
+        const bool half =
+            low != high && mag(middle - (low ? mesh.min() : mesh.max())[c]) < tol;
+        if ((low || high) && !half)
+        {
+            meant = false;
+            break;
+        }
+        meant = meant || half;
+    }
+    if (!meant)
+    {
+        WarningInFunction
+            << "Region " << r.name() << " reaches beyond the mesh: "
+            << 0.1*std::round(1000*part) << " % of its " << r.shape().type()
+            << " has no points. The shape lies in " << r.bounds() << " m, the mesh"
+            << " in " << mesh << " m." << endl;
+    }
+}
+
+
+//- Warn of what is probably a wrong unit: a velocity of more than five times
+//  the wave speed of the law, and a body that is narrower than two cells. Gas guns
+//  and meteorites (8 km/s on plastics, 20 km/s on rock) reach four times, factors
+//  of 1000 in a unit more; laws without a stress have no waves. body: box around
+//  the region and those that continue it
+void checkUnits
+(
+    const mpm::pointGrid& grid,
+    const mpm::materialPointPhase& phase,
+    const mpm::pointRegion& r,
+    const boundBox& body
+)
+{
+    if (phase.motion())
+    {
+        return;
+    }
+    constexpr scalar fast = 5;
+    const scalar c = phase.law().waveSpeed();
+    scalar speed = 0;
+    for (const mpm::materialPointCloud::newPoint& p : r.points())
+    {
+        speed = max(speed, mag(p.U));
+    }
+    if (c > 0 && speed > fast*c)
+    {
+        WarningInFunction
+            << "Region " << r.name() << " starts with " << speed << " m/s, "
+            << speed/c << " times the wave speed of phase " << phase.name()
+            << " (" << c << " m/s): look for a wrong unit of the velocity (m/s)"
+            << " or of the law (Pa, kg/m3)." << endl;
+    }
+
+    for (int d = 0; d < grid.nDim(); ++d)
+    {
+        const int way = grid.direction(d);
+        scalar h = GREAT;
+        for (const label celli : r.cells())
+        {
+            h = min(h, grid.width(celli, d));
+        }
+        const scalar all = grid.mesh().bounds().span()[way];
+        const scalar n = (body.max()[way] - body.min()[way])/h;
+        if (all > 1.5*h && n < 2 - 1e-6)
+        {
+            WarningInFunction
+                << "Region " << r.name() << " is " << n << " cells wide in "
+                << vector::componentNames[way] << ", fewer than 2: nothing is"
+                << " resolved across it. Use smaller cells; if that is not"
+                << " meant, look for a wrong unit (m)." << endl;
+            break;
+        }
+    }
 }
 
 
@@ -248,27 +377,7 @@ void Foam::mpm::printStart
         return phases[names.find(r.phase())];
     };
 
-    for (const pointRegion& r : regions)
-    {
-        const boundBox bb(r.bounds());
-        Info<< "    " << r.name() << ": " << r.type() << " of "
-            << bb.span() << " m from " << bb.min() << " to " << bb.max()
-            << " m, " << r.pointsPerCell()
-            << (r.byElements() ? " points per element" : " points per cell")
-            << (r.samplesUnused()
-              ? "; samples is not used, parts of sub-cells are exact"
-              : "")
-            << outside(r).c_str() << nl;
-        if (r.wholeSubCells())
-        {
-            const boundBox filled(r.pointBounds());
-            Info<< "        points (whole sub-cells in a gas) fill "
-                << filled.span() << " m from " << filled.min() << " to "
-                << filled.max() << " m" << nl;
-        }
-    }
-    Info<< endl;
-
+    printBodies(regions);
     const scalarField p
     (
         gases.size() ? startPressure(phases[0].cloud().grid().mesh())
@@ -295,6 +404,22 @@ void Foam::mpm::printStart
         const pointRegion& r = regions[i];
         const materialPointPhase& phase = phaseOf(r);
         checkAmbient(r, p);
+        checkOutside(phase.cloud().grid(), r);
+        boundBox body(r.bounds());
+        for (const pointRegion& other : regions)
+        {
+            boundBox near(other.bounds());
+            near.inflate(1e-6);
+            if
+            (
+                phaseOf(other).velocityField() == phase.velocityField()
+             && near.overlaps(r.bounds())
+            )
+            {
+                body.add(other.bounds());
+            }
+        }
+        checkUnits(phase.cloud().grid(), phase, r, body);
         const string hint(r.sizeHint());
         if (hint.size())
         {

@@ -9,6 +9,7 @@ License
 #include "dictionaryTools.H"
 #include "shapeFormula.H"
 #include "boxShape.H"
+#include "wedgeVolumes.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -98,8 +99,8 @@ Foam::scalar Foam::mpm::boxShape::volume() const
         const int r = grid_.direction(grid_.radial());
         const int a = grid_.direction(1 - grid_.radial());
         return
-            0.5*grid_.sector()*(sqr(max_[r]) - sqr(min_[r]))
-           *(max_[a] - min_[a]);
+            grid_.sector()
+           *ringOfRectangle(max_[a] - min_[a], min_[r], max_[r]);
     }
     scalar v = section();
     for (int d = 0; d < grid_.nDim(); ++d)

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cylinderShape.H"
+#include "wedgeVolumes.H"
 #include "dictionaryTools.H"
 #include "shapeFormula.H"
 #include "addToRunTimeSelectionTable.H"
@@ -135,6 +136,37 @@ Foam::scalar Foam::mpm::cylinderShape::volume() const
 {
     if (grid_.radial() >= 0)
     {
+        // In the plane of axis and radius: a disc, or one band, two if hollow
+        const int way = grid_.direction(grid_.radial());
+        const int other = grid_.direction(1 - grid_.radial());
+        const scalar r = start_[way], along = axis_[way];
+        const scalar length = mag(axis_);
+        if (!(length > 0))
+        {
+            return
+                grid_.sector()
+               *(ringOfDisc(r, radius_) - ringOfDisc(r, inner_));
+        }
+        if (mag(along) < 1e-9*length)
+        {
+            return
+                grid_.sector()
+               *(
+                    ringOfRectangle(length, r - radius_, r + radius_)
+                  - ringOfRectangle(length, r - inner_, r + inner_)
+                );
+        }
+        if (mag(axis_[other]) < 1e-9*length)
+        {
+            return
+                grid_.sector()
+               *ringOfRectangle
+                (
+                    2*(radius_ - inner_),
+                    min(r, r + along),
+                    max(r, r + along)
+                );
+        }
         return -1;
     }
     const int n = grid_.nDim();

@@ -155,9 +155,12 @@ bool Foam::mpm::pointRegionShape::insideMesh() const
     {
         const int c = grid_.direction(d);
         const scalar tol = 1e-9*mesh.bounds().span()[c];
+        // What lies beyond the axis of a wedge is there on this side as well
+        const bool axis =
+            d == grid_.radial() && mesh.bounds().min()[c] < tol;
         if
         (
-            shape.min()[c] < mesh.bounds().min()[c] - tol
+            (!axis && shape.min()[c] < mesh.bounds().min()[c] - tol)
          || shape.max()[c] > mesh.bounds().max()[c] + tol
         )
         {

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "sphereShape.H"
+#include "wedgeVolumes.H"
 #include "dictionaryTools.H"
 #include "shapeFormula.H"
 #include "addToRunTimeSelectionTable.H"
@@ -73,7 +74,9 @@ Foam::scalar Foam::mpm::sphereShape::volume() const
 {
     if (grid_.radial() >= 0)
     {
-        return -1;
+        const scalar r = centre_[grid_.direction(grid_.radial())];
+        return
+            grid_.sector()*(ringOfDisc(r, radius_) - ringOfDisc(r, inner_));
     }
     const int n = grid_.nDim();
     return (ball(n, radius_) - ball(n, inner_))*section();
