@@ -7,6 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "starOperators.H"
+#include "gridNodes.H"
+#include "pointGrid.H"
 #include "cyclicPolyPatch.H"
 #include "scalarMatrices.H"
 

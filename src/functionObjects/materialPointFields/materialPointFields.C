@@ -207,7 +207,7 @@ void Foam::functionObjects::materialPointFields::writeQuantity
         shared.sum(V.data(), 1, 1);
         const scalarList all
         (
-            grid.nodeVolumes(grid.shared(points.gridTransfer().reach()), true)
+            points.gridTransfer().nodeVolumes(grid, true)
         );
         forAll(V, n)
         {

@@ -193,6 +193,40 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<template<int> class Shape, int DIM, bool HOOP>
+scalarList nodeDualTransfer<Shape, DIM, HOOP>::nodeVolumes
+(
+    const pointGrid&,
+    const bool
+) const
+{
+    // Of wedges the integrals are those over the section
+    const cellSimplices& cells = shape_.cells;
+    const scalarField& V = grid_.mesh().cellVolumes();
+    scalarList volume(grid_.nNodes(), Zero);
+    forAll(V, celli)
+    {
+        const label n = cells.nVertices(celli);
+        scalar all = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            all += cells.integral(celli, i);
+        }
+        for (label i = 0; i < n; ++i)
+        {
+            const label m = cells.nodes(celli)[i];
+            const scalar part = cells.integral(celli, i)*V[celli]/all;
+            for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+            {
+                volume[dual_.node(e)] += dual_.W(e)*part;
+            }
+        }
+    }
+    grid_.shared(shapeType::reach).sum(volume.data(), 1, 1);
+    return volume;
+}
+
+
+template<template<int> class Shape, int DIM, bool HOOP>
 void nodeDualTransfer<Shape, DIM, HOOP>::weights
 (
     const label celli,

@@ -84,6 +84,16 @@ Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalarList Foam::mpm::pointGridTransfer::nodeVolumes
+(
+    const pointGrid& grid,
+    const bool byRadius
+) const
+{
+    return grid.nodeVolumes(grid.shared(reach()), byRadius);
+}
+
+
 Foam::scalar Foam::mpm::pointGridTransfer::meanWidth
 (
     const pointGrid& grid,

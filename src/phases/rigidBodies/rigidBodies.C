@@ -48,7 +48,7 @@ void Foam::mpm::rigidBodies::reach
         (
             transfer,
             phase.cloud(),
-            field.nodeVolume(),
+            field.nodeVolume(transfer),
             field.activeNew(),
             field.stride()
         );
@@ -59,7 +59,7 @@ void Foam::mpm::rigidBodies::reach
         phasei,
         *phase.motion(),
         phase.largestMass(),
-        shares ? &field.nodeVolume() : nullptr,
+        shares ? &field.nodeVolume(transfer) : nullptr,
         field.activeNew(),
         field.stride()
     );

@@ -57,11 +57,14 @@ Foam::scalar Foam::mpm::velocityField::loadWork(const scalar dt) const
 }
 
 
-const Foam::scalarList& Foam::mpm::velocityField::nodeVolume()
+const Foam::scalarList& Foam::mpm::velocityField::nodeVolume
+(
+    const pointGridTransfer& transfer
+)
 {
     if (nodeVolume_.empty())
     {
-        nodeVolume_ = grid_.nodeVolumes(shared_, false);
+        nodeVolume_ = transfer.nodeVolumes(grid_, false);
     }
     return nodeVolume_;
 }

@@ -209,8 +209,8 @@ def spall(table):
     margin = max(4, math.ceil(exact.V*(end - 0.7e-6)/h) + 3)
     boxOfCells(case, "prisms", (0, -margin*h, 0), (4*h, 3*exact.H + margin*h, h),
                (4, 3*cells + 2*margin, 1),
-               {"low": ("cyclic; neighbourPatch high", ("y-",)),
-                "high": ("cyclic; neighbourPatch low", ("y+",)),
+               {"low": ("cyclic", ("y-",), "high"),
+                "high": ("cyclic", ("y+",), "low"),
                 "sides": ("patch", ("x-", "x+")), "frontAndBack": ("empty", ("z-", "z+"))},
                kept=[(1, margin + k*cells) for k in (0, 2, 3)])
     shutil.rmtree(case.file("0/lagrangian"))
