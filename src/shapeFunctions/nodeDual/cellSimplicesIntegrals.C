@@ -227,5 +227,6 @@ void Foam::mpm::cellSimplices::integrals
             SdS[nDim_*j + d] += originShare(celli, j)*ofOrigin[d];
         }
     }
+}
 
 // ************************************************************************* //
