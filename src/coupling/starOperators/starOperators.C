@@ -205,8 +205,7 @@ Foam::vector Foam::mpm::starOperators::faceShare
         }
         return sum;
     }
-    const label base =
-        max(basePoints_.size() ? basePoints_[facei] : 0, 0);
+    const label base = basePoints_.size() ? basePoints_[facei] : 0;
     const pointField& x = mesh_.points();
     for (label k = 1; k < f.size() - 1; ++k)
     {
@@ -401,7 +400,7 @@ Foam::mpm::starOperators::starOperators(const pointGrid& grid)
     reduce(triangles, andOp<bool>());
     if (grid.nDim() == 3 && !triangles)
     {
-        basePoints_ = mesh_.tetBasePtIs();
+        basePoints_ = cellSimplices::findBasePoints(grid);
     }
     makeVertices();
     makeFaces();

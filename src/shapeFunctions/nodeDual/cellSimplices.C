@@ -8,6 +8,7 @@ License
 
 #include "cellSimplices.H"
 #include "pointGrid.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -101,58 +102,82 @@ void Foam::mpm::cellSimplices::addVertices
 Foam::labelList Foam::mpm::cellSimplices::findBasePoints(const pointGrid& grid)
 {
     const polyMesh& mesh = grid.mesh();
-    labelList base(mesh.tetBasePtIs());
+    const pointField& x = mesh.points();
     pointField O(mesh.nCells(), Zero);
     forAll(O, celli)
     {
         const labelList& points = mesh.cellPoints()[celli];
         for (const label pointi : points)
         {
-            O[celli] += mesh.points()[pointi]/points.size();
+            O[celli] += x[pointi]/points.size();
         }
     }
+
+    // Origins behind the faces of the boundary, where a cell is
+    pointField behind(mesh.nFaces() - mesh.nInternalFaces());
+    bitSet hasBehind(mesh.nFaces());
+    forAll(behind, i)
+    {
+        behind[i] = O[mesh.faceOwner()[mesh.nInternalFaces() + i]];
+    }
+    syncTools::swapBoundaryFacePositions(mesh, behind);
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (pp.coupled())
+        {
+            hasBehind.set(labelRange(pp.start(), pp.size()));
+        }
+    }
+
+    // Of points that are alike the one furthest in an oblique direction
+    const vector oblique(1e-9, 0.73e-9, 0.41e-9);
+    labelList base(mesh.nFaces(), Zero);
     forAll(base, facei)
     {
         const face& f = mesh.faces()[facei];
-        const bool inside = mesh.isInternalFace(facei);
-        const label patchi =
-            inside ? -1 : mesh.boundaryMesh().whichPatch(facei);
-        base[facei] = max(base[facei], label(0));
-        if (f.size() == 3 || (!inside && mesh.boundaryMesh()[patchi].coupled()))
+        if (f.size() == 3)
         {
             continue;
         }
 
         // Least volume of a tetrahedron of both cells, over that of a cube of
         // the face
-        const scalar size = std::pow(mag(mesh.faceAreas()[facei]), 1.5);
+        const bool inside = mesh.isInternalFace(facei);
+        const point& own = O[mesh.faceOwner()[facei]];
+        const point& other =
+            inside ? O[mesh.faceNeighbour()[facei]]
+          : behind[facei - mesh.nInternalFaces()];
+        const scalar length = sqrt(mag(mesh.faceAreas()[facei]));
         const auto least = [&](const label at)
         {
+            const point& b = x[f[at]];
             scalar v = GREAT;
             for (label k = 1; k < f.size() - 1; ++k)
             {
-                const point& b = mesh.points()[f[at]];
                 const vector n
                 (
-                    (mesh.points()[f[(at + k) % f.size()]] - b)
-                  ^ (mesh.points()[f[(at + k + 1) % f.size()]] - b)
+                    (x[f[(at + k) % f.size()]] - b)
+                  ^ (x[f[(at + k + 1) % f.size()]] - b)
                 );
-                v = min(v, n & (b - O[mesh.faceOwner()[facei]]));
-                if (inside)
+                v = min(v, n & (b - own));
+                if (inside || hasBehind.test(facei))
                 {
-                    v = min(v, n & (O[mesh.faceNeighbour()[facei]] - b));
+                    v = min(v, n & (other - b));
                 }
             }
-            return v/size;
+            return v/pow3(length) + ((b - x[f[0]]) & oblique)/length;
         };
-        scalar most = least(base[facei]);
-        for (label at = 0; most < 1e-3 && at < f.size(); ++at)
+        scalar most = least(0);
+        if (most < 1e-3)
         {
-            const scalar v = least(at);
-            if (v > most)
+            for (label at = 1; at < f.size(); ++at)
             {
-                most = v;
-                base[facei] = at;
+                const scalar v = least(at);
+                if (v > most)
+                {
+                    most = v;
+                    base[facei] = at;
+                }
             }
         }
     }
