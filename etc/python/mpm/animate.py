@@ -11,7 +11,8 @@ import numpy as np
 
 from mpm import pictures, views
 from mpm.case import Case
-from mpm.pictures import GAS, RIGID, colourBar, drawPoints, frame, plt, saveAnimation
+from mpm.pictures import (GAS, RIGID, colourBar, drawPoints, frame, plt, polygons,
+                          saveAnimation)
 
 
 def shownTimes(case, view):
@@ -49,6 +50,7 @@ class Drawing:
         if not self.times:
             sys.exit(f"{self.case.path} has no times with what its view shows: run it first")
         self.edges = self.case.edges()
+        self.nCells = self.case.nCells()
         self.factor, self.unit = view.get("length", (1, "m"))
         self.across, self.up = ("xyz".index(a) for a in view.get("axes", "xy"))
         width = view.get("size", 5.6)
@@ -99,12 +101,23 @@ class Drawing:
                               lambda name: self.case.field(time, name, nx, ny))
 
     def gas(self, time, layer):
+        nx, ny = (len(e) - 1 for e in self.edges[:2])
+        if nx*ny != self.nCells:
+            self.anyCells(time, layer)
+            return
         values = self.onCells(time, layer)
         x, y = (self.factor*e for e in self.edges[:2])
         for sign in (1, -1) if "mirror" in self.view else (1,):
             signs = (1, sign) if self.view.get("mirror") == "up" else (sign, 1)
             self.ax.pcolormesh(signs[0]*x, signs[1]*y, values, cmap=colours(layer),
                                norm=norm(layer), rasterized=True, zorder=GAS)
+
+    def anyCells(self, time, layer):
+        """Values on the polygons of a mesh in the plane of x and y."""
+        values = views.evaluate(layer["field"], lambda name: self.case.field(time, name))
+        self.ax.add_collection(polygons(
+            [self.factor*p for p in self.case.polygons()],
+            np.broadcast_to(values, self.nCells), colours(layer), norm(layer)))
 
     def points(self, time, phase, layer):
         cloud = self.case.points(time, phase)

@@ -17,7 +17,7 @@ import time
 
 import numpy as np
 
-from mpm.files import Points, fileHeader, foamText, readField, readInternal
+from mpm.files import Points, fileHeader, foamText, readField, readInternal, readLists
 
 NUMBER = r"([-+\d.]+(?:e[-+]?\d+)?|-?nan|-?inf)"
 
@@ -172,6 +172,26 @@ class Case:
             a = np.sort(a)
             found.append(a[np.append(True, np.diff(a) > 1e-9*np.ptp(x))])
         return found
+
+    def nCells(self):
+        return int(readLists(self.file("constant/polyMesh/owner")).max()) + 1
+
+    def polygons(self):
+        """Corners (x, y) of each cell of a mesh in the plane of x and y, any cells."""
+        mesh = self.file("constant/polyMesh")
+        x = readField(os.path.join(mesh, "points"))
+        faces = readLists(os.path.join(mesh, "faces"))
+        owner = readLists(os.path.join(mesh, "owner"))
+        with open(os.path.join(mesh, "boundary"), "rb") as f:
+            empty = re.findall(rb"type\s+empty;.*?nFaces\s+(\d+);\s*startFace\s+(\d+);",
+                               f.read(), flags=re.S)
+        middle, found = x[:, 2].mean(), {}
+        for n, start in empty:
+            for i in range(int(start), int(start) + int(n)):
+                corners = x[faces[i]]
+                if corners[:, 2].mean() < middle:
+                    found[owner[i]] = corners[:, :2]
+        return [found[c] for c in range(len(found))]
 
     def points(self, time, phase):
         """The cloud of a time: of the case or, where it has none, of its

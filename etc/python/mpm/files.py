@@ -81,6 +81,30 @@ def readField(path):
     return values.reshape(n, size) if size > 1 else values
 
 
+def readLists(path):
+    """The lists of labels of a mesh's file, faces or owner, ascii or binary: arrays."""
+    with open(path, "rb") as f:
+        raw = f.read()
+    head = re.search(rb"FoamFile\s*\{(.*?)\}", raw, flags=re.S)
+    kind = re.search(rb"class\s+(\w+)\s*;", head[1])[1]
+    binary = re.search(rb"format\s+(\w+)\s*;", head[1])[1] == b"binary"
+    body = re.sub(rb"\s*//[^\n]*\n", b"", raw[head.end():], count=1)
+    if not binary and kind == b"faceList":
+        return [np.array(face.split(), int) for face in re.findall(rb"\d+\(([\d\s]*)\)", body)]
+    lists, at = [], 0
+    for _ in range(1 + (kind == b"faceCompactList")):
+        count = re.compile(rb"\s*(\d+)\s*\(").match(body, at)
+        n, at = int(count[1]), count.end()
+        if binary:
+            lists.append(np.frombuffer(body, "i4", n, at))
+            at += 4*n + 1
+        else:
+            end = body.index(b")", at)
+            lists.append(np.array(body[at:end].split(), int))
+            at = end + 1
+    return lists[0] if len(lists) == 1 else np.split(lists[1], lists[0][1:-1])
+
+
 _TYPES = {"scalar": 1, "vector": 3, "symmTensor": 6, "tensor": 9}
 
 

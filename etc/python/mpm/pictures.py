@@ -179,6 +179,12 @@ def boxes(ax, x, side, colours=None, values=None, overlap=0.05, **options):
     return squares
 
 
+def polygons(corners, values, cmap, norm):
+    """Values on cells of any shape (Case.polygons), to be added to the axes."""
+    return PolyCollection(corners, array=values, cmap=cmap, norm=norm, edgecolors="face",
+                          linewidths=0.3, rasterized=True, zorder=GAS)
+
+
 def frame(ax, xlim, ylim, xlabel="x [mm]", ylabel="y [mm]", title=None):
     """Axes with the same unit in both directions."""
     ax.set(xlim=xlim, ylim=ylim, aspect="equal", xlabel=xlabel, ylabel=ylabel, title=title)
