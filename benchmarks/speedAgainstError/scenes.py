@@ -5,8 +5,9 @@ mode takes the first two), the errors of the summary and a function
 
     measure(label, numerics, cells) -> (case, error, core-seconds, {more figures})
 
-with numerics the dictionary fvSolution.materialPoints and error signed. A scene
-more: a function and a line in SCENES.
+with numerics the dictionary fvSolution.materialPoints and error signed; "cells" in it
+is the kind of cells (boxOfCells) in place of boxes, which scenes in 1D do not have. A
+scene more: a function and a line in SCENES.
 """
 
 import os
@@ -20,6 +21,7 @@ DISKS = os.path.join(PROJECT, "tutorials", "twoDisks")
 sys.path[:0] = [os.path.join(PROJECT, "tests", "lib"), DISKS]
 
 import bar  # noqa: E402
+from cellMesh import boxOfCells  # noqa: E402
 import foamCase  # noqa: E402
 import plateImpactExact as exact  # noqa: E402
 from energies import Energies  # noqa: E402
@@ -29,16 +31,24 @@ RUN = os.path.join(HERE, "run")
 foamCase.RUN = RUN
 
 
+def cellsOf(numerics):
+    """Numerics without the kind of cells, and that."""
+    return {k: v for k, v in numerics.items() if k != "cells"}, numerics.get("cells")
+
+
 def spall(label, numerics, cells):
     """Instant of the tension at the mid-plane of the target (tests/cases/spall)."""
+    numerics, kind = cellsOf(numerics)
     case, seconds, _, sigma, t343 = tensionRun(
-        "spall", f"{label}-{cells}", cells, numerics, 0.5)
+        "spall", f"{label}-{cells}", cells, numerics, 0.5, kind=kind)
     return case, 1e9*(t343 - exact.T_TENSION), seconds, {
         "largest tension": sigma.max()/exact.STRESS}
 
 
 def vibratingBar(label, numerics, cells):
     """Period over five periods (tests/cases/vibratingBar)."""
+    if "cells" in numerics:
+        return None
     case, t, v, energy, seconds = bar.barRun("bar", f"{label}-{cells}", numerics, cells)
     return case, 100*(bar.period(t, v)/bar.T - 1), seconds, {
         "energy %": 100*(energy[-1]/bar.ENERGY - 1)}
@@ -51,8 +61,14 @@ def twoDisks(label, numerics, cells):
     case.change("system/blockMeshDict", r"^n\s.*?;", f"n {cells};")
     case.change("system/controlDict", r"^maxCo\s.*?;", "maxCo 0.1;")
     case.change("system/controlDict", r"^writeInterval\s.*?;", "writeInterval 3;")
+    numerics, kind = cellsOf(numerics)
     case.write("system/fvSolution", {"materialPoints": numerics})
-    case.run("blockMesh")
+    if kind:
+        boxOfCells(case, kind, (-0.2, -0.2, 0), (1.2, 1.2, 1), (cells, cells, 1),
+                   {"outside": ("patch", ("x-", "x+", "y-", "y+")),
+                    "frontAndBack": ("empty", ("z-", "z+"))})
+    else:
+        case.run("blockMesh")
     case.run("setMaterialPoints")
     seconds = case.run("materialPointFoam", limit=1200)
     e = Energies(case.path)

@@ -19,7 +19,11 @@ import sys
 import scenes
 from foamCase import RunFailed
 
-SHAPES = ("GIMP", "linear", "quadraticBSpline", "cubicBSpline")
+SHAPES = {name: {"shapeFunction": name} for name in (
+    "GIMP", "linear", "quadraticBSpline", "cubicBSpline", "nodeDual")}
+SHAPES.update({
+    "nodeDual, triangles": {"shapeFunction": "nodeDual", "cells": "prisms"},
+    "nodeDual, moved boxes": {"shapeFunction": "nodeDual", "cells": "hexes"}})
 
 #: A scheme more: a line here
 TRANSFERS = {
@@ -32,8 +36,8 @@ TRANSFERS = {
     "APIC": {"transfer": "APIC"},
     "FLIP USAVG": {"transfer": "FLIP", "PICfraction": 0, "stressUpdate": "USAVG"}}
 
-SCHEMES = {f"{shape} {name}": {"shapeFunction": shape, **transfer}
-           for shape in SHAPES for name, transfer in TRANSFERS.items()}
+SCHEMES = {f"{shape} {name}": {**entries, **transfer}
+           for shape, entries in SHAPES.items() for name, transfer in TRANSFERS.items()}
 
 COLUMNS = ("scene", "scheme", "cells", "error", "unit", "steps", "core-seconds",
            "with start-up", "more")
@@ -41,9 +45,12 @@ COLUMNS = ("scene", "scheme", "cells", "error", "unit", "steps", "core-seconds",
 
 def run(scene, scheme, cells):
     measure, unit = scenes.SCENES[scene][:2]
-    label = scheme.replace(" ", "").replace("%", "").replace("+", "-")
+    label = "".join(c for c in scheme.replace("+", "-") if c not in " ,%")
     try:
-        case, error, seconds, more = measure(label, SCHEMES[scheme], cells)
+        found = measure(label, SCHEMES[scheme], cells)
+        if found is None:
+            return None
+        case, error, seconds, more = found
         steps, cost = case.nSteps(), max(case.solverSeconds(), 0.01)
         figures = ", ".join(f"{k} {v:.4g}" for k, v in more.items())
     except RunFailed as reason:
@@ -75,11 +82,12 @@ def plot(rows, path):
         for scheme in SCHEMES:
             line = lineOf(rows, scene, scheme)
             if line:
-                shape, _, transfer = scheme.partition(" ")
-                at = SHAPES.index(shape) % 4
+                shape = max((s for s in SHAPES if scheme.startswith(s + " ")), key=len)
+                transfer = scheme[len(shape) + 1:]
+                at = list(SHAPES).index(shape)
                 handles[scheme], = ax.loglog(
-                    *zip(*line), lw=1, ms=5, marker="osD^"[at],
-                    linestyle=("-", ":", "--", "-.")[at],
+                    *zip(*line), lw=1, ms=5, marker="osD^vXP"[at],
+                    linestyle=("-", ":", "--", "-.")[at % 4],
                     color=f"C{list(TRANSFERS).index(transfer)}")
         ax.set_xlabel("core-seconds of the steps")
         ax.set_ylabel("error: " + scenes.SCENES[scene][1])
@@ -139,7 +147,9 @@ def main():
         resolutions = scenes.SCENES[scene][2]
         for scheme in chosen(SCHEMES):
             for cells in resolutions[:2] if quick else resolutions:
-                rows.append(run(scene, scheme, cells))
+                row = run(scene, scheme, cells)
+                if row:
+                    rows.append(row)
     with open(os.path.join(scenes.RUN, "results.csv"), "w", newline="") as f:
         writer = csv.DictWriter(f, COLUMNS)
         writer.writeheader()

@@ -11,6 +11,7 @@ import math
 import numpy as np
 
 import plateImpactExact as exact
+from cellMesh import boxOfCells
 from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, velocityFile)
 from gasCases import UPWIND, WALL, schemes, uniformGas
 
@@ -20,11 +21,13 @@ P_AIR, RHO_AIR, R_AIR = 1e5, 1.2, 287.0
 
 def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxCo,
               strength=None, pointsPerCell=2, width=4, probes=(),
-              writeFormat="binary", air=None, carried=(0, 0)):
+              writeFormat="binary", air=None, carried=(0, 0), cells=None):
     """Write, mesh and fill a case; not run yet. carried: velocity of all, across
     (through cyclic sides) and along the impact. Probes: phase, name, fields,
     y from, y to (of the start), operation. air: entries of the gas and, of the
-    plates, volumeFraction (1) and drag (stick); None is vacuum."""
+    plates, volumeFraction (1) and drag (stick); None is vacuum. cells: prisms or
+    hexes (boxOfCells) in place of boxes, not carried; the plates' faces are sides of
+    theirs."""
     h = exact.H/cellsPerFlyer
     # The target's outer face moves on with 100 m/s from 0.75 us
     margin = max(4, math.ceil(exact.V*(endTime - 0.7e-6)/h) + 3)
@@ -90,7 +93,16 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
             "writeControl": "timeStep", "writeInterval": 1}
     case.write("system/controlDict", controlDict(
         endTime, writeInterval, maxCo, functions=functions, writeFormat=writeFormat))
-    case.run("blockMesh")
+    if cells:
+        several = {name: (kind.split(";")[0], at, *([{"low": "high", "high": "low"}[name]]
+                                                    if "cyclic" in kind else []))
+                   for name, (kind, at) in ends.items()}
+        boxOfCells(case, cells, (0, low, 0), (w, high, h),
+                   (width, 3*cellsPerFlyer + 2*margin, 1),
+                   {**several, **sides, "frontAndBack": ("empty", ("z-", "z+"))},
+                   kept=[(1, margin + k*cellsPerFlyer) for k in (0, 2, 3)])
+    else:
+        case.run("blockMesh")
     case.run("setMaterialPoints")
     return case
 
@@ -101,7 +113,7 @@ def startPositions(case, phase):
 
 
 def tensionRun(group, name, cells, numerics, maxCo, pointsPerCell=2, probes=(),
-               limit=300, carried=(0, 0)):
+               limit=300, carried=(0, 0), kind=None):
     """The impact without failure, 1.2 us; cells over the target. The case, its
     core-seconds, the mean sigma_yy of the points that were within half a cell of
     the target's mid-plane over time, and t343: when it rises through half of
@@ -111,7 +123,7 @@ def tensionRun(group, name, cells, numerics, maxCo, pointsPerCell=2, probes=(),
         group, name, cells//2, numerics, 1.2e-6, 1e-6, maxCo,
         pointsPerCell=pointsPerCell,
         probes=(("target", "middle", ("sigma_yy",), exact.H - h/2, exact.H + h/2, "mean"),
-                *probes), carried=carried)
+                *probes), carried=carried, cells=kind)
     seconds = case.run("materialPointFoam", limit=limit)
     t, sigma = case.series("middle", "sigma_yy.dat").T
     return case, seconds, t, sigma, crossing(t, sigma, exact.STRESS/2)
