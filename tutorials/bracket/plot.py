@@ -40,8 +40,9 @@ for time in (times[0], times[-1]):
     image = drawPoints(axes[0], cloud, cloud["sigmaEq"]*1e-3 if time != times[0] else "#c9c9c9",
                        VALUES, (0, 60), close=1, section=np.mean(cloud["V"])**(1/3))
 along, loaded, bare = rod(E, nu, rho)
-axes[0].plot(*loaded.T, "k-", zorder=5, lw=1, label="rod")
-axes[0].plot(*bare.T, "k:", zorder=5, lw=1, label="without weight")
+axes[0].plot(*loaded.T, "k-", zorder=5, lw=1, label="Reissner's rod, bent by the weight")
+axes[0].plot(*bare.T, "k:", zorder=5, lw=1, label="the same without weight")
+axes[0].plot([], [], "s", color="#c9c9c9", label="bracket at time 0")
 axes[0].legend(loc="lower left")
 colourBar(figure, image, axes[0], "equivalent stress [kPa]", shrink=0.8)
 
@@ -53,7 +54,7 @@ exact = centreOfRod(E, nu, rho)
 for d in (0, 1):
     axes[1].plot(t, x[:, d], f"C{d}", label=f"along {'xy'[d]}")
     axes[1].axhline(exact[d], color=f"C{d}", ls=":")
-axes[1].plot([], [], "k:", label="rod at rest")
+axes[1].plot([], [], "k:", label="Reissner's rod at rest")
 axes[1].set(xlabel="time [s]", ylabel="displacement of the centre of mass [m]")
 axes[1].legend()
 save(figure, "bracket.png")

@@ -306,7 +306,7 @@ void Foam::mpm::timeStepControl::checkFirst(const scalar dt) const
     if
     (
         !nSteps_ && !time_.startTimeIndex() && !openEnd() && limited
-     && dt > run
+     && run > 0 && dt > run
     )
     {
         WarningInFunction
@@ -340,6 +340,14 @@ void Foam::mpm::timeStepControl::setDeltaT()
 
     nRedo_ = 0;
 
+    const scalar end = time_.endTime().value();
+    if (!nSteps_ && time_.value() >= end - 1e-9*mag(end))
+    {
+        WarningInFunction
+            << "endTime " << end << " is not after the time of the start, "
+            << time_.timeName() << ": nothing to do. Set a later endTime in"
+            << " system/controlDict, or remove the times of the last run." << endl;
+    }
     if (!(time_.deltaTValue() > 0))
     {
         FatalIOErrorInFunction(dict)

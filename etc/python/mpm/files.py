@@ -48,6 +48,10 @@ class Points:
     def __contains__(self, name):
         return bool(self.paths) and os.path.exists(os.path.join(self.paths[0], name))
 
+    def keys(self):
+        """Names of the columns."""
+        return sorted(os.listdir(self.paths[0])) if self.paths else []
+
     def byId(self, name):
         """The column in the order of the points' ids."""
         return self[name][np.argsort(self["id"])]

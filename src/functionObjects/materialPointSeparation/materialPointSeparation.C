@@ -8,6 +8,7 @@ License
 
 #include "materialPointSeparation.H"
 #include "pointErosion.H"
+#include "separationWatch.H"
 #include "addToRunTimeSelectionTable.H"
 #include <cstdint>
 #include <unordered_map>
@@ -215,7 +216,8 @@ void Foam::functionObjects::materialPointSeparation::sample
                 x[p] = cloud.position(p, celli);
                 for (int d = 0; d < grid.nDim(); ++d)
                 {
-                    h[p][grid.direction(d)] = grid.width(celli, d);
+                    h[p][grid.direction(d)] =
+                        mpm::separationWatch::extent(grid, celli, d);
                 }
                 damage[p] = cloud.damage() ? (*cloud.damage())[0][p] : 0;
             }

@@ -226,6 +226,7 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
     }
     if (others)
     {
+        const label nNamed = pairs_.size();
         const rule how(readRule(*others));
         for (label a = 0; a < fields_.size(); ++a)
         {
@@ -236,6 +237,15 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
                     addPair(how, a, b, -1);
                 }
             }
+        }
+        if (pairs_.size() == nNamed)
+        {
+            WarningInFunction
+                << "Contact " << others->dictName() << " is for all pairs of"
+                << " velocity fields that are not named, and there is none: it"
+                << " does nothing. A wall is a patch that is named:  floor {"
+                << " fields (" << fields_[0].name() << "); patch floor; type "
+                << how.law->type() << "; }" << endl;
         }
     }
 }

@@ -22,6 +22,48 @@ License
 #include "Time.H"
 #include "OSspecific.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Kinds of cells by their faces: "tetrahedra, prisms". Collective
+std::string cellTypes(const polyMesh& mesh)
+{
+    static const char* const names[] =
+        {"hexahedra", "prisms", "pyramids", "tetrahedra", "polyhedra"};
+    labelList n(5, label(0));
+    for (const cell& faces : mesh.cells())
+    {
+        label nTriangles = 0, nQuads = 0;
+        for (const label facei : faces)
+        {
+            nTriangles += mesh.faces()[facei].size() == 3;
+            nQuads += mesh.faces()[facei].size() == 4;
+        }
+        const label kind =
+            faces.size() != nTriangles + nQuads ? 4
+          : nTriangles == 0 && nQuads == 6 ? 0
+          : nTriangles == 2 && nQuads == 3 ? 1
+          : nTriangles == 4 && nQuads == 1 ? 2
+          : nTriangles == 4 && nQuads == 0 ? 3 : 4;
+        ++n[kind];
+    }
+    std::string found;
+    forAll(n, kind)
+    {
+        if (returnReduce(n[kind], sumOp<label>()))
+        {
+            found += (found.empty() ? "" : ", ") + std::string(names[kind]);
+        }
+    }
+    return found;
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::materialPointSystem::readGravity()
@@ -376,7 +418,7 @@ void Foam::mpm::materialPointSystem::reportStart() const
         << phases_.size() << " phases, "
         << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, "
         << grid_.nNodes() << " nodes, "
-        << (grid_.hasLattice() ? "lattice" : "general hexahedra") << nl
+        << (grid_.hasLattice() ? "lattice" : cellTypes(mesh_)).c_str() << nl
         << "    shape function " << numerics_.get<word>("shapeFunction")
         << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "")
         << ", stress update " << stressUpdate_->type() << nl << "    ";

@@ -136,12 +136,11 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
             << (hint.empty() ? "M" : "Otherwise m")
             << "ake the mesh larger, or keep points inside by the boundary"
             << " conditions of U." << phase.velocityField()
-            << " (fixedValue or slip)"
-            << (
-                   coupling_ ? "."
-                 : ", or let them go:  outflow { patches (...); }  in"
-                   " constant/phaseProperties."
-               )
+            << " (fixedValue or slip), or by a wall:  contact { floor { fields ("
+            << phase.velocityField() << "); patch ...; type ...; } }  in"
+            << " constant/phaseProperties"
+            << (coupling_ ? "." : ", or let them go:  outflow { patches (...); }"
+               "  there.")
             << exit(FatalError);
     }
     FatalErrorInFunction

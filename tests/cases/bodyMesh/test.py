@@ -12,6 +12,8 @@ gmsh       sphere, torus, a STEP part, two materials made by gmsh: volume and ce
 background the same body on boxes, tetrahedra and prisms
 cut        a sphere and a box in tetrahedra and prisms, cut by samples: volume 0.3 %, centre
            0.5 % of a cell
+apart      points of elements, half a cell's box apart in tetrahedra, move as one body: no
+           warning of numerical fracture; torn to four times the length: a warning
 messages   what is wrong in a file or an entry
 mutated    40 files with bytes changed, lines taken away or doubled: a message or points
 """
@@ -300,6 +302,32 @@ def cut(table):
                       "atLeast")
 
 
+def apart(table):
+    """Six tetrahedra in a box of 1 with points 0.5 apart: there are empty cells between
+    neighbours from the start."""
+    n = 6
+    grid = np.indices((n + 1,)*3).reshape(3, -1).T
+    at = lambda i, j, k: ((n + 1)*i + j)*(n + 1) + k
+    corners = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
+               (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+    elements = [("hex", [at(*(np.array(e) + c)) for c in corners], [7])
+                for e in np.ndindex(n, n, n)]
+    for name, rate in (("moved", 0), ("torn", 300)):
+        case = build(f"apart-{name}", ["body"], (0, 0, 0), (16, 5, 5), (16, 5, 5), kind="tets")
+        case.write("constant/phaseProperties", {"phases": ["body"], "body": {
+            "constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": 1e5, "nu": 0}}})
+        case.write("system/fvSolution", {"materialPoints": {"shapeFunction": "nodeDual",
+                                                            "transfer": "FLIP"}})
+        case.write("system/controlDict", controlDict(0.01, 0.005, maxCo=0.4))
+        writeMsh(case.file("body.msh"), 0.5*grid + 1.013, elements, NAMES, "2.2")
+        fill(case, {"body": {"file": "body.msh", "pointsPerCell": 1, "velocity": {
+            "uniform": (20, 3, 2), "x": f"table ((1 (0 0 0)) (4 ({3*rate} 0 0)))"}}})
+        case.run("materialPointFoam", limit=60)
+        table.check(f"{name}: {'a' if rate else 'no'} warning of numerical fracture",
+                    ("Numerical fracture: of body" in case.log()) == bool(rate))
+    table.check("the log names the cells", "nodes, tetrahedra" in case.log())
+
+
 def messages(table):
     points, elements = solids()
     case = build("messages", ["all"], (-2, -2, -2), (11, 4, 4), (13, 6, 6))
@@ -325,7 +353,8 @@ def messages(table):
     refused("unknown group", ["group lead", "steel"], {"group": "lead"})
     refused("scale 0", ["scale"], {"scale": 0})
     refused("pointsPerCell 3", ["pointsPerCell", "centroid"], {"pointsPerCell": 3})
-    refused("too large for the mesh", ["write scale with", "1e-3"], {"scale": 1000})
+    refused("too large for the mesh", ["write scale with", "1e-3",
+                                       "body's mesh (file body.msh)"], {"scale": 1000})
     refused("version 1", ["version 1", "gmsh -save"], {},
             lambda t: t.replace("2.2 0 8", "1 0 8"))
     refused("no .msh", ["$MeshFormat"], {}, lambda t: "solid body\n" + t)
@@ -387,4 +416,4 @@ def mutated(table, n=40):
 
 if __name__ == "__main__":
     sys.exit(runParts("bodyMesh", formats, corners, plane, gmshBodies, background, cut,
-                      messages, mutated))
+                      apart, messages, mutated))

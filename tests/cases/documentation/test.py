@@ -171,6 +171,7 @@ def commands(table):
     here: "# not run by the tests", or "# run by tests/Alltest <name>". Blocks of other
     languages and indented ones have no commands."""
     unknown, nBlocks, hidden = [], 0, []
+    ran = afterAllrun(table)
     for path in [os.path.join(PROJECT, "README.md")] + sorted(glob.glob(
             os.path.join(PROJECT, "doc/**/*.md"), recursive=True)):
         name = os.path.relpath(path, PROJECT)
@@ -185,7 +186,7 @@ def commands(table):
             elif not block.startswith("# not run by the tests"):
                 here.append(block)
         if here:
-            runBlocks(table, name, here)
+            runBlocks(table, name, here, ran)
     table.row("blocks of commands", 10, nBlocks, 10, "atLeast")
     table.check("no commands in other blocks", not hidden, " | ".join(hidden))
     table.check("tests that run the others exist", not unknown, " ".join(unknown))
@@ -203,9 +204,33 @@ def coarse(path):
         f.write(text)
 
 
-def runBlocks(table, name, blocks):
+def afterAllrun(table):
+    """tutorials/spall with a coarse mesh after its Allrun, the first command of README.md:
+    what a reader copies has results in it."""
+    folder = os.path.join(RUN, "documentation", "spall")
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(os.path.join(PROJECT, "tutorials/spall"), folder)
+    subprocess.run(["./Allclean"], cwd=folder, check=True)
+    coarse(os.path.join(folder, "system/blockMeshDict"))
+    status = inEnvironment(["./Allrun"], folder, "log.Allrun")
+    table.check("tutorials/spall/Allrun runs, coarse", status == 0
+                and os.path.exists(os.path.join(folder, "0/lagrangian")), f"exit {status}")
+    return folder
+
+
+def inEnvironment(command, folder, log):
+    """Exit status of a command in a folder, which writes to a file of it."""
+    with open(os.path.join(folder, log), "w") as out:
+        return subprocess.run(
+            command, cwd=folder, stdout=out, stderr=subprocess.STDOUT,
+            stdin=subprocess.DEVNULL, timeout=300,
+            env={**os.environ, "PWD": folder, "MPM_PROJECT_DIR": PROJECT,
+                 "MPM_PREPARED": "1"}).returncode
+
+
+def runBlocks(table, name, blocks, ran):
     """The blocks of a page one after the other, in a folder with a copy of the project's
-    tutorials, spall with a coarse mesh; other cases end early (runShort)."""
+    tutorials, spall as its Allrun leaves it; other cases end early (runShort)."""
     folder = os.path.join(RUN, "documentation", name.replace("/", "-")[:-3])
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
@@ -214,17 +239,13 @@ def runBlocks(table, name, blocks):
                     ignore=shutil.ignore_patterns(
                         "log.*", "postProcessing", "processor*", "VTK", "polyMesh", "*.png",
                         "lagrangian", "variants", "schemes", "uniform", "[1-9]*", "0.[0-9]*"))
-    coarse(os.path.join(folder, "tutorials/spall/system/blockMeshDict"))
+    shutil.rmtree(os.path.join(folder, "tutorials/spall"))
+    shutil.copytree(ran, os.path.join(folder, "tutorials/spall"))
     script = os.path.join(folder, "commands.sh")
     with open(script, "w") as f:
         f.write(f"set -e\n. {HERE}/runShort\n" + "\n".join(blocks))
     start = time.time()
-    with open(os.path.join(folder, "log.commands"), "w") as log:
-        status = subprocess.run(
-            ["bash", script], cwd=folder, stdout=log, stderr=subprocess.STDOUT,
-            stdin=subprocess.DEVNULL, timeout=300,
-            env={**os.environ, "PWD": folder, "MPM_PROJECT_DIR": PROJECT,
-                 "MPM_PREPARED": "1"}).returncode
+    status = inEnvironment(["bash", script], folder, "log.commands")
     table.check(f"{name}: {len(blocks)} blocks of commands run", status == 0,
                 f"exit {status}, {time.time() - start:.0f} s, see {os.path.relpath(folder, PROJECT)}")
 

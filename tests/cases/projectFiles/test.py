@@ -5,8 +5,8 @@
                CHANGELOG.md; the solver and setMaterialPoints print it (-help, log) and it is
                in the files of points and of the state
     style      text files as .editorconfig says: no tabs, no blanks at the end of a line, lines
-               end with LF, so does the file; src and applications: lines below 100
-               columns (aimed at: 80), files below 600 lines
+               end with LF, so does the file; no marks of a merge; src and applications: lines
+               below 100 columns (aimed at: 80), files below 600 lines
     theory     doc/theory.md has equations (1) to (12), each a row with functions; each link to a
                function leads to its definition (within 25 lines)
     extending  doc/extending.md names each template of etc/codeTemplates, and there is one for
@@ -84,7 +84,7 @@ def files():
 def style(table):
     bad = {"tabs": [], "blanks at the end of a line": [], "CR": [],
            "no end of the last line": [], "a line above 100 columns": [],
-           "a source file above 600 lines": []}
+           "a source file above 600 lines": [], "marks of a merge": []}
     names = files()
     for name in names:
         content = text(name)
@@ -99,6 +99,8 @@ def style(table):
             bad["no end of the last line"].append(name)
         if re.match("(src|applications)/.*[.][CH]$", name) and any(len(x) > 100 for x in lines):
             bad["a line above 100 columns"].append(name)
+        if any(x.startswith(("<"*7, ">"*7)) for x in lines):
+            bad["marks of a merge"].append(name)
         if name.startswith("src/") and len(lines) > 601:
             bad["a source file above 600 lines"].append(name)
     table.row("style: files looked at", 300, len(names), 300, "atLeast")

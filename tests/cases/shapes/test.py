@@ -430,6 +430,13 @@ def messages(table):
     check("surface in mm beside the mesh", text(
         "mmFar", {"a": surfaceRegion("a.stl")}, before=far, fails=True),
         "has no points", "times as large as the mesh", "write scale", "1e-3 for mm")
+
+    def beside(case):
+        prisms(case, "a.stl", [[(0.02, 0.02), (0.05, 0.02), (0.05, 0.05), (0.02, 0.05)]], 2, 3)
+
+    check("surface beside the thickness of a mesh in 2D", text(
+        "beside", {"a": surfaceRegion("a.stl")}, before=beside, fails=True),
+        "has no points", "the section of the surface with the middle of the mesh's thickness")
     check("inner radius", text("inner", {"a": {
         "type": "sphere", "centre": (0, 0, 0), "radius": 0.02, "innerRadius": 0.03}},
         fails=True), "innerRadius is 0.03", "less than radius")
@@ -469,6 +476,11 @@ def messages(table):
             ("4.9 times the wave speed", {"a": {**box, "velocity": (180, 0, 0)}}, None),
             ("5.1 times the wave speed", {"a": {**box, "velocity": (187, 0, 0)}},
              ["5.09", "times the wave speed of phase a", "wrong unit"]),
+            ("another phase is hit at 5.1 times its wave speed", {
+                "a": {**box, "max": (0.03, 0.05, 1)},
+                "b": {**box, "phase": "b", "min": (0.05, 0, 0), "max": (0.08, 0.05, 1),
+                      "velocity": (-187, 0, 0)}},
+             ["Region b starts with 187", "5.09", "times the wave speed of phase a"]),
             ("1.9 cells wide", {"a": {**box, "max": (0.019, 0.05, 1)}},
              ["1.9 cells wide in x", "fewer than 2"]),
             ("2 cells wide", {"a": {**box, "max": (0.02, 0.05, 1)}}, None),
@@ -476,7 +488,11 @@ def messages(table):
                 "a": {**box, "max": (0.01, 0.05, 1)},
                 "b": {**box, "phase": "a", "min": (0.01, 0, 0), "max": (0.02, 0.05, 1)}},
              None)):
-        said = text("units-" + label.replace(" ", "-"), regions, phases={"a": soft()})
+        phases = {"a": soft()}
+        if label.startswith("another"):
+            phases["b"] = {"constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": 1e9,
+                                                 "nu": 0.3}}
+        said = text("units-" + label.replace(" ", "-"), regions, phases=phases)
         if words:
             check(label, said, *words)
         else:
@@ -493,7 +509,8 @@ def messages(table):
             phases={"air": air, "a": soft(failureModel={
                 "type": "maxPrincipalStress", "strength": 1e4})})
         table.check(f"points with {label} pressure as the gas",
-                    ("not in equilibrium" in said) == (pressure == 1))
+                    ("in its cells has 100000 Pa. They are not in equilibrium" in said)
+                    == (pressure == 1))
         check("failure in a gas, round body", said, "has no ambientPressure",
               "fill (0.07", "from (0.015 0.015 0)")
     check("no stress in a gas", text("gas", {"a": box}, phases={

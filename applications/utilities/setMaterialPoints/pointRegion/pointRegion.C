@@ -250,6 +250,15 @@ bool Foam::mpm::pointRegion::fromFile() const
 }
 
 
+std::string Foam::mpm::pointRegion::bodyName() const
+{
+    return
+        isA<meshShape>(*shape_)
+      ? "body's mesh (file " + dict_.get<fileName>("file").name() + ")"
+      : std::string(type());
+}
+
+
 Foam::string Foam::mpm::pointRegion::sizeHint() const
 {
     // Drawings are in mm: a thousand times too large or, scaled twice, small
@@ -261,7 +270,7 @@ Foam::string Foam::mpm::pointRegion::sizeHint() const
         return "";
     }
     return
-        " The " + type() + " is " + Foam::name(ratio) + " times as large as the"
+        " The " + bodyName() + " is " + Foam::name(ratio) + " times as large as the"
         " mesh: " + (ratio > 1 ? unitAdvice : "look at  scale  beside its file,"
         " and in blockMeshDict.");
 }
@@ -291,7 +300,7 @@ void Foam::mpm::pointRegion::checkRoom() const
     }
     FatalIOErrorInFunction(dict_)
         << "Region " << name_ << " fills the whole mesh " << mesh
-        << ": the " << type() << " of " << body.span() << " m from "
+        << ": the " << bodyName().c_str() << " of " << body.span() << " m from "
         << body.min() << " to " << body.max() << " is larger on all sides. It"
         << " is " << body.mag()/mag(shape_->computed(mesh.span()))
         << " times as large: " << unitAdvice << exit(FatalIOError);
@@ -329,8 +338,12 @@ void Foam::mpm::pointRegion::create(const scalar rho)
         FatalIOErrorInFunction(dict_)
             << "Region " << name_ << " has no points: no sub-cell of the mesh "
             << grid_.mesh().bounds() << " has a part in the "
-            << type() << ", which lies in "
-            << shape_->bounds() << " [m]." << sizeHint().c_str()
+            << bodyName().c_str() << ", which lies in "
+            << shape_->bounds() << " [m]."
+            << (shape_->facets() && grid_.nDim() < 3
+              ? " In 2D it is the section of the surface with the middle of the"
+                " mesh's thickness." : "")
+            << sizeHint().c_str()
             << exit(FatalIOError);
     }
     for (materialPointCloud::newPoint& p : points_)

@@ -12,6 +12,7 @@ License
 #include "StringStream.H"
 #include "failureModel.H"
 #include "phaseNames.H"
+#include "HashSet.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -148,12 +149,52 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
 }
 
 
-//- Warn of what is probably a wrong unit: a velocity of more than five times
-//  the wave speed of the law, and a body that is narrower than two cells. Gas guns
-//  and meteorites (8 km/s on plastics, 20 km/s on rock) reach four times, factors
-//  of 1000 in a unit more; laws without a stress have no waves. body: box around
-//  the region and those that continue it
-void checkUnits
+//- Warn of what is probably a wrong unit: the largest velocity is more than five
+//  times the wave speed of a law, also of one that is hit by it. Gas guns and
+//  meteorites (8 km/s on plastics, 20 km/s on rock) reach four times, factors of
+//  1000 in a unit more; laws without a stress have no waves
+void checkSpeed
+(
+    const PtrList<mpm::materialPointPhase>& phases,
+    const PtrList<mpm::pointRegion>& regions
+)
+{
+    constexpr scalar fast = 5;
+    scalar speed = 0;
+    word fastest;
+    wordHashSet filled;
+    for (const mpm::pointRegion& r : regions)
+    {
+        filled.insert(r.phase());
+        for (const mpm::materialPointCloud::newPoint& p : r.points())
+        {
+            if (mag(p.U) > speed)
+            {
+                speed = mag(p.U);
+                fastest = r.name();
+            }
+        }
+    }
+    for (const mpm::materialPointPhase& phase : phases)
+    {
+        const scalar c =
+            phase.motion() || !filled.found(phase.name())
+          ? 0 : phase.law().waveSpeed();
+        if (c > 0 && speed > fast*c)
+        {
+            WarningInFunction
+                << "Region " << fastest << " starts with " << speed << " m/s, "
+                << speed/c << " times the wave speed of phase " << phase.name()
+                << " (" << c << " m/s): look for a wrong unit of the velocity"
+                << " (m/s) or of the law (Pa, kg/m3)." << endl;
+        }
+    }
+}
+
+
+//- Warn of a body that is narrower than two cells: a wrong unit, or too coarse.
+//  body: box around the region and those that continue it
+void checkWidth
 (
     const mpm::pointGrid& grid,
     const mpm::materialPointPhase& phase,
@@ -165,22 +206,6 @@ void checkUnits
     {
         return;
     }
-    constexpr scalar fast = 5;
-    const scalar c = phase.law().waveSpeed();
-    scalar speed = 0;
-    for (const mpm::materialPointCloud::newPoint& p : r.points())
-    {
-        speed = max(speed, mag(p.U));
-    }
-    if (c > 0 && speed > fast*c)
-    {
-        WarningInFunction
-            << "Region " << r.name() << " starts with " << speed << " m/s, "
-            << speed/c << " times the wave speed of phase " << phase.name()
-            << " (" << c << " m/s): look for a wrong unit of the velocity (m/s)"
-            << " or of the law (Pa, kg/m3)." << endl;
-    }
-
     for (int d = 0; d < grid.nDim(); ++d)
     {
         const int way = grid.direction(d);
@@ -255,7 +280,8 @@ void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
     {
         WarningInFunction
             << "Region " << r.name() << " starts with the pressure " << ambient
-            << " Pa; the gas in its cells has " << low << " to " << high
+            << " Pa; the gas in its cells has " << low
+            << (high > low ? " to " + Foam::name(high) : std::string()).c_str()
             << " Pa. They are not in equilibrium." << endl;
     }
 }
@@ -399,6 +425,7 @@ void Foam::mpm::printStart
         }
     }
 
+    checkSpeed(phases, regions);
     forAll(regions, i)
     {
         const pointRegion& r = regions[i];
@@ -419,7 +446,7 @@ void Foam::mpm::printStart
                 body.add(other.bounds());
             }
         }
-        checkUnits(phase.cloud().grid(), phase, r, body);
+        checkWidth(phase.cloud().grid(), phase, r, body);
         const string hint(r.sizeHint());
         if (hint.size())
         {

@@ -59,6 +59,14 @@ void Foam::mpm::surfaceShape::read(const word& name, const dictionary& dict)
     FatalError.throwExceptions(throwing);
     FatalIOError.throwExceptions(throwingIO);
 
+    if (problem.find("Cannot find triSurfaceMesh") != std::string::npos)
+    {
+        // Its message names a file of the region's name
+        FatalIOErrorInFunction(dict)
+            << "Cannot make the surface: there is no file constant/triSurface/"
+            << dict.getOrDefault<fileName>("file", name).c_str() << "."
+            << exit(FatalIOError);
+    }
     if (problem.size())
     {
         FatalIOErrorInFunction(dict)

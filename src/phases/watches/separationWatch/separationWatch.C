@@ -9,8 +9,24 @@ License
 #include "separationWatch.H"
 #include "Time.H"
 #include "PstreamReduceOps.H"
+#include "ListListOps.H"
 #include "ListOps.H"
 #include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Neighbours that are not this much further apart than at the start have not come
+//  apart: they may have a cell between them from the start where cells are finer
+//  than the points. With 2 points per cell and direction, whose distance is at most
+//  0.7 cells, it decides nothing
+constexpr scalar leastStretch = 1.4;
+
+}
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -42,6 +58,7 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
     // Pairs of ids: each chosen point with those above it in each direction,
     // in its own cell and the next
     DynamicList<labelPair> found;
+    DynamicList<scalar> distance;
     forAll(cells, k)
     {
         for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
@@ -64,15 +81,18 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
                     for (label q = cloud.start()[m]; q < cloud.start()[m + 1]; ++q)
                     {
                         bool next = q != p;
+                        scalar sum = 0;
                         for (int e = 0; e < D; ++e)
                         {
                             const scalar way =
                                 (cloud.x()[e][q] - cloud.x()[e][p])
                                /size(cells[k], p, e);
                             next = next && mag(way - (e == d)) < 0.4;
+                            sum += sqr(cloud.x()[e][q] - cloud.x()[e][p]);
                         }
                         if (next)
                         {
+                            distance.append(std::sqrt(sum));
                             found.append
                             (
                                 labelPair
@@ -93,6 +113,11 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
     parts[Pstream::myProcNo()] = found;
     Pstream::gatherList(parts);
     Pstream::scatterList(parts);
+    List<scalarList> distances(Pstream::nProcs());
+    distances[Pstream::myProcNo()] = distance;
+    Pstream::gatherList(distances);
+    Pstream::scatterList(distances);
+    distance_ = ListListOps::combine<scalarList>(distances, accessOp<scalarList>());
     label nPairs = 0;
     for (const List<labelPair>& part : parts)
     {
@@ -124,6 +149,32 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::mpm::separationWatch::extent
+(
+    const pointGrid& grid,
+    const label celli,
+    const int d
+)
+{
+    if (grid.hasLattice())
+    {
+        return grid.width(celli, d);
+    }
+    const polyMesh& mesh = grid.mesh();
+    const int c = grid.direction(d);
+    scalar low = GREAT, high = -GREAT;
+    for (const label facei : mesh.cells()[celli])
+    {
+        for (const label pointi : mesh.faces()[facei])
+        {
+            low = min(low, mesh.points()[pointi][c]);
+            high = max(high, mesh.points()[pointi][c]);
+        }
+    }
+    return high - low;
+}
+
+
 void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
 {
     if (warned_ || pairs_.empty())
@@ -149,7 +200,7 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
             x[i] = cloud.position(p, cloud.cells()[k]);
             for (int d = 0; d < D; ++d)
             {
-                h[i][grid.direction(d)] = grid.width(cloud.cells()[k], d);
+                h[i][grid.direction(d)] = extent(grid, cloud.cells()[k], d);
             }
             failed[i] = cloud.damage() && (*cloud.damage())[0][p] >= 1;
         }
@@ -163,14 +214,19 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
 
     label nPairs = 0;
     DynamicList<labelPair> apart;
-    for (const labelPair& pair : pairs_)
+    forAll(pairs_, pairi)
     {
+        const labelPair& pair = pairs_[pairi];
         const label i = pair.first(), j = pair.second();
         if (h[i] == vector::zero || h[j] == vector::zero || failed[i] || failed[j])
         {
             continue;
         }
         ++nPairs;
+        if (mag(x[i] - x[j]) < leastStretch*distance_[pairi])
+        {
+            continue;
+        }
         for (int d = 0; d < D; ++d)
         {
             const int c = grid.direction(d);
