@@ -124,6 +124,7 @@ void Foam::mpm::pointContact::addPair
     pair.b = b;
     pair.step = pair.sum = Zero;
     pair.nClosed = 0;
+    pair.gap = GREAT;
     if (b < 0)
     {
         pair.wall = wallNormals(a, patchi);
