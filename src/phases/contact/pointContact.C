@@ -238,8 +238,7 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
     for (contactPair& pair : pairs_)
     {
         pair.step = Zero;
-        pair.nClosed = 0;
-        pair.gap = GREAT;
+        pair.nClosed = pair.pushedGap = pair.push = 0;
     }
     if (!any_)
     {
@@ -268,7 +267,8 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
         if (m.closed)
         {
             pair.nClosed += part;
-            pair.gap = min(pair.gap, m.gap);
+            pair.pushedGap += part*m.Jn*m.gap;
+            pair.push += part*m.Jn;
         }
         for (int d = 0; d < nDim_; ++d)
         {
@@ -462,15 +462,20 @@ void Foam::mpm::pointContact::report(const scalar dt) const
     for (const contactPair& pair : pairs_)
     {
         const scalar closed = returnReduce(pair.nClosed, sumOp<scalar>());
-        scalar least = pair.gap;
+        const scalar push = returnReduce(pair.push, sumOp<scalar>());
+        scalar gap = GREAT;
         for (const contactNode& m : contactNodes_)
         {
-            if (!(closed > 0) && &pairs_[m.pair] == &pair && m.gap >= 0)
+            if (!(push > 0) && &pairs_[m.pair] == &pair && m.gap >= 0)
             {
-                least = min(least, m.gap);
+                gap = min(gap, m.gap);
             }
         }
-        reduce(least, minOp<scalar>());
+        reduce(gap, minOp<scalar>());
+        if (push > 0)
+        {
+            gap = returnReduce(pair.pushedGap, sumOp<scalar>())/push;
+        }
         Info<< "Contact " << pair.how.name << " of " << fields_[pair.a].name();
         if (pair.b >= 0)
         {
@@ -480,9 +485,9 @@ void Foam::mpm::pointContact::report(const scalar dt) const
             << returnReduce(pair.step, sumOp<vector>())/max(dt, VSMALL)
             << " N, impulse " << returnReduce(pair.sum, sumOp<vector>())
             << " N s, gap ";
-        if (least < GREAT)
+        if (gap < GREAT)
         {
-            Info<< least << " m";
+            Info<< gap << " m";
         }
         else
         {
