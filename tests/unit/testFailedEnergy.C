@@ -263,3 +263,36 @@ TEST_CASE("a fluid stores nothing below pMin")
         CHECK(law->strainEnergy(c) == doctest::Approx(0.5*2e9*1e-6).epsilon(0.01));
     }
 }
+
+
+TEST_CASE("failed points that have opened have no fast waves")
+{
+    for (const std::string& text :
+    {
+        J2("hardening none;"),
+        hot
+    })
+    for (int D = 1; D <= 3; ++D)
+    {
+        CAPTURE(text);
+        CAPTURE(D);
+        const auto law(lawOf(text));
+        const auto speed = [&](const scalar damage, const scalar lnV)
+        {
+            points p(D, 1, law->rho());
+            p.damage[0] = damage;
+            for (int d = 0; d < D; ++d)
+            {
+                std::fill(p.dL[d*(D + 1)].begin(), p.dL[d*(D + 1)].end(), lnV/D);
+            }
+            for (scalar& v : p.volume) v *= std::exp(lnV);
+            pointBlock b(p.block());
+            law->correct(b);
+            return b.waveSpeed;
+        };
+        CHECK(speed(0, 2) > 1.2*law->waveSpeed());
+        CHECK(speed(1, 2) <= law->waveSpeed()*(1 + 1e-12));
+        CHECK(speed(1, -0.05) == speed(0, -0.05));
+        CHECK(speed(0.9, 2) == speed(0, 2));
+    }
+}

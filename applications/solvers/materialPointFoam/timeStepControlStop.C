@@ -142,8 +142,15 @@ void Foam::mpm::timeStepControl::watchEnergy()
     {
         grown_ = true;
         WarningInFunction
-            << "Energy has grown by " << 100*growth << " % of the energy of the"
-            << " points without a source, at time " << time_.timeName() << '.'
+            << "Energy has grown by " << 100*growth << " % of the largest"
+            << " energy of the points without a source, at time "
+            << time_.timeName()
+            << (
+                   points()->energy().active()
+                 ? ": remap and residual of the energy budget, whose other terms"
+                   " may have taken more of the total."
+                 : ": the total, since the first report."
+               )
             << nl << "A smaller maxCo, or a transfer that dissipates (FMPM,"
             << " PICfraction), keeps a run stable; maxEnergyGrowth in"
             << " system/controlDict ends it with its state written." << endl;

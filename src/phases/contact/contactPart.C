@@ -36,14 +36,11 @@ Foam::mpm::contactPart::contactPart(materialPointSystem& points)
 void Foam::mpm::contactPart::impulse(const scalar dt)
 {
     pointEnergy& energy = points_.energy();
-    scalar boundary = 0;
-    const scalar work =
-        contact_->applyImpulses(dt, energy.active(), boundary);
+    const scalar boundary = contact_->applyImpulses(dt, energy.active());
     if (energy.active())
     {
-        forceWork& step = energy.sums().step;
-        step.boundary += returnReduce(boundary, sumOp<scalar>());
-        step.contact += returnReduce(work, sumOp<scalar>());
+        energy.sums().step.boundary +=
+            returnReduce(boundary, sumOp<scalar>());
     }
 }
 
@@ -51,6 +48,17 @@ void Foam::mpm::contactPart::impulse(const scalar dt)
 void Foam::mpm::contactPart::filtered(const bool changesMomentum)
 {
     contact_->filter(changesMomentum);
+}
+
+
+void Foam::mpm::contactPart::exchange(const scalar)
+{
+    pointEnergy& energy = points_.energy();
+    if (energy.active())
+    {
+        energy.sums().step.contact +=
+            returnReduce(contact_->work(), sumOp<scalar>());
+    }
 }
 
 

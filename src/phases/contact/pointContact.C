@@ -232,14 +232,13 @@ void Foam::mpm::pointContact::update()
 Foam::scalar Foam::mpm::pointContact::applyImpulses
 (
     const scalar dt,
-    const bool withWork,
-    scalar& boundary
+    const bool withWork
 )
 {
     for (contactPair& pair : pairs_)
     {
         pair.step = Zero;
-        pair.nClosed = 0;
+        pair.nClosed = pair.pushedGap = pair.push = 0;
     }
     if (!any_)
     {
@@ -261,17 +260,23 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
         computeImpulses(u, step, dt, false);
     }
 
-    for (const contactNode& m : contactNodes_)
+    for (contactNode& m : contactNodes_)
     {
         contactPair& pair = pairs_[m.pair];
         const scalar part = fields_[pair.a].part(m.node);
-        pair.nClosed += m.closed ? part : 0;
+        if (m.closed)
+        {
+            pair.nClosed += part;
+            pair.pushedGap += part*m.Jn*m.gap;
+            pair.push += part*m.Jn;
+        }
         for (int d = 0; d < nDim_; ++d)
         {
-            const scalar J = m.Jn*m.n[d] + m.Jt[d];
-            pair.step[grid_.direction(d)] += part*J;
+            m.J[d] = m.Jn*m.n[d] + m.Jt[d];
+            pair.step[grid_.direction(d)] += part*m.J[d];
         }
     }
+    scalar work = 0;
     forAll(fields_, fieldi)
     {
         if (has_[fieldi])
@@ -282,7 +287,7 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
                 fields_[fieldi].momentum(),
                 fields_[fieldi].stride()
             );
-            boundary +=
+            work +=
                 fields_[fieldi].addImpulse
                 (
                     impulse_[fieldi].cdata(),
@@ -291,49 +296,43 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
                 );
         }
     }
+    clearImpulses();
+    return work;
+}
 
-    // Work on the points: J.(u^n + u^L)/2 of each field at each node once, on
-    // free bodies for each contact node where it acts
+
+Foam::scalar Foam::mpm::pointContact::work() const
+{
+    // On free bodies where J acts
     scalar work = 0;
     for (const contactNode& m : contactNodes_)
     {
         const contactPair& pair = pairs_[m.pair];
         for (const label fieldi : {pair.a, pair.b})
         {
-            if (fieldi < 0)
+            const bool isA = fieldi == pair.a;
+            const label b = isA ? m.bodyA : m.bodyB;
+            if (fieldi < 0 || (b < 0 && (isA ? m.ia : m.ib) <= 0))
             {
                 continue;
             }
             const velocityField& field = fields_[fieldi];
-            const int stride = field.stride();
-            scalar* J = impulse_[fieldi].data() + stride*m.node;
-            const bool isA = fieldi == pair.a;
-            const label b = isA ? m.bodyA : m.bodyB;
             Eigen::Vector3d ub(Eigen::Vector3d::Zero());
             if (b >= 0)
             {
                 const freeBody& body = *bodies_[b].body;
                 ub = body.at(m.at, false)*(0.5*(body.start(false) + body.step()));
             }
-            const bool prescribed = b < 0 && (isA ? m.ia : m.ib) <= 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                if (b >= 0)
-                {
-                    work +=
-                        field.part(m.node)*(isA ? -1 : 1)
-                       *(m.Jn*m.n[d] + m.Jt[d])*ub(grid_.direction(d));
-                }
-                else if (!prescribed)
-                {
-                    work +=
-                        field.part(m.node)*J[d]*0.5
-                       *(
-                            field.U()[stride*m.node + d]
-                          + u[fieldi][step*m.node + d]
-                        );
-                }
-                J[d] = 0;
+                const label i = field.stride()*m.node + d;
+                work +=
+                    field.part(m.node)*(isA ? -m.J[d] : m.J[d])
+                   *(
+                        b >= 0
+                      ? ub(grid_.direction(d))
+                      : field.U()[i] + 0.5*field.dU()[i]
+                    );
             }
         }
     }
@@ -388,33 +387,63 @@ void Foam::mpm::pointContact::filter(const bool changes)
     {
         shareIncrement();
     }
-    for (const contactNode& m : contactNodes_)
+    for (contactNode& m : contactNodes_)
     {
         if (!m.closed || hard(m))
         {
             continue;
         }
-        const contactPair& pair = pairs_[m.pair];
-        const int step = fields_[pair.a].stride();
-        scalar* va = fields_[pair.a].increment() + step*m.node;
-        scalar* vb =
-            pair.b < 0 ? nullptr : fields_[pair.b].increment() + step*m.node;
+        contactPair& pair = pairs_[m.pair];
+        velocityField* field[2] =
+            {&fields_[pair.a], pair.b < 0 ? nullptr : &fields_[pair.b]};
+        const scalar inverse[2] = {m.ia, m.ib};
+        const label at = fields_[pair.a].stride()*m.node;
+        const scalar part = fields_[pair.a].part(m.node);
         scalar dv[3] = {0, 0, 0}, dvn = 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            dv[d] = (vb ? vb[d] : 0) - va[d];
+            dv[d] =
+                (field[1] ? field[1]->increment()[at + d] : 0)
+              - field[0]->increment()[at + d];
             dvn += dv[d]*m.n[d];
         }
         const scalar M = 1/(m.ia + m.ib);
         for (int d = 0; d < nDim_; ++d)
         {
             const scalar take = M*(m.stuck ? dv[d] : dvn*m.n[d]);
-            va[d] += m.ia*take;
-            if (vb)
+            for (int side = 0; side < 2 && field[side]; ++side)
             {
-                vb[d] -= m.ib*take;
+                const scalar J = side == 0 ? take : -take;
+                field[side]->increment()[at + d] += inverse[side]*J;
+                if (changes)
+                {
+                    field[side]->dU()[at + d] += inverse[side]*J;
+                    impulse_[side == 0 ? pair.a : pair.b][at + d] +=
+                        inverse[side] > 0 ? 0 : J;
+                }
+            }
+            if (changes)
+            {
+                m.J[d] -= take;
+                pair.step[grid_.direction(d)] -= part*take;
             }
         }
+    }
+
+    // What rigid bodies and patches take of it
+    for (label fieldi = 0; changes && fieldi < fields_.size(); ++fieldi)
+    {
+        if (has_[fieldi])
+        {
+            velocityField& field = fields_[fieldi];
+            const scalar* J = impulse_[fieldi].cdata();
+            field.rigid().addImpulse(J, field.momentum(), field.stride());
+            field.addToIncrement(J);
+        }
+    }
+    if (changes)
+    {
+        clearImpulses();
     }
 }
 
@@ -432,15 +461,21 @@ void Foam::mpm::pointContact::report(const scalar dt) const
 {
     for (const contactPair& pair : pairs_)
     {
-        scalar least = GREAT;
+        const scalar closed = returnReduce(pair.nClosed, sumOp<scalar>());
+        const scalar push = returnReduce(pair.push, sumOp<scalar>());
+        scalar gap = GREAT;
         for (const contactNode& m : contactNodes_)
         {
-            if (&pairs_[m.pair] == &pair)
+            if (!(push > 0) && &pairs_[m.pair] == &pair && m.gap >= 0)
             {
-                least = min(least, m.gap);
+                gap = min(gap, m.gap);
             }
         }
-        reduce(least, minOp<scalar>());
+        reduce(gap, minOp<scalar>());
+        if (push > 0)
+        {
+            gap = returnReduce(pair.pushedGap, sumOp<scalar>())/push;
+        }
         Info<< "Contact " << pair.how.name << " of " << fields_[pair.a].name();
         if (pair.b >= 0)
         {
@@ -450,16 +485,15 @@ void Foam::mpm::pointContact::report(const scalar dt) const
             << returnReduce(pair.step, sumOp<vector>())/max(dt, VSMALL)
             << " N, impulse " << returnReduce(pair.sum, sumOp<vector>())
             << " N s, gap ";
-        if (least < GREAT)
+        if (gap < GREAT)
         {
-            Info<< least << " m";
+            Info<< gap << " m";
         }
         else
         {
             Info<< "none";
         }
-        Info<< ", closed nodes " << std::round(returnReduce(pair.nClosed, sumOp<scalar>()))
-            << endl;
+        Info<< ", closed nodes " << std::round(closed) << endl;
     }
     if (nUnsettled_)
     {

@@ -393,7 +393,9 @@ void Foam::mpm::pointContact::shareIncrement()
             rigidNodes::bodyOf{bodies_[b].phase, bodies_[b].body},
             W[b]
         );
-        rigid.impose(field.increment(), field.stride(), true, false);
+        const int stride = field.stride();
+        rigid.addImpulse(field.increment(), true, field.momentum(), stride);
+        rigid.impose(field.increment(), stride, true, false);
     }
 }
 

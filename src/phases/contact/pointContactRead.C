@@ -123,7 +123,7 @@ void Foam::mpm::pointContact::addPair
     pair.a = a;
     pair.b = b;
     pair.step = pair.sum = Zero;
-    pair.nClosed = 0;
+    pair.nClosed = pair.pushedGap = pair.push = 0;
     if (b < 0)
     {
         pair.wall = wallNormals(a, patchi);

@@ -140,6 +140,23 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
 }
 
 
+void Foam::mpm::velocityField::addToIncrement(const scalar* impulse)
+{
+    const scalar* mU = mU_.data();
+    scalar* v = increment_.data();
+    for (const label n : active_)
+    {
+        const scalar m = mU[stride_*n + nDim_];
+        const scalar rm = m > 0 ? 1/m : 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            v[stride_*n + d] += rm*impulse[stride_*n + d];
+        }
+    }
+    constrainStep(v, true);
+}
+
+
 void Foam::mpm::velocityField::addIncrement(const series s, const scalar weight)
 {
     const scalar* v = increment_.data();

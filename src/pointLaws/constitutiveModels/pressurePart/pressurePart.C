@@ -181,6 +181,12 @@ Foam::scalar Foam::mpm::pressurePart::advance
                *(1/r.rhoOld[i] - 1/r.rho[i]);
         }
     }
+
+    // The law of a failed point that has opened goes on with a density that
+    // falls, and its speed grows; what the point carries has no such wave
+    const scalar* failed = b.damage ? b.damage + first : nullptr;
+    const scalar unstressed =
+        failed ? (bulkModulus() + 4.0/3*G)/equation_->rho0() : 0;
     for (label i = 0; i < n; ++i)
     {
         const scalar e1 = e ? e[i] : 0;
@@ -189,7 +195,17 @@ Foam::scalar Foam::mpm::pressurePart::advance
             max(dA[i] + e1*dB[i] + p*B[i]/(r.rho[i]*r.rho[i]), scalar(0))
           + 4.0/3*G/r.rho[i];
         r.p[i] = p + q[i];
-        fastest = max(fastest, viscous[i] + std::sqrt(square + viscous[i]*viscous[i]));
+        const bool open = failed && failed[i] >= 1 && p <= 0;
+        fastest = max
+        (
+            fastest,
+            viscous[i]
+          + std::sqrt
+            (
+                (open ? min(square, unstressed) : square)
+              + viscous[i]*viscous[i]
+            )
+        );
     }
     return fastest;
 }
