@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "starFraction.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -153,6 +154,14 @@ void Foam::mpm::starFraction::limitDrag()
     // Largest theta_l of each cell, of the cells of a node, of all cells that
     // share a node with a cell
     const cellSimplices& cells = stars_.cells();
+    const sharedStars* others = stars_.others();
+    if (others)
+    {
+        for (const label l : others->nodes().nodes())
+        {
+            largest_[l] = 0;
+        }
+    }
     for (const label c : around_)
     {
         const label* nodes = cells.nodes(c);
@@ -173,6 +182,10 @@ void Foam::mpm::starFraction::limitDrag()
             most = max(most, around1_[c]);
         }
     }
+    if (others)
+    {
+        others->nodes().largest(largest_.begin(), 1, 1);
+    }
     for (const label c : around_)
     {
         const label* nodes = cells.nodes(c);
@@ -181,13 +194,18 @@ void Foam::mpm::starFraction::limitDrag()
             around1_[c] = max(around1_[c], largest_[nodes[i]]);
         }
     }
+    if (others)
+    {
+        syncTools::swapBoundaryCellList(mesh_, around1_, behind_);
+    }
     for (const label f : faces_)
     {
-        const label other =
-            f < mesh_.nInternalFaces() ? mesh_.faceNeighbour()[f]
-          : mesh_.faceOwner()[stars_.mate(f)];
-        const scalar most =
-            max(around1_[mesh_.faceOwner()[f]], around1_[other]);
+        const label i = f - mesh_.nInternalFaces();
+        const scalar other =
+            i < 0 ? around1_[mesh_.faceNeighbour()[f]]
+          : others ? behind_[i]
+          : around1_[mesh_.faceOwner()[stars_.mate(f)]];
+        const scalar most = max(around1_[mesh_.faceOwner()[f]], other);
         dragLimit_[f] = most > 0 ? thetaS_[f]/most : 0;
     }
 }
@@ -222,7 +240,7 @@ void Foam::mpm::starFraction::updateDilation(const scalar dt)
 }
 
 
-Foam::boolList Foam::mpm::starFraction::failedNodes() const
+Foam::boolList Foam::mpm::starFraction::failedNodes()
 {
     boolList failed;
     for (const materialPointPhase& phase : points_.phases())
@@ -248,6 +266,19 @@ Foam::boolList Foam::mpm::starFraction::failedNodes() const
                 }
             }
         );
+    }
+    if (stars_.others() && failed.size())
+    {
+        const sharedNodes& shared = stars_.others()->nodes();
+        for (const label l : shared.nodes())
+        {
+            largest_[l] = failed[l];
+        }
+        shared.largest(largest_.begin(), 1, 1);
+        for (const label l : shared.nodes())
+        {
+            failed[l] = largest_[l] > 0;
+        }
     }
     return failed;
 }

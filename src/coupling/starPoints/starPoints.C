@@ -28,7 +28,7 @@ class starPointsOf final
 
     static constexpr int W = shape::W;
 
-    static_assert(2*DIM + 1 <= vertexStride && moved + DIM <= nodeStride);
+    static_assert(2*DIM + 1 <= vertexStride && moved + DIM <= spare);
 
     const pointGrid& grid_;
     const cellSimplices& cells_;
