@@ -221,11 +221,12 @@ def onProcessors(name, kind, n, split=None, start=None, **options):
 
 MESHES = (("prisms", (16, 16, 1), [(2, 1, 1)], {"walls": "cyclic"}),
           ("tets", (8, 8, 8), [(1, 2, 1)], {"walls": "cyclic"}),
-          ("polyhedra", (7, 7, 7), [(2, 1, 1)], {"walls": True}))
+          ("polyhedra", (6, 6, 6), [(2, 1, 1)], {"walls": True}))
 MORE_MESHES = (("hexes", (16, 16, 1), [(1, 2, 1), (3, 1, 1)], {"walls": "cyclic"}),
                ("warped", (8, 8, 8), [(1, 1, 2), (1, 3, 1)], {"walls": "cyclic"}),
                ("boxes", (16, 16, 1), [(2, 1, 1), (3, 1, 1)],
-                {"walls": "cyclic", "gas": {"solidFraction": "star"}}))
+                {"walls": "cyclic", "gas": {"solidFraction": "star"},
+                 "numerics": {**FLIP, "shapeFunction": "linear"}}))
 
 
 def processors(table):
