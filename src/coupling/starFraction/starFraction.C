@@ -446,16 +446,6 @@ void Foam::mpm::starFraction::show(solidOnFaces& pores) const
 }
 
 
-void Foam::mpm::starFraction::keepOwn(const label phasei)
-{
-    FatalErrorInFunction
-        << "The granularPressure of phase "
-        << points_.phases()[phasei].name() << " does not work with"
-        << " solidFraction star yet: it needs boxes of one size in each"
-        << " direction (solidFraction lattice)." << exit(FatalError);
-}
-
-
 void Foam::mpm::starFraction::initialise()
 {
     updateVolumes();
@@ -497,10 +487,20 @@ void Foam::mpm::starFraction::setPressure
 void Foam::mpm::starFraction::gather
 (
     const label phasei,
-    const scalarField*
+    const scalarField* pOwn
 )
 {
-    sums_->gather(points_.phases()[phasei].cloud(), P_.cdata(), 1 - eps_);
+    if (pOwn)
+    {
+        updatePush(phasei, *pOwn);
+    }
+    sums_->gather
+    (
+        points_.phases()[phasei].cloud(),
+        P_.cdata(),
+        1 - eps_,
+        pOwn ? push_.cdata() : nullptr
+    );
 }
 
 

@@ -112,12 +112,109 @@ void Foam::mpm::starFraction::updateFaces(const scalar dt)
 }
 
 
+Foam::scalar Foam::mpm::starFraction::ownOf
+(
+    const label phasei,
+    const label celli
+) const
+{
+    const label* nodes = stars_.cells().nodes(celli);
+    const scalarList& q = ofPhase_[phasei];
+    scalar sum = 0;
+    for (label i = 0; i < stars_.cells().nVertices(celli); ++i)
+    {
+        const label l = nodes[i];
+        if (hasNode_[l])
+        {
+            sum +=
+                stars_.vertexVolume(stars_.start(celli) + i)
+               *q[starPoints::nodeStride*l + starPoints::volume]
+               /stars_.nodeVolume(l);
+        }
+    }
+    return sum/mesh_.V()[celli];
+}
+
+
+void Foam::mpm::starFraction::updatePush
+(
+    const label phasei,
+    const scalarField& q
+)
+{
+    const pointGrid& grid = stars_.grid();
+    const int D = grid.nDim();
+    const sharedStars* others = stars_.others();
+    push_.setSize(D*grid.nNodes());
+    const auto clear = [&](const labelUList& nodes)
+    {
+        for (const label l : nodes)
+        {
+            std::fill_n(push_.begin() + D*l, D, 0.0);
+        }
+    };
+    clear(nodes_);
+    if (others)
+    {
+        clear(others->nodes().nodes());
+    }
+
+    scalarField behind;
+    syncTools::swapBoundaryCellList(mesh_, q, behind);
+    const scalarList& of = ofPhase_[phasei];
+    for (const label f : faces_)
+    {
+        // Coupled faces come from both sides
+        const label i = f - mesh_.nInternalFaces();
+        const scalar qO = q[mesh_.faceOwner()[f]];
+        const scalar qN = i < 0 ? q[mesh_.faceNeighbour()[f]] : behind[i];
+        if (qO == qN)
+        {
+            continue;
+        }
+        scalar v = 0;
+        for (const label pointi : mesh_.faces()[f])
+        {
+            const label l = grid.pointToNode()[pointi];
+            v += of[starPoints::nodeStride*l + starPoints::volume];
+        }
+        if (!(v > 0))
+        {
+            continue;
+        }
+        const vector H
+        (
+            ((i < 0 ? 1 : 0.5)*(qO - qN)/v)*mesh_.faceAreas()[f]
+        );
+        for (const label pointi : mesh_.faces()[f])
+        {
+            const label l = grid.pointToNode()[pointi];
+            for (int d = 0; hasNode_[l] && d < D; ++d)
+            {
+                push_[D*l + d] += H[grid.direction(d)];
+            }
+        }
+    }
+    if (others)
+    {
+        others->nodes().sum(push_.begin(), D, D);
+    }
+}
+
+
 void Foam::mpm::starFraction::updateTheta()
 {
     for (const label c : around_)
     {
         isAround_[c] = false;
         theta_[c] = dilation_[c] = 0;
+        for (scalarField& own : own_)
+        {
+            if (own.size())
+            {
+                own[c] = 0;
+            }
+        }
     }
     around_.clear();
     for (const label l : nodes_)
@@ -145,6 +242,13 @@ void Foam::mpm::starFraction::updateTheta()
             }
         }
         theta_[c] = sum/mesh_.V()[c];
+        forAll(own_, phasei)
+        {
+            if (own_[phasei].size())
+            {
+                own_[phasei][c] = ownOf(phasei, c);
+            }
+        }
     }
 }
 
@@ -358,6 +462,28 @@ void Foam::mpm::starFraction::findDense()
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::starFraction::divergence
+(
+    const label phasei,
+    const label celli
+) const
+{
+    const int D = stars_.grid().nDim();
+    const label* nodes = stars_.cells().nodes(celli);
+    scalar sum = 0;
+    for (label i = 0; i < stars_.cells().nVertices(celli); ++i)
+    {
+        const vector e(stars_.sideSum(celli, i));
+        for (int d = 0; d < D; ++d)
+        {
+            sum +=
+                velocity_[phasei][D*nodes[i] + d]*e[stars_.grid().direction(d)];
+        }
+    }
+    return sum/mesh_.V()[celli];
+}
+
 
 void Foam::mpm::starFraction::forDenseCells
 (

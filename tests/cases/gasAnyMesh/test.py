@@ -17,6 +17,9 @@ anyMesh; points with node-dual functions.
     processors    a shock on a body that moves from one processor to the other, on prisms
                   and tetrahedra with cyclic sides and polyhedra with warped faces: as on
                   one processor, 1e-10; restart on two bit by bit
+    packed        grains that their granular pressure pushes away from a wall: momentum
+                  3 %; a disc that it drives apart: momentum of all 1e-12, on two processors
+                  as on one
     spall         plates in air on prisms, FMPM 2, Courant number 0.3, failure at 400 MPa:
                   first tension 1.5 % (50 cells over the target), p > 0, no pressure set to
                   the isentrope, mass of the gas 1e-12
@@ -68,10 +71,11 @@ def bodyInGas(name, kind, n, body, velocity, steps, walls=False, moved=0.2, Co=0
     """walls: True, False (open) or "cyclic"; split: pieces (nx, ny, nz), one for each
     processor; start: called with the case before the run on these."""
     case = FoamCase("gasAnyMesh", name.replace(" ", "-").replace(",", ""))
+    solid = not {"type", "volumeModel"} & set(phase or {})
     case.write("constant/phaseProperties", {
         "phases": ["air", "block"],
         "air": {"type": "gas", "thermo": "perfectGas", "R": R, "gamma": 1.4, **(gas or {})},
-        "block": {**({} if "type" in (phase or {}) else
+        "block": {**({} if not solid else
                      {"constitutiveModel": {"type": "linearElastic", "rho": RHO,
                                             "E": modulus, "nu": 0}}), **(phase or {})}})
     flat = n[2] == 1
@@ -90,7 +94,7 @@ def bodyInGas(name, kind, n, body, velocity, steps, walls=False, moved=0.2, Co=0
     gasSchemes(case)
     case.write("system/setMaterialPointsDict", {"regions": {"block": {
         "phase": "block", **region(case, body, n, h), "pointsPerCell": points,
-        **({} if "type" in (phase or {}) else
+        **({} if not solid else
            {"velocity": velocity, "stress": "ambient", "pressure": P0})}}})
     case.write("system/fvSolution", {"materialPoints": numerics})
     dt = Co*h/(np.sqrt(modulus/RHO) + np.max(np.abs(velocity)))
@@ -259,6 +263,51 @@ def processors(table):
         table.check(f"{label}: gas bit by bit", files[0] == files[1])
 
 
+def grains(name, kind, n, region, U, steps, low=0.5, high=0.65, Fr=10, split=None, **more):
+    return bodyInGas(
+        name, kind, n, {"volumeFraction": 0.6, "velocity": U, **region}, U, steps, h=1e-3,
+        phase={"volumeModel": "grains",
+               "constitutiveModel": {"type": "noStress", "rho": 2500.0},
+               "granularPressure": {"type": "JohnsonJackson", "alphaMin": low,
+                                    "alphaMax": high, "Fr": Fr, "delta": 0.04}},
+        modulus=RHO*340**2, Co=0.12, reports=steps, split=split, **more)
+
+
+def packed(table):
+    """Grains of fraction a against a wall push themselves away from it: their momentum is
+    p_s(a) times area and time until the wave, c = sqrt(p_s'/rho), is back at the wall."""
+    n, a, low, high, width = (20, 4, 1), 0.6, 0.5, 0.65, 1e-2
+    p = 10*a*(a - low)**2/(high - a)**5
+    c = np.sqrt(p*(1/a + 2/(a - low) + 5/(high - a))/2500)
+    dt = 0.12e-3/340
+    steps = int(0.6*width/c/dt)
+    for kind in ("prisms", "hexes"):
+        case = grains(f"packed {kind}", kind, n,
+                      {"type": "box", "min": (-1, -1, -1), "max": (width, 1, 1)}, (0, 0, 0),
+                      steps, walls=True)
+        table.row(f"packed grains at a wall, {kind}: momentum [kg m/s]",
+                  p*n[1]*1e-6*steps*dt, figures(case)["momentum"][-1, 0], 0.03, "relative")
+
+    n, U = (20, 20, 1), np.array((1.0, 0.5, 0.0))
+    disc = {"type": "cylinder", "point1": (0.01, 0.01, -1), "point2": (0.01, 0.01, 1),
+            "radius": 0.006}
+    cases = [grains(f"packed disc {split}".replace(", ", ""), "prisms", n, disc, U, steps,
+                    walls="cyclic", split=split) for split in (None, (2, 1, 1))]
+    for case, ranks in zip(cases, (1, 2)):
+        f = figures(case)
+        total = f["momentum"] + f["gasMomentum"]
+        label = f"disc of packed grains, prisms, {ranks} processors"
+        table.row(f"{label}: momentum of all over the grains'", 0,
+                  np.max(abs(total - total[0]))/np.max(abs(f["momentum"])), 1e-12, "atMost")
+    u = cases[0].points(cases[0].times()[-1], "block").byId("U")
+    table.row("disc of packed grains, prisms: it is driven apart, mean velocity over half of"
+              " p_s/(rho c)", 1, np.mean(np.linalg.norm(u - U, axis=1))/(0.5*p/(1500*c)), 1,
+              "atLeast")
+    table.row("disc of packed grains, 1 against 2 processors: points", 0,
+              cases[0].largestDifference(cases[1], cases[0].times()[-1], ["block"],
+                                         ("x", "U", "V")), 1e-10, "atMost")
+
+
 def spall(table):
     """Plates in air, with failure, 50 cells over the target."""
     cells, end = 25, 3e-6
@@ -360,4 +409,4 @@ def rotation(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, restart, processors,
-                      spall))
+                      packed, spall))
