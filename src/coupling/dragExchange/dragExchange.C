@@ -169,8 +169,9 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
         }
     }
 
+    const labelUList& beside = fraction_.nodesBeside(phasei);
     const scalar* UL =
-        levels_ ? levels_->atShares(cloud, field.UL()) : field.UL();
+        levels_ ? levels_->atShares(cloud, field.UL(), beside) : field.UL();
     const scalar* volume = (*cloud.gasVolume())[0];
     const auto exchangeCell =
         [&](const label k, const labelUList& nodes)
@@ -212,7 +213,7 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     dragDense(phasei, UL, dt);
     if (levels_)
     {
-        levels_->spreadShares(cloud, impulse_.data());
+        levels_->spreadShares(cloud, impulse_.data(), beside);
     }
     points_.addImpulse(fieldi, impulse_.data());
 }

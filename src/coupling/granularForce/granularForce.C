@@ -9,31 +9,6 @@ License
 #include "granularForce.H"
 #include "dictionaryTools.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-using namespace Foam::mpm;
-
-//- h max(-div u, 0) of a cell from its corners [m/s], h its shortest side; on
-//  a wedge div u of the plane
-scalar velocityLoss
-(
-    const pointGrid& grid,
-    const label celli,
-    const scalar* U,
-    const int stride
-)
-{
-    return
-        grid.shortestSide(celli)
-       *max(-grid.divergence(celli, U, stride), scalar(0));
-}
-
-}
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::granularForce::read
@@ -108,8 +83,8 @@ const Foam::scalarField* Foam::mpm::granularForce::pressure
         p_[c] = law.p(a[c]);
     }
 
-    // Nodes of cells with points have a velocity
-    const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
+    // Nodes of cells with points have a velocity; h max(-div u, 0) [m/s], h the
+    // shortest side; on a wedge div u of the plane
     const scalar rho = points_.phases()[phasei].rho();
     for (const label c : points_.phases()[phasei].cloud().cells())
     {
@@ -119,7 +94,8 @@ const Foam::scalarField* Foam::mpm::granularForce::pressure
             (
                 a[c],
                 rho,
-                velocityLoss(points_.grid(), c, field.U(), field.stride())
+                points_.grid().shortestSide(c)
+               *max(-fraction_.divergence(phasei, c), scalar(0))
             );
         }
     }

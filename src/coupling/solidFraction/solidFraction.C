@@ -124,6 +124,17 @@ void Foam::mpm::solidFraction::show(solidOnFaces& pores) const
 }
 
 
+Foam::scalar Foam::mpm::solidFraction::divergence
+(
+    const label phasei,
+    const label celli
+) const
+{
+    const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
+    return points_.grid().divergence(celli, field.U(), field.stride());
+}
+
+
 void Foam::mpm::solidFraction::keepOwn(const label phasei)
 {
     own_[phasei].setSize(mesh_.nCells(), 0);

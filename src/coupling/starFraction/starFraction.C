@@ -8,6 +8,7 @@ License
 
 #include "starFraction.H"
 #include "lanes.H"
+#include "syncTools.H"
 #include "addToRunTimeSelectionTable.H"
 #include <algorithm>
 
@@ -33,14 +34,10 @@ using namespace Foam::mpm;
 //- The mesh, where the form allows it
 const pointGrid& allowed(const pointGrid& grid)
 {
-    const char* reason =
-        grid.radial() >= 0 ? "wedge patches"
-      : Pstream::parRun() ? "several processors"
-      : nullptr;
-    if (reason)
+    if (grid.radial() >= 0)
     {
         FatalErrorInFunction
-            << "solidFraction star does not work with " << reason << " yet: on"
+            << "solidFraction star does not work with wedge patches yet: on"
             << " these, material points in a gas need boxes of one size in each"
             << " direction (solidFraction lattice)." << exit(FatalError);
     }
@@ -154,8 +151,68 @@ void Foam::mpm::starFraction::touch()
 }
 
 
+void Foam::mpm::starFraction::share()
+{
+    const sharedStars* others = stars_.others();
+    if (!others)
+    {
+        return;
+    }
+    constexpr int stride = starPoints::nodeStride;
+    const labelList& shared = others->nodes().nodes();
+    const auto mark = [&](const label l) -> scalar&
+    {
+        return ofPhase_[0][stride*l + starPoints::spare];
+    };
+    for (const label l : shared)
+    {
+        mark(l) = hasNode_[l];
+    }
+    forAll(ofPhase_, phasei)
+    {
+        scalarList& q = ofPhase_[phasei];
+        DynamicList<label>& beside = beside_[phasei];
+        beside.clear();
+        for (const label l : shared)
+        {
+            if (!(q[stride*l + starPoints::volume] > 0))
+            {
+                beside.append(l);
+            }
+        }
+        others->nodes().sum(q.begin(), stride, stride);
+        label n = 0;
+        for (const label l : beside)
+        {
+            if (q[stride*l + starPoints::volume] > 0)
+            {
+                beside[n++] = l;
+            }
+        }
+        beside.setSize(n);
+    }
+    for (const label l : shared)
+    {
+        if (mark(l) > 0 && !hasNode_[l])
+        {
+            hasNode_[l] = true;
+            nodes_.append(l);
+        }
+    }
+    others->sendRows
+    (
+        hasNode_,
+        [&](const label l) { return stars_.verticesOf(l); },
+        vertex_.cdata(),
+        starPoints::way(stars_.grid().nDim()) + 1
+    );
+}
+
+
 void Foam::mpm::starFraction::collectNodes()
 {
+    share();
+
     // In an order that does not depend on the past: a restart sums the same
     std::sort(nodes_.begin(), nodes_.end());
     constexpr int stride = starPoints::nodeStride;
@@ -195,6 +252,7 @@ void Foam::mpm::starFraction::sumFaces()
     faces_.clear();
 
     const int D = stars_.grid().nDim();
+    const sharedStars* others = stars_.others();
     std::vector<row> sum;
     for (const label l : nodes_)
     {
@@ -203,20 +261,29 @@ void Foam::mpm::starFraction::sumFaces()
         const starOperators::star& star = stars_.ofNode(l);
         const label n = faces.size();
         sum.assign(n, row{});
+        const auto add = [&](const scalar* of, const label i)
+        {
+            const row q = load<faceStride>(of);
+            const scalar* g = star.g.begin() + n*i;
+            for (label k = 0; k < n; ++k)
+            {
+                sum[k] += g[k]*q;
+            }
+        };
         forAll(vertices, i)
         {
             const label v = vertices[i];
             if (hasSums_[stars_.cellOf(v)])
             {
-                const row q = load<faceStride>
-                (
-                    vertex_.begin() + faceStride*v
-                );
-                const scalar* g = star.g.begin() + n*i;
-                for (label k = 0; k < n; ++k)
-                {
-                    sum[k] += g[k]*q;
-                }
+                add(vertex_.begin() + faceStride*v, i);
+            }
+        }
+        if (const starPart* part = others ? others->othersOf(l) : nullptr)
+        {
+            const scalar* rows = others->rowsOf(l);
+            forAll(part->vertices, i)
+            {
+                add(rows + faceStride*i, vertices.size() + i);
             }
         }
         const scalar* q = node_.begin() + starPoints::nodeStride*l;
@@ -273,7 +340,10 @@ void Foam::mpm::starFraction::updateVelocities()
         scalarList& u = velocity_[phasei];
         const scalar* U =
             phase.motion() ? nullptr
-          : levels_ ? levels_->atShares(phase.cloud(), field.U())
+          : levels_ ? levels_->atShares
+            (
+                phase.cloud(), field.U(), beside_[phasei]
+            )
           : field.U();
         for (const label l : nodes_)
         {
@@ -324,6 +394,7 @@ Foam::mpm::starFraction::starFraction
         scalarList(points.grid().nDim()*old_.size(), Zero)
     ),
     face_(faceStride*mesh_.nFaces(), Zero),
+    beside_(points.phases().size()),
     hasSums_(mesh_.nCells(), false),
     hasNode_(old_.size(), false),
     hasFace_(mesh_.nFaces(), false),
@@ -349,13 +420,16 @@ Foam::mpm::starFraction::starFraction
         }
         limit[c] = 0.8/n;
     }
+    scalarField behind;
+    syncTools::swapBoundaryCellList(mesh_, limit, behind);
     forAll(soundLimit_, f)
     {
-        const label other =
-            f < mesh_.nInternalFaces() ? mesh_.faceNeighbour()[f]
-          : stars_.mate(f) >= 0 ? mesh_.faceOwner()[stars_.mate(f)]
-          : mesh_.faceOwner()[f];
-        soundLimit_[f] = min(limit[mesh_.faceOwner()[f]], limit[other]);
+        const label i = f - mesh_.nInternalFaces();
+        soundLimit_[f] = min
+        (
+            limit[mesh_.faceOwner()[f]],
+            i < 0 ? limit[mesh_.faceNeighbour()[f]] : behind[i]
+        );
     }
 }
 
@@ -369,16 +443,6 @@ void Foam::mpm::starFraction::show(solidOnFaces& pores) const
     pores.U = velocityOfFaces_.cdata();
     pores.soundLimit = soundLimit_.cdata();
     pores.leak = 0;
-}
-
-
-void Foam::mpm::starFraction::keepOwn(const label phasei)
-{
-    FatalErrorInFunction
-        << "The granularPressure of phase "
-        << points_.phases()[phasei].name() << " does not work with"
-        << " solidFraction star yet: it needs boxes of one size in each"
-        << " direction (solidFraction lattice)." << exit(FatalError);
 }
 
 
@@ -423,10 +487,20 @@ void Foam::mpm::starFraction::setPressure
 void Foam::mpm::starFraction::gather
 (
     const label phasei,
-    const scalarField*
+    const scalarField* pOwn
 )
 {
-    sums_->gather(points_.phases()[phasei].cloud(), P_.cdata(), 1 - eps_);
+    if (pOwn)
+    {
+        updatePush(phasei, *pOwn);
+    }
+    sums_->gather
+    (
+        points_.phases()[phasei].cloud(),
+        P_.cdata(),
+        1 - eps_,
+        pOwn ? push_.cdata() : nullptr
+    );
 }
 
 

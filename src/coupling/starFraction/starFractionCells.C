@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "starFraction.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -111,12 +112,109 @@ void Foam::mpm::starFraction::updateFaces(const scalar dt)
 }
 
 
+Foam::scalar Foam::mpm::starFraction::ownOf
+(
+    const label phasei,
+    const label celli
+) const
+{
+    const label* nodes = stars_.cells().nodes(celli);
+    const scalarList& q = ofPhase_[phasei];
+    scalar sum = 0;
+    for (label i = 0; i < stars_.cells().nVertices(celli); ++i)
+    {
+        const label l = nodes[i];
+        if (hasNode_[l])
+        {
+            sum +=
+                stars_.vertexVolume(stars_.start(celli) + i)
+               *q[starPoints::nodeStride*l + starPoints::volume]
+               /stars_.nodeVolume(l);
+        }
+    }
+    return sum/mesh_.V()[celli];
+}
+
+
+void Foam::mpm::starFraction::updatePush
+(
+    const label phasei,
+    const scalarField& q
+)
+{
+    const pointGrid& grid = stars_.grid();
+    const int D = grid.nDim();
+    const sharedStars* others = stars_.others();
+    push_.setSize(D*grid.nNodes());
+    const auto clear = [&](const labelUList& nodes)
+    {
+        for (const label l : nodes)
+        {
+            std::fill_n(push_.begin() + D*l, D, 0.0);
+        }
+    };
+    clear(nodes_);
+    if (others)
+    {
+        clear(others->nodes().nodes());
+    }
+
+    scalarField behind;
+    syncTools::swapBoundaryCellList(mesh_, q, behind);
+    const scalarList& of = ofPhase_[phasei];
+    for (const label f : faces_)
+    {
+        // Coupled faces come from both sides
+        const label i = f - mesh_.nInternalFaces();
+        const scalar qO = q[mesh_.faceOwner()[f]];
+        const scalar qN = i < 0 ? q[mesh_.faceNeighbour()[f]] : behind[i];
+        if (qO == qN)
+        {
+            continue;
+        }
+        scalar v = 0;
+        for (const label pointi : mesh_.faces()[f])
+        {
+            const label l = grid.pointToNode()[pointi];
+            v += of[starPoints::nodeStride*l + starPoints::volume];
+        }
+        if (!(v > 0))
+        {
+            continue;
+        }
+        const vector H
+        (
+            ((i < 0 ? 1 : 0.5)*(qO - qN)/v)*mesh_.faceAreas()[f]
+        );
+        for (const label pointi : mesh_.faces()[f])
+        {
+            const label l = grid.pointToNode()[pointi];
+            for (int d = 0; hasNode_[l] && d < D; ++d)
+            {
+                push_[D*l + d] += H[grid.direction(d)];
+            }
+        }
+    }
+    if (others)
+    {
+        others->nodes().sum(push_.begin(), D, D);
+    }
+}
+
+
 void Foam::mpm::starFraction::updateTheta()
 {
     for (const label c : around_)
     {
         isAround_[c] = false;
         theta_[c] = dilation_[c] = 0;
+        for (scalarField& own : own_)
+        {
+            if (own.size())
+            {
+                own[c] = 0;
+            }
+        }
     }
     around_.clear();
     for (const label l : nodes_)
@@ -144,6 +242,13 @@ void Foam::mpm::starFraction::updateTheta()
             }
         }
         theta_[c] = sum/mesh_.V()[c];
+        forAll(own_, phasei)
+        {
+            if (own_[phasei].size())
+            {
+                own_[phasei][c] = ownOf(phasei, c);
+            }
+        }
     }
 }
 
@@ -153,6 +258,14 @@ void Foam::mpm::starFraction::limitDrag()
     // Largest theta_l of each cell, of the cells of a node, of all cells that
     // share a node with a cell
     const cellSimplices& cells = stars_.cells();
+    const sharedStars* others = stars_.others();
+    if (others)
+    {
+        for (const label l : others->nodes().nodes())
+        {
+            largest_[l] = 0;
+        }
+    }
     for (const label c : around_)
     {
         const label* nodes = cells.nodes(c);
@@ -173,6 +286,10 @@ void Foam::mpm::starFraction::limitDrag()
             most = max(most, around1_[c]);
         }
     }
+    if (others)
+    {
+        others->nodes().largest(largest_.begin(), 1, 1);
+    }
     for (const label c : around_)
     {
         const label* nodes = cells.nodes(c);
@@ -181,13 +298,18 @@ void Foam::mpm::starFraction::limitDrag()
             around1_[c] = max(around1_[c], largest_[nodes[i]]);
         }
     }
+    if (others)
+    {
+        syncTools::swapBoundaryCellList(mesh_, around1_, behind_);
+    }
     for (const label f : faces_)
     {
-        const label other =
-            f < mesh_.nInternalFaces() ? mesh_.faceNeighbour()[f]
-          : mesh_.faceOwner()[stars_.mate(f)];
-        const scalar most =
-            max(around1_[mesh_.faceOwner()[f]], around1_[other]);
+        const label i = f - mesh_.nInternalFaces();
+        const scalar other =
+            i < 0 ? around1_[mesh_.faceNeighbour()[f]]
+          : others ? behind_[i]
+          : around1_[mesh_.faceOwner()[stars_.mate(f)]];
+        const scalar most = max(around1_[mesh_.faceOwner()[f]], other);
         dragLimit_[f] = most > 0 ? thetaS_[f]/most : 0;
     }
 }
@@ -222,7 +344,7 @@ void Foam::mpm::starFraction::updateDilation(const scalar dt)
 }
 
 
-Foam::boolList Foam::mpm::starFraction::failedNodes() const
+Foam::boolList Foam::mpm::starFraction::failedNodes()
 {
     boolList failed;
     for (const materialPointPhase& phase : points_.phases())
@@ -248,6 +370,19 @@ Foam::boolList Foam::mpm::starFraction::failedNodes() const
                 }
             }
         );
+    }
+    if (stars_.others() && failed.size())
+    {
+        const sharedNodes& shared = stars_.others()->nodes();
+        for (const label l : shared.nodes())
+        {
+            largest_[l] = failed[l];
+        }
+        shared.largest(largest_.begin(), 1, 1);
+        for (const label l : shared.nodes())
+        {
+            failed[l] = largest_[l] > 0;
+        }
     }
     return failed;
 }
@@ -327,6 +462,28 @@ void Foam::mpm::starFraction::findDense()
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::starFraction::divergence
+(
+    const label phasei,
+    const label celli
+) const
+{
+    const int D = stars_.grid().nDim();
+    const label* nodes = stars_.cells().nodes(celli);
+    scalar sum = 0;
+    for (label i = 0; i < stars_.cells().nVertices(celli); ++i)
+    {
+        const vector e(stars_.sideSum(celli, i));
+        for (int d = 0; d < D; ++d)
+        {
+            sum +=
+                velocity_[phasei][D*nodes[i] + d]*e[stars_.grid().direction(d)];
+        }
+    }
+    return sum/mesh_.V()[celli];
+}
+
 
 void Foam::mpm::starFraction::forDenseCells
 (

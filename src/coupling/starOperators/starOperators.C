@@ -10,6 +10,8 @@ License
 #include "gridNodes.H"
 #include "pointGrid.H"
 #include "cyclicPolyPatch.H"
+#include "processorPolyPatch.H"
+#include "syncTools.H"
 #include "scalarMatrices.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -91,6 +93,10 @@ void Foam::mpm::starOperators::makeFaces()
                 mate_[f] = cyclic->neighbPatch().start() + i;
                 own[f] = cyclic->owner();
             }
+            else if (isA<processorPolyPatch>(pp))
+            {
+                own[f] = true;
+            }
             else
             {
                 walls[f] = !isEmpty.test(f);
@@ -150,6 +156,46 @@ void Foam::mpm::starOperators::makeFaces()
             }
         }
     }
+}
+
+
+void Foam::mpm::starOperators::share()
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    cellNumbers_.reset(new globalIndex(mesh_.nCells()));
+    faceNumbers_.reset(new globalIndex(mesh_.nFaces()));
+    labelList cells(mesh_.nCells());
+    forAll(cells, c)
+    {
+        cells[c] = cellNumbers_->toGlobal(c);
+    }
+    syncTools::swapBoundaryCellList(mesh_, cells, cellBehind_);
+
+    const label nInternal = mesh_.nInternalFaces();
+    const label n = mesh_.nFaces() - nInternal;
+    faceNumber_.setSize(n);
+    wayBehind_.setSize(n);
+    for (label i = 0; i < n; ++i)
+    {
+        const label f = nInternal + i;
+        faceNumber_[i] = faceNumbers_->toGlobal(f);
+        wayBehind_[i] = mesh_.cellCentres()[owner(f)] - mesh_.faceCentres()[f];
+    }
+    syncTools::swapBoundaryFaceList(mesh_, faceNumber_);
+    syncTools::swapBoundaryFaceList(mesh_, wayBehind_);
+
+    others_.reset
+    (
+        new sharedStars
+        (
+            grid_,
+            [&](const label l, starPart& part) { ownPart(l, part); }
+        )
+    );
+    others_->nodes().sum(nodeVolume_.begin(), 1, 1);
 }
 
 
@@ -236,7 +282,12 @@ Foam::scalar Foam::mpm::starOperators::weight(const label facei) const
         facei < mesh_.nInternalFaces() ? facei : mate_[facei];
     const vector way
     (
-        (Cf[facei] - C[owner(facei)]) + (C[neighbour(facei)] - Cf[other])
+        (Cf[facei] - C[owner(facei)])
+      + (
+            other < 0
+          ? wayBehind_[facei - mesh_.nInternalFaces()]
+          : C[neighbour(facei)] - Cf[other]
+        )
     );
     const vector& S = mesh_.faceAreas()[facei];
     const scalar area = mag(S);
@@ -246,23 +297,74 @@ Foam::scalar Foam::mpm::starOperators::weight(const label facei) const
 }
 
 
+bool Foam::mpm::starOperators::ofLower(const label facei) const
+{
+    const label i = facei - mesh_.nInternalFaces();
+    return
+        i >= 0 && mate_[facei] < 0
+     && faceNumber_[i] < faceNumbers_->toGlobal(facei);
+}
+
+
+Foam::mpm::starPart::edge Foam::mpm::starOperators::edgeOf
+(
+    const label facei,
+    const label node
+) const
+{
+    const label i = facei - mesh_.nInternalFaces();
+    starPart::edge e;
+    e.face = faceNumbers_ ? faceNumbers_->toGlobal(facei) : facei;
+    e.owner = number(owner(facei));
+    e.neighbour =
+        i >= 0 && mate_[facei] < 0 ? cellBehind_[i] : number(neighbour(facei));
+    e.weight = e.owner == e.neighbour ? 0 : weight(facei);
+    e.share = faceShare(facei, node);
+    return e;
+}
+
+
+void Foam::mpm::starOperators::ownPart(const label node, starPart& part) const
+{
+    for (const label v : verticesOf(node))
+    {
+        const label c = cellOf_[v];
+        part.vertices.append
+        (
+            starPart::vertex
+            {
+                number(c), vertexVolume_[v], sideSum(c, v - start_[c])
+            }
+        );
+    }
+    for (const label f : facesOf(node))
+    {
+        if (!ofLower(f))
+        {
+            part.edges.append(edgeOf(f, node));
+        }
+    }
+    part.wall = wall_[node];
+}
+
+
 Foam::scalarList Foam::mpm::starOperators::potentials
 (
     const label node,
     const labelUList& cells,
-    const labelUList& faces,
+    const UList<starPart::edge>& edges,
     const UList<scalar>& w
 ) const
 {
     const label n = cells.size();
     scalarSquareMatrix L(n, Zero);
     scalar scale = 0;
-    for (const label f : faces)
+    for (const starPart::edge& e : edges)
     {
-        const label O = cells.find(owner(f)), N = cells.find(neighbour(f));
+        const label O = cells.find(e.owner), N = cells.find(e.neighbour);
         if (O != N)
         {
-            const scalar c = weight(f);
+            const scalar c = e.weight;
             L(O, O) += c;
             L(N, N) += c;
             L(O, N) -= c;
@@ -327,48 +429,73 @@ Foam::mpm::starOperators::star* Foam::mpm::starOperators::makeStar
 ) const
 {
     const int D = grid_.nDim();
-    const SubList<label> vertices(verticesOf(node));
     const SubList<label> faces(facesOf(node));
     const scalar V = nodeVolume_[node];
 
+    // Other processors' parts behind the own one
+    starPart all;
+    ownPart(node, all);
+    if (const starPart* others = others_ ? others_->othersOf(node) : nullptr)
+    {
+        all.vertices.append(others->vertices);
+        all.edges.append(others->edges);
+        all.wall = all.wall || others->wall;
+    }
+
     // The cells, each once; of each w and e
     DynamicList<label> cells;
-    labelList column(vertices.size());
+    labelList column(all.vertices.size());
     DynamicList<scalar> w;
     DynamicList<vector> e;
-    forAll(vertices, i)
+    forAll(column, i)
     {
-        const label v = vertices[i], c = cellOf_[v];
-        column[i] = cells.find(c);
+        const starPart::vertex& v = all.vertices[i];
+        column[i] = cells.find(v.cell);
         if (column[i] < 0)
         {
             column[i] = cells.size();
-            cells.append(c);
+            cells.append(v.cell);
             w.append(0);
             e.append(vector(Zero));
         }
-        w[column[i]] += vertexVolume_[v]/V;
-        e[column[i]] += sideSum(c, v - start_[c]);
+        w[column[i]] += v.volume/V;
+        e[column[i]] += v.side;
     }
     const label n = cells.size(), nFaces = faces.size();
-    const scalarList pi(potentials(node, cells, faces, w));
+    const scalarList pi(potentials(node, cells, all.edges, w));
 
     star* made = new star;
-    made->g.setSize(vertices.size()*nFaces);
+    made->g.setSize(column.size()*nFaces);
     made->B.setSize(D*nFaces, Zero);
+    label next = 0;
     forAll(faces, k)
     {
-        const label f = faces[k];
-        const label O = cells.find(owner(f)), N = cells.find(neighbour(f));
-        const scalar c = O == N ? 0 : weight(f);
-        forAll(vertices, i)
+        // A face of a lower processor is its edge, the other way round
+        const bool turned = ofLower(faces[k]);
+        const starPart::edge* edge = nullptr;
+        if (turned)
+        {
+            const label at =
+                faceNumber_[faces[k] - mesh_.nInternalFaces()];
+            for (const starPart::edge& e : all.edges)
+            {
+                edge = e.face == at ? &e : edge;
+            }
+        }
+        else
+        {
+            edge = &all.edges[next++];
+        }
+        const label O = cells.find(edge->owner), N = cells.find(edge->neighbour);
+        const scalar c = turned ? -edge->weight : edge->weight;
+        forAll(column, i)
         {
             const scalar* x = pi.begin() + n*column[i];
             made->g[nFaces*i + k] = c*(x[O] - x[N]);
         }
-        if (!wall_[node])
+        if (!all.wall)
         {
-            vector a(-faceShare(f, node));
+            vector a(turned ? edge->share : -edge->share);
             for (label h = 0; h < n; ++h)
             {
                 a += (c*(pi[n*h + O] - pi[n*h + N]))*e[h];
@@ -404,6 +531,7 @@ Foam::mpm::starOperators::starOperators(const pointGrid& grid)
     }
     makeVertices();
     makeFaces();
+    share();
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -415,6 +543,7 @@ void Foam::mpm::starOperators::toNodes
 ) const
 {
     ofNodes.setSize(grid_.nNodes());
+    sums_.setSize(others_ ? grid_.nNodes() : 0);
     forAll(ofNodes, l)
     {
         // Equal values stay equal
@@ -427,7 +556,19 @@ void Foam::mpm::starOperators::toNodes
             const label v = vertices_[i];
             sum += vertexVolume_[v]*(ofCells[cellOf_[v]] - base);
         }
-        ofNodes[l] = first < end ? base + sum/nodeVolume_[l] : 0;
+        if (others_ && others_->othersOf(l))
+        {
+            ofNodes[l] = base;
+            sums_[l] = sum;
+        }
+        else
+        {
+            ofNodes[l] = first < end ? base + sum/nodeVolume_[l] : 0;
+        }
+    }
+    if (others_)
+    {
+        others_->means(ofNodes, sums_);
     }
 }
 

@@ -28,7 +28,7 @@ class starPointsOf final
 
     static constexpr int W = shape::W;
 
-    static_assert(2*DIM + 1 <= vertexStride && moved + DIM <= nodeStride);
+    static_assert(2*DIM + 1 <= vertexStride && moved + DIM <= spare);
 
     const pointGrid& grid_;
     const cellSimplices& cells_;
@@ -165,7 +165,8 @@ public:
     (
         materialPointCloud& cloud,
         const scalar* P,
-        const scalar share
+        const scalar share,
+        const scalar* push
     ) const override;
 };
 
@@ -339,7 +340,8 @@ void Foam::mpm::starPointsOf<DIM>::gather
 (
     materialPointCloud& cloud,
     const scalar* P,
-    const scalar share
+    const scalar share,
+    const scalar* push
 ) const
 {
     const scalar* v = (*cloud.gasVolume())[0];
@@ -350,7 +352,7 @@ void Foam::mpm::starPointsOf<DIM>::gather
         F[d] = (*cloud.gasForce())[d];
     }
     scalar* gradP = gradP_.data();
-    scalar ofOrigin = 0;
+    scalar ofOrigin = 0, pushOrigin[DIM] = {};
     forPoints
     (
         cloud,
@@ -363,6 +365,16 @@ void Foam::mpm::starPointsOf<DIM>::gather
             {
                 ofOrigin +=
                     cells_.originShare(s.celli, i)*(P[s.nodes[i]] - base);
+            }
+            for (int d = 0; push && d < DIM; ++d)
+            {
+                pushOrigin[d] = 0;
+                for (int i = 0; i < s.n; ++i)
+                {
+                    pushOrigin[d] +=
+                        cells_.originShare(s.celli, i)
+                       *push[DIM*s.nodes[i] + d];
+                }
             }
             const scalar* I = s.inverses;
             const label* corner = s.corners;
@@ -395,6 +407,16 @@ void Foam::mpm::starPointsOf<DIM>::gather
             for (int d = 0; d < DIM; ++d)
             {
                 F[d][p] = -share*v[p]*gradP[DIM*simplex + d];
+            }
+            for (int d = 0; push && d < DIM; ++d)
+            {
+                scalar H = pushOrigin[d];
+                for (int k = 0; k < DIM; ++k)
+                {
+                    const label l = s.nodes[s.corners[DIM*simplex + k]];
+                    H += at.lambda[k][lane]*(push[DIM*l + d] - pushOrigin[d]);
+                }
+                F[d][p] += v[p]*H;
             }
         },
         [](const stencil&) {}

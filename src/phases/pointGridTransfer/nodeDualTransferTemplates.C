@@ -365,10 +365,16 @@ template<template<int> class Shape, int DIM, bool HOOP>
 const scalar* nodeDualTransfer<Shape, DIM, HOOP>::atShares
 (
     const materialPointCloud& cloud,
-    const scalar* u
+    const scalar* u,
+    const labelUList& beside
 ) const
 {
-    return gather(reach(cloud), u, U_);
+    gather(reach(cloud), u, U_);
+    for (const label m : beside)
+    {
+        dual_.template gather<P>(m, u, U_.data() + P*m);
+    }
+    return U_.data();
 }
 
 
@@ -376,16 +382,30 @@ template<template<int> class Shape, int DIM, bool HOOP>
 void nodeDualTransfer<Shape, DIM, HOOP>::spreadShares
 (
     const materialPointCloud& cloud,
-    scalar* q
+    scalar* q,
+    const labelUList& beside
 ) const
 {
     const dualNodes& nodes = reach(cloud);
+    const auto take = [&](const label m, scalar* to)
+    {
+        std::copy_n(q + P*m, P, to);
+        std::fill_n(q + P*m, P, 0.0);
+    };
     for (const label m : nodes.nodes())
     {
-        std::copy_n(q + P*m, P, a_.data() + P*m);
-        std::fill_n(q + P*m, P, 0.0);
+        take(m, a_.data() + P*m);
+    }
+    alignedArray rest(P*beside.size());
+    forAll(beside, i)
+    {
+        take(beside[i], rest.data() + P*i);
     }
     spread(nodes, q);
+    forAll(beside, i)
+    {
+        dual_.template spread<P>(beside[i], rest.data() + P*i, q);
+    }
 }
 
 

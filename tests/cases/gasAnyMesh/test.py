@@ -5,7 +5,8 @@ A box of prisms, moved hexahedra (one layer with empty sides) or tetrahedra, as 
 anyMesh; points with node-dual functions.
 
     translation   a disc and a turned block move with the gas at 100 m/s across the
-                  mesh: pressure of every step within 1e-11, momentum 1e-12
+                  mesh, also on two processors: pressure of every step within 1e-11,
+                  momentum 1e-12
     rest          a block in still gas between walls: velocities 1e-11 m/s
     rotation      a disc of 10 cells that turns with its pore gas, edge speed 100 m/s,
                   sticking, for the time of half a turn: pressure in gas, mixed cells and
@@ -13,6 +14,12 @@ anyMesh; points with node-dual functions.
     shock         air of 4 bar meets a moving block at 30 degrees in a cyclic box: momentum
                   of all 1e-12, mass 1e-12, energy residual <= 1 %, falling with the step
     restart       at half time of a shock: bit by bit
+    processors    a shock on a body that moves from one processor to the other, on prisms
+                  and tetrahedra with cyclic sides and polyhedra with warped faces: as on
+                  one processor, 1e-10; restart on two bit by bit
+    packed        grains that their granular pressure pushes away from a wall: momentum
+                  3 %; a disc that it drives apart: momentum of all 1e-12, on two processors
+                  as on one
     spall         plates in air on prisms, FMPM 2, Courant number 0.3, failure at 400 MPa:
                   first tension 1.5 % (50 cells over the target), p > 0, no pressure set to
                   the isentrope, mass of the gas 1e-12
@@ -60,13 +67,15 @@ def region(case, body, n, H):
 
 def bodyInGas(name, kind, n, body, velocity, steps, walls=False, moved=0.2, Co=0.4,
               numerics=FLIP, gas=None, phase=None, reports=20, points=2, writes=1,
-              prepare=None, h=H, modulus=E, gasVelocity=None):
-    """walls: True, False (open) or "cyclic"."""
+              prepare=None, h=H, modulus=E, gasVelocity=None, split=None, start=None):
+    """walls: True, False (open) or "cyclic"; split: pieces (nx, ny, nz), one for each
+    processor; start: called with the case before the run on these."""
     case = FoamCase("gasAnyMesh", name.replace(" ", "-").replace(",", ""))
+    solid = not {"type", "volumeModel"} & set(phase or {})
     case.write("constant/phaseProperties", {
         "phases": ["air", "block"],
         "air": {"type": "gas", "thermo": "perfectGas", "R": R, "gamma": 1.4, **(gas or {})},
-        "block": {**({} if "type" in (phase or {}) else
+        "block": {**({} if not solid else
                      {"constitutiveModel": {"type": "linearElastic", "rho": RHO,
                                             "E": modulus, "nu": 0}}), **(phase or {})}})
     flat = n[2] == 1
@@ -80,43 +89,67 @@ def bodyInGas(name, kind, n, body, velocity, steps, walls=False, moved=0.2, Co=0
     if flat:
         patches["sides"] = ("empty", ("z-", "z+"))
         conditions["sides"] = "empty"
-    boxOfCells(case, kind, (0, 0, 0), h*np.array(n), n, patches, moved=moved)
-    velocityFile(case, "block", {k: "calculated" if v == "slip" and not walls else v
-                                 for k, v in conditions.items()})
-    gasFields(case, conditions, velocity if gasVelocity is None else gasVelocity)
-    if not walls:
-        case.change("0/U.air", "type slip;", "type fixedValue; value $internalField;")
+    boxOfCells(case, {"polyhedra": "tets", "boxes": "hexes"}.get(kind, kind), (0, 0, 0),
+               h*np.array(n), n, patches, moved=0 if kind == "boxes" else moved)
     gasSchemes(case)
     case.write("system/setMaterialPointsDict", {"regions": {"block": {
         "phase": "block", **region(case, body, n, h), "pointsPerCell": points,
-        **({} if "type" in (phase or {}) else
+        **({} if not solid else
            {"velocity": velocity, "stress": "ambient", "pressure": P0})}}})
     case.write("system/fvSolution", {"materialPoints": numerics})
     dt = Co*h/(np.sqrt(modulus/RHO) + np.max(np.abs(velocity)))
     case.write("system/controlDict", {
         **controlDict(steps*dt, steps//writes*dt, deltaT=dt, functions=EXTREMES),
         "reportInterval": max(1, steps//reports)})
+    if kind == "polyhedra":
+        case.run("polyDualMesh", "60", "-overwrite")
+    velocityFile(case, "block", {k: "calculated" if v == "slip" and not walls else v
+                                 for k, v in conditions.items()})
+    gasFields(case, conditions, velocity if gasVelocity is None else gasVelocity)
+    if not walls:
+        case.change("0/U.air", "type slip;", "type fixedValue; value $internalField;")
     case.run("setMaterialPoints")
     if prepare:
         prepare(case)
-    case.run("materialPointFoam", limit=300)
+    if split:
+        case.decompose(split)
+        if start:
+            start(case)
+        case.runParallel(limit=300)
+    else:
+        case.run("materialPointFoam", limit=300)
     return case
+
+
+def compressed(width):
+    """Air of 4e5 Pa at x below width."""
+    def prepare(case):
+        case.run("postProcess", "-func", "writeCellCentres", "-time", "0")
+        C = readInternal(case.file("0", "C"))
+        p = np.where(C[:, 0] < width, 4*P0, P0)
+        case.change("0/p", "internalField.*;",
+                    f"internalField nonuniform List<scalar> {len(p)} {foamText(p)};")
+
+    return prepare
 
 
 TRANSLATIONS = (("prisms", (36, 34, 1), DISC), ("prisms", (36, 34, 1), BLOCK),
                 ("hexes", (36, 34, 1), DISC), ("hexes", (36, 34, 1), BLOCK),
-                ("tets", (12, 11, 10), BALL))
+                ("prisms", (36, 34, 1), DISC, (2, 1, 1)),
+                ("tets", (12, 11, 10), BALL),
+                ("tets", (12, 11, 10), BALL, (1, 2, 1)))
 
 
 def translation(table):
     crossings = 20 if VERIFY else 4
-    for kind, n, body in TRANSLATIONS:
+    for kind, n, body, *split in TRANSLATIONS:
         v = np.array((80.0, 60.0, 0.0 if n[2] == 1 else -30.0))
         dt = 0.4*H/(WAVE + np.max(np.abs(v)))
-        case = bodyInGas(f"translation {kind} {body}", kind, n, body, v,
-                         int(crossings*H/(dt*np.linalg.norm(v))))
+        label = f"translation, {kind}, {body}, {crossings} cells" + ", 2 processors"*len(split)
+        case = bodyInGas(f"translation {kind} {body}" + " 2"*len(split), kind, n, body, v,
+                         int(crossings*H/(dt*np.linalg.norm(v))),
+                         split=split[0] if split else None)
         f = figures(case)
-        label = f"translation, {kind}, {body}, {crossings} cells"
         table.row(f"{label}: max dP/P", 0, np.max(abs(f["p"]/P0 - 1)), 1e-11, "atMost")
         m = f["momentum"]
         table.row(f"{label}: momentum of the points", 0,
@@ -143,19 +176,11 @@ def rest(table):
 def shock(table):
     """Air of 4e5 Pa in a fifth of a cyclic box meets a moving block."""
     h, n = 1e-3, (40, 40, 1)
-
-    def prepare(case):
-        case.run("postProcess", "-func", "writeCellCentres", "-time", "0")
-        C = readInternal(case.file("0", "C"))
-        p = np.where(C[:, 0] < 8*h, 4*P0, P0)
-        case.change("0/p", "internalField.*;",
-                    f"internalField nonuniform List<scalar> {len(p)} {foamText(p)};")
-
     for kind, courant in (("hexes", 0.4), ("prisms", 0.2)):
         residual = []
         for Co, steps in ((courant, round(240/courant)), (courant/2, round(480/courant))):
             case = bodyInGas(f"shock {kind} {Co}", kind, n, BLOCK, (50, -30, 0), steps,
-                             walls="cyclic", prepare=prepare, h=h, modulus=7e9, Co=Co,
+                             walls="cyclic", prepare=compressed(8*h), h=h, modulus=7e9, Co=Co,
                              reports=steps, gasVelocity=(0, 0, 0))
             f = figures(case)
             total = f["momentum"] + f["gasMomentum"]
@@ -175,15 +200,8 @@ def shock(table):
 
 
 def restart(table):
-    def prepare(case):
-        case.run("postProcess", "-func", "writeCellCentres", "-time", "0")
-        C = readInternal(case.file("0", "C"))
-        p = np.where(C[:, 0] < 5*H, 4*P0, P0)
-        case.change("0/p", "internalField.*;",
-                    f"internalField nonuniform List<scalar> {len(p)} {foamText(p)};")
-
     straight = bodyInGas("restart", "prisms", (16, 16, 1), BLOCK, (0, 0, 0), 120, walls=True,
-                         prepare=prepare, writes=2)
+                         prepare=compressed(5*H), writes=2)
     half, end = straight.times()[1:]
     again = FoamCase("gasAnyMesh", "restart-again", template=straight.path)
     shutil.copytree(straight.file("constant", "polyMesh"),
@@ -195,6 +213,99 @@ def restart(table):
         again, end, ["block"], ("x", "U", "sigma", "V")), 0, "atMost")
     files = [open(c.file(end, "thetaRhoE.air"), "rb").read() for c in (straight, again)]
     table.check("restart at half time: gas bit by bit", files[0] == files[1])
+
+
+def onProcessors(name, kind, n, split=None, start=None, **options):
+    """A shock on a moving body in the middle, which is where the pieces meet."""
+    flat = n[2] == 1
+    return bodyInGas(f"ranks {name}", kind, n, BLOCK if flat else BALL,
+                     (100, -80, 0 if flat else 50), 60, modulus=7e9, writes=2, reports=60,
+                     prepare=compressed(0.3*n[0]*H), split=split, start=start, **options)
+
+
+MESHES = (("prisms", (16, 16, 1), [(2, 1, 1)], {"walls": "cyclic"}),
+          ("tets", (8, 8, 8), [(1, 2, 1)], {"walls": "cyclic"}),
+          ("polyhedra", (6, 6, 6), [(2, 1, 1)], {"walls": True}))
+MORE_MESHES = (("hexes", (16, 16, 1), [(1, 2, 1), (3, 1, 1)], {"walls": "cyclic"}),
+               ("warped", (8, 8, 8), [(1, 1, 2), (1, 3, 1)], {"walls": "cyclic"}),
+               ("boxes", (16, 16, 1), [(2, 1, 1), (3, 1, 1)],
+                {"walls": "cyclic", "gas": {"solidFraction": "star"},
+                 "numerics": {**FLIP, "shapeFunction": "linear"}}))
+
+
+def processors(table):
+    for kind, n, splits, options in MESHES + MORE_MESHES*VERIFY:
+        one = onProcessors(f"{kind} 1", kind, n, **options)
+        half, end = one.times()[1:3]
+        for split in splits + [(3, 1, 1)]*(VERIFY and len(splits) == 1):
+            ranks = int(np.prod(split))
+            several = onProcessors(f"{kind} {ranks}", kind, n, split, **options)
+            label = f"shock, {kind}, 1 against {ranks} processors"
+            table.row(f"{label}: points", 0, one.largestDifference(
+                several, end, ["block"], ("x", "U", "sigma", "V")), 1e-10, "atMost")
+            a, b = figures(one), figures(several)
+            for name in ("p", "speed", "gasMomentum", "gasEnergy"):
+                table.row(f"{label}: {name}", 0,
+                          np.max(abs(a[name] - b[name]))/np.max(abs(a[name])), 1e-10,
+                          "atMost")
+
+        def fromHalf(case):
+            for p, q in zip(several.processors(), case.processors()):
+                shutil.copytree(os.path.join(p, half), os.path.join(q, half))
+            case.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+
+        again = onProcessors(f"{kind} again", kind, n, split, fromHalf, **options)
+        label = f"{kind}, restart at half time on {ranks} processors"
+        table.row(f"{label}: points", 0, several.largestDifference(
+            again, end, ["block"], ("x", "U", "sigma", "V")), 0, "atMost")
+        files = [[open(os.path.join(p, end, "thetaRhoE.air"), "rb").read()
+                  for p in c.processors()] for c in (several, again)]
+        table.check(f"{label}: gas bit by bit", files[0] == files[1])
+
+
+def grains(name, kind, n, region, U, steps, low=0.5, high=0.65, Fr=10, split=None, **more):
+    return bodyInGas(
+        name, kind, n, {"volumeFraction": 0.6, "velocity": U, **region}, U, steps, h=1e-3,
+        phase={"volumeModel": "grains",
+               "constitutiveModel": {"type": "noStress", "rho": 2500.0},
+               "granularPressure": {"type": "JohnsonJackson", "alphaMin": low,
+                                    "alphaMax": high, "Fr": Fr, "delta": 0.04}},
+        modulus=RHO*340**2, Co=0.12, reports=steps, split=split, **more)
+
+
+def packed(table):
+    """Grains of fraction a against a wall push themselves away from it: their momentum is
+    p_s(a) times area and time until the wave, c = sqrt(p_s'/rho), is back at the wall."""
+    n, a, low, high, width = (20, 4, 1), 0.6, 0.5, 0.65, 1e-2
+    p = 10*a*(a - low)**2/(high - a)**5
+    c = np.sqrt(p*(1/a + 2/(a - low) + 5/(high - a))/2500)
+    dt = 0.12e-3/340
+    steps = int(0.6*width/c/dt)
+    for kind in ("prisms", "hexes"):
+        case = grains(f"packed {kind}", kind, n,
+                      {"type": "box", "min": (-1, -1, -1), "max": (width, 1, 1)}, (0, 0, 0),
+                      steps, walls=True)
+        table.row(f"packed grains at a wall, {kind}: momentum [kg m/s]",
+                  p*n[1]*1e-6*steps*dt, figures(case)["momentum"][-1, 0], 0.03, "relative")
+
+    n, U = (20, 20, 1), np.array((1.0, 0.5, 0.0))
+    disc = {"type": "cylinder", "point1": (0.01, 0.01, -1), "point2": (0.01, 0.01, 1),
+            "radius": 0.006}
+    cases = [grains(f"packed disc {split}".replace(", ", ""), "prisms", n, disc, U, steps,
+                    walls="cyclic", split=split) for split in (None, (2, 1, 1))]
+    for case, ranks in zip(cases, (1, 2)):
+        f = figures(case)
+        total = f["momentum"] + f["gasMomentum"]
+        label = f"disc of packed grains, prisms, {ranks} processors"
+        table.row(f"{label}: momentum of all over the grains'", 0,
+                  np.max(abs(total - total[0]))/np.max(abs(f["momentum"])), 1e-12, "atMost")
+    u = cases[0].points(cases[0].times()[-1], "block").byId("U")
+    table.row("disc of packed grains, prisms: it is driven apart, mean velocity over half of"
+              " p_s/(rho c)", 1, np.mean(np.linalg.norm(u - U, axis=1))/(0.5*p/(1500*c)), 1,
+              "atLeast")
+    table.row("disc of packed grains, 1 against 2 processors: points", 0,
+              cases[0].largestDifference(cases[1], cases[0].times()[-1], ["block"],
+                                         ("x", "U", "V")), 1e-10, "atMost")
 
 
 def spall(table):
@@ -288,4 +399,5 @@ def rotation(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, restart, spall))
+    sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, restart, processors,
+                      packed, spall))
