@@ -187,8 +187,10 @@ def towards(fraction):
         x = m.x()
         cell = min((c for c in range(m.nCells) if p in m.pointsOf(c)),
                    key=lambda c: np.sum((x[m.pointsOf(c)].mean(axis=0) - at)**2))
-        plane = np.abs(x[m.pointsOf(cell)] - x[p])[:, 2] < 1e-9
-        points = np.array(m.pointsOf(cell))[plane]
+        points = np.array(m.pointsOf(cell))
+        plane = np.abs(x[points] - x[p])[:, 2] < 1e-9
+        if plane.sum() > 1:
+            points = points[plane]
         across = max(points, key=lambda q: np.sum((x[q] - x[p])**2))
         move = fraction*(x[across] - x[p])
         for q in {p} | {q for q in range(len(x)) if len(set(x[:, 2])) == 2
@@ -218,6 +220,15 @@ def doublePoint(m, at, rnd):
 
 def outside(m, at, rnd):
     m.points[nearestPoint(m, at)] = (3.0, 3.0, 3.0)
+
+
+def processorPoint(m, at, rnd):
+    """The point of a processor side that is nearest, on this processor only."""
+    side = next(p for name, p in m.patches if name.startswith("procBoundary"))
+    points = sorted({p for f in m.faces[side["startFace"]:][:side["nFaces"]] for p in f})
+    p = min(points, key=lambda p: np.sum((np.array(m.points[p]) - at)**2))
+    x, y, z = m.points[p]
+    m.points[p] = (x, y + 0.05, z + 0.03)
 
 
 def unusedPoint(m, at, rnd):
@@ -288,6 +299,10 @@ def sameName(m, at, rnd):
     m.patches[1][0] = m.patches[0][0]
 
 
+def otherName(m, at, rnd):
+    m.patches[0][0] = "entry"
+
+
 def noPatches(m, at, rnd):
     m.patches = []
 
@@ -342,6 +357,14 @@ def cellZones(*labels):
             f"\n1\n(\nbody {{ type cellZone; cellLabels List<label> {len(labels)}({text});"
             " }\n)\n").encode()
     return change
+
+
+def binaryNaN(m, at, rnd):
+    x = m.x()
+    x[nearestPoint(m, at)] = np.nan
+    m.raw["points"] = (
+        'FoamFile { version 2.0; format binary; arch "LSB;label=32;scalar=64";'
+        f" class vectorField; object points; }}\n{len(x)}(").encode() + x.tobytes() + b")"
 
 
 def noCells(m, at, rnd):
@@ -400,6 +423,7 @@ MUTATIONS = [
     ("a cell without faces", REFUSED, ("boxes",), unusedCell),
 
     ("point NaN", REFUSED, ("boxes", "tets", "gas"), component(float("nan"))),
+    ("point NaN in a binary file", REFUSED, ("boxes", "tets"), binaryNaN),
     ("point infinite", REFUSED, ("moved",), component(float("inf"))),
     ("point 1e300", REFUSED, ("boxes", "prisms", "polyhedra"), component(1e300)),
     ("point 1e30", REFUSED, ("tets",), component(1e30)),
@@ -480,7 +504,7 @@ MUTATIONS = [
      cellZones(1, 2, "n")),
     ("cellZone with a label of -3", REFUSED, ("boxes",), cellZones(-3, 2)),
     ("cellZone with a cell twice", EITHER, ("tets",), cellZones(5, 6, 6)),
-    ("cellZones rubbish", REFUSED, ("boxes",), raw("cellZones", b"2 (")),
+    ("cellZones without header, which OpenFOAM takes for no file", SAME, ("boxes",), raw("cellZones", b"2 (")),
 ]
 
 #: Of the mesh of one of two processors: changes that must end in a message
@@ -490,7 +514,9 @@ ON_PROCESSORS = [
     ("point of a face is the number of points", ("boxes",), pointOfFace("n")),
     ("owner is another cell", ("tets",), setCell("owner", "other")),
     ("inner face removed", ("polyhedra",), removeInner),
-    ("point moved on one side only", ("boxes", "tets"), towards(0.4)),
+    ("point moved on one side only", ("boxes", "tets"), processorPoint),
     ("nFaces of a patch too large", ("boxes",),
      patchEntry("walls", "nFaces", lambda n: n + 10)),
+    ("another name of a patch", ("boxes",), otherName),
+    ("point moved across a cell", ("tets",), towards(1.6)),
 ]

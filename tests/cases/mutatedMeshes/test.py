@@ -51,7 +51,7 @@ CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
     r"|Assertion|terminate called|\[stack trace\]|signal \d"
 
 #: What a message names: a file of the mesh, or what is wrong with its place
-NAMES = r"polyMesh/\w+|boundaryField|[Cc]ells? \d|[Ff]aces? \d|[Pp]oints? \d|[Pp]atch" \
+NAMES = r"polyMesh/\w+|file \"\w+\" in directory \"polyMesh\"|boundaryField|[Cc]ells? \d|[Ff]aces? \d|[Pp]oints? \d|[Pp]atch" \
     r"|[Rr]egion \w+ has no points|mesh is not that of|leaves the mesh|directions of the" \
     r" mesh|mesh .* has no cells"
 
