@@ -204,7 +204,8 @@ string problemOfCells
         {
             os  << "Files " << owner.objectPath() << " and "
                 << neighbour.name() << ": cell " << celli << " of " << nCells
-                << " has " << count[celli] << " faces; it needs 4";
+                << " has " << count[celli] << " of the 4 or more faces that it"
+                << " needs";
             break;
         }
     }
@@ -223,6 +224,43 @@ label wholeNumber(const dictionary& dict, const word& key)
             << " must be a whole number." << exit(FatalIOError);
     }
     return is[0].labelToken();
+}
+
+
+//- A cyclic patch has another of as many faces
+string problemOfCyclic(const patchEntries& entries, const entry& own)
+{
+    OStringStream os;
+    const dictionary& dict = own.dict();
+    const word partner(dict.getOrDefault<word>("neighbourPatch", word::null));
+    if (partner.empty() && dict.found("coupleGroup"))
+    {
+        return string();
+    }
+    os  << "patch " << own.keyword() << " has the type cyclic and the"
+        << " neighbourPatch " << (partner.empty() ? "-" : partner.c_str());
+    for (const entry& e : entries)
+    {
+        if (e.keyword() == partner && &e != &own)
+        {
+            const word type(e.dict().get<word>("type"));
+            const label n = wholeNumber(e.dict(), "nFaces");
+            const label nOwn = wholeNumber(dict, "nFaces");
+            if (type != "cyclic")
+            {
+                os  << ", which has the type " << type;
+                return os.str();
+            }
+            if (n != nOwn)
+            {
+                os << ", which has " << n << " faces and not " << nOwn;
+                return os.str();
+            }
+            return string();
+        }
+    }
+    os << ": there is no other patch of this name";
+    return os.str();
 }
 
 
@@ -264,6 +302,15 @@ string problemOfPatches
             os  << "patch " << name << " has the type " << type
                 << ": this is a part of a mesh. Run in the folder of the case,"
                 << " on all its processors (-parallel)";
+            return os.str();
+        }
+        const string ofCyclic
+        (
+            type == "cyclic" ? problemOfCyclic(entries, e) : string()
+        );
+        if (!ofCyclic.empty())
+        {
+            os << ofCyclic.c_str();
             return os.str();
         }
         if (n < 0 || start != next || n > nFaces - next)
