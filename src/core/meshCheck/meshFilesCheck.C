@@ -15,6 +15,7 @@ License
 #include "entry.H"
 #include "HashSet.H"
 #include "stringList.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -95,8 +96,14 @@ string problemOfPoints(const pointIOField& points)
     OStringStream os;
     forAll(points, i)
     {
-        // False for NaN
-        if (!(cmptMax(cmptMag(points[i])) < 1e50))
+        bool good = true;
+        for (int d = 0; d < 3; ++d)
+        {
+            // Comparing NaN traps
+            const scalar x = points[i][d];
+            good = good && std::isfinite(x) && mag(x) < 1e50;
+        }
+        if (!good)
         {
             os  << "File " << points.objectPath() << ": point " << i
                 << " is at " << points[i];

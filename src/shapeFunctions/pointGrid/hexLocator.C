@@ -220,7 +220,7 @@ Foam::string Foam::mpm::hexLocator::folded() const
     for (label celli = 0; celli < mesh_.nCells(); ++celli)
     {
         cells_.cornerPositions(celli, corner);
-        scalar least = GREAT, most = 0;
+        scalar least = VGREAT, most = 0;
         for (label n = 0; n < nc; ++n)
         {
             const scalar det = jacobian(nDim_, corner, n).determinant();

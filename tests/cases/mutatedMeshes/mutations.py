@@ -267,6 +267,14 @@ def scaled(factor):
     return change
 
 
+def allScaled(factor):
+    """The mesh and, by the test, the body and the times."""
+    def change(m, at, rnd):
+        scaled(factor)(m, at, rnd)
+    change.factor = factor
+    return change
+
+
 # --- patches ------------------------------------------------------------------
 
 def patchEntry(name, key, value):
@@ -451,6 +459,11 @@ MUTATIONS = [
      renumberCells),
     ("mesh in 1e-9 of its size", REFUSED, ("boxes", "tets"), scaled(1e-9)),
     ("mesh in 1e9 of its size", REFUSED, ("boxes", "tets"), scaled(1e9)),
+
+    ("all in 1e-9 of its size", SAME, ("boxes", "linear", "prisms", "tets", "polyhedra",
+                                       "gas"), allScaled(1e-9)),
+    ("all in 1e9 of its size", SAME, ("boxes", "linear", "prisms", "tets", "polyhedra",
+                                      "gas"), allScaled(1e9)),
 
     ("nFaces of a patch too large", REFUSED, ("boxes",),
      patchEntry("walls", "nFaces", lambda n: n + 10)),
