@@ -21,6 +21,7 @@ Description
 #include "simulation.H"
 #include "timeStepControl.H"
 #include "fatalMessages.H"
+#include "meshCheck.H"
 #include "version.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -50,6 +51,7 @@ int main(int argc, char *argv[])
 
     // Not createMesh.H: -dry-run checks the case on its own mesh
     Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    mpm::checkMeshFiles(runTime);
     fvMesh mesh
     (
         IOobject
@@ -60,7 +62,7 @@ int main(int argc, char *argv[])
             IOobject::MUST_READ
         )
     );
-
+    mpm::checkMesh(mesh);
 
     #include "createFields.H"
     mpm::timeStepControl control(runTime, simulation);

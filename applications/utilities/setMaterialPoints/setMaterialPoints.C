@@ -120,6 +120,7 @@ Usage
 #include "materialPointPhase.H"
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
+#include "meshCheck.H"
 #include "version.H"
 #include "noTraps.H"
 #include "regionTable.H"
@@ -448,11 +449,13 @@ int main(int argc, char *argv[])
         IOobject::MUST_READ
     );
     Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    checkMeshFiles(runTime);
     const autoPtr<polyMesh> meshPtr
     (
         withWeights ? new fvMesh(meshObject) : new polyMesh(meshObject)
     );
     const polyMesh& mesh = *meshPtr;
+    checkMesh(mesh);
 
     // Shapes may be as large as they like: what overflows is found by name
     const noTraps guard;

@@ -151,7 +151,7 @@ Foam::labelList Foam::mpm::cellSimplices::findBasePoints(const pointGrid& grid)
         const auto least = [&](const label at)
         {
             const point& b = x[f[at]];
-            scalar v = GREAT;
+            scalar v = VGREAT;
             for (label k = 1; k < f.size() - 1; ++k)
             {
                 const vector n

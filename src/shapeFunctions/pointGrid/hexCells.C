@@ -9,7 +9,7 @@ License
 #include "hexCells.H"
 #include "hexMatcher.H"
 #include "prismMatcher.H"
-#include "stringList.H"
+#include "meshCheck.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -269,7 +269,7 @@ Foam::string Foam::mpm::hexCells::refusal
 {
     hexMatcher hex;
     prismMatcher prism;
-    stringList reason(Pstream::nProcs());
+    string reason;
     forAll(mesh.cells(), celli)
     {
         const bool atAxis = axes.radial() >= 0 && prism.isA(mesh, celli);
@@ -279,20 +279,11 @@ Foam::string Foam::mpm::hexCells::refusal
             s   << "Cell " << celli << " at " << mesh.cellCentres()[celli]
                 << " is not a hexahedron: it has "
                 << mesh.cells()[celli].size() << " faces";
-            reason[Pstream::myProcNo()] = s.str();
+            reason = s.str();
             break;
         }
     }
-    Pstream::gatherList(reason);
-    Pstream::scatterList(reason);
-    for (const string& r : reason)
-    {
-        if (!r.empty())
-        {
-            return r;
-        }
-    }
-    return string();
+    return firstFound(reason);
 }
 
 

@@ -7,8 +7,34 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "hexLocator.H"
+#include "meshCheck.H"
 #include "polyMesh.H"
 #include <Eigen/LU>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Derivatives dx_e/dxi_k of the map at corner n
+Eigen::Matrix3d jacobian(const int nDim, const scalar* corner, const label n)
+{
+    Eigen::Matrix3d J(Eigen::Matrix3d::Identity());
+    for (int k = 0; k < nDim; ++k)
+    {
+        for (int e = 0; e < nDim; ++e)
+        {
+            J(e, k) =
+                corner[nDim*(n | (label(1) << k)) + e]
+              - corner[nDim*(n & ~(label(1) << k)) + e];
+        }
+    }
+    return J;
+}
+
+}
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -179,19 +205,38 @@ Foam::scalar Foam::mpm::hexLocator::width(const label celli, const int d) const
     scalar shortest = GREAT;
     for (label n = 0; n < nc; ++n)
     {
-        Eigen::Matrix3d J(Eigen::Matrix3d::Identity());
-        for (int k = 0; k < nDim_; ++k)
-        {
-            for (int e = 0; e < nDim_; ++e)
-            {
-                J(e, k) =
-                    corner[nDim_*(n | (label(1) << k)) + e]
-                  - corner[nDim_*(n & ~(label(1) << k)) + e];
-            }
-        }
+        const Eigen::Matrix3d J(jacobian(nDim_, corner, n));
         shortest = min(shortest, 1/J.inverse().row(d).norm());
     }
     return shortest;
+}
+
+
+Foam::string Foam::mpm::hexLocator::folded() const
+{
+    const label nc = label(1) << nDim_;
+    scalar corner[24];
+    OStringStream reason;
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        cells_.cornerPositions(celli, corner);
+        scalar least = VGREAT, most = 0;
+        for (label n = 0; n < nc; ++n)
+        {
+            const scalar det = jacobian(nDim_, corner, n).determinant();
+            least = min(least, det);
+            most = max(most, det);
+        }
+        if (!(least > 1e-9*most))
+        {
+            reason
+                << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
+                << " is folded over at a corner: the determinants of its map go"
+                << " from " << least << " to " << most;
+            break;
+        }
+    }
+    return firstFound(reason.str());
 }
 
 // ************************************************************************* //

@@ -56,32 +56,36 @@ Foam::mpm::pointGrid::pointGrid(const polyMesh& mesh)
     period_{0, 0, 0}
 {
     noHexes_ = hexCells::refusal(mesh, *this);
-    if (!noHexes_.empty())
+    if (noHexes_.empty())
     {
-        noLattice_ = noHexes_;
-        nodes_.joinPoints();
+        hexes_.reset(new hexCells(mesh, *this, nodes_, ghosts_));
+        lattice_.reset(new gridLattice(mesh, *this, *hexes_, nodes_, ghosts_));
+        noLattice_ = lattice_->refused();
+        for (int d = 0; d < nDim(); ++d)
+        {
+            period_[d] = lattice_->period(d);
+        }
+        if (noLattice_.empty())
+        {
+            sameWidth_ = lattice_->sameWidth();
+            return;
+        }
+        lattice_.clear();
+        noHexes_ = hexLocator(mesh, *this, *hexes_).folded();
+    }
+    if (noHexes_.empty())
+    {
         nodes_.addRing();
-        locator_.reset(new faceLocator(mesh, *this, ghosts_));
+        locator_.reset(new hexLocator(mesh, *this, *hexes_));
         return;
     }
 
-    hexes_.reset(new hexCells(mesh, *this, nodes_, ghosts_));
-    lattice_.reset(new gridLattice(mesh, *this, *hexes_, nodes_, ghosts_));
-    noLattice_ = lattice_->refused();
-    for (int d = 0; d < nDim(); ++d)
-    {
-        period_[d] = lattice_->period(d);
-    }
-    if (noLattice_.empty())
-    {
-        sameWidth_ = lattice_->sameWidth();
-    }
-    else
-    {
-        lattice_.clear();
-        nodes_.addRing();
-        locator_.reset(new hexLocator(mesh, *this, *hexes_));
-    }
+    // Cells of any kind
+    hexes_.clear();
+    noLattice_ = noHexes_;
+    nodes_.joinPoints();
+    nodes_.addRing();
+    locator_.reset(new faceLocator(mesh, *this, ghosts_));
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

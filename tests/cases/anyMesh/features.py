@@ -419,7 +419,7 @@ def choice(table):
     case = run("folded", "prisms", 0, run=False, place=fold)
     case.run("materialPointFoam", fails=True)
     text = " ".join(case.log().split())
-    found = re.search(r"does not allow this mesh: \W*(\d+) cells are flat.*?cell (\d+) at "
+    found = re.search(r"(\d+) cells are (?:flat|without volume).*?cell (\d+) at "
                       r"\(([^)]*)\), volume", text)
     place = np.array(found[3].split(), float) if found else np.array((9, 9, 9))
     table.check("choice: folded cells are refused with label and place",

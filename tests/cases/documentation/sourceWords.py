@@ -47,6 +47,7 @@ NOT_ENTRIES = {
     "materialPointBalance.C": "total mixture", "materialPointEnergy.C": "energy",
     "materialPointPatchForces.C": "total", "surfaceShape.C": "triSurface",
     "phaseNames.C": "FoamFile", "meshPlaces.C": "boundaryField",
+    "meshFilesCheck.C": "type nFaces startFace neighbourPatch coupleGroup",
     # Asked for where they are not read
     "simulation.C": "gas", "regionTable.C": "gas contact",
     "setMaterialPoints.C": "gas velocity stress pressure",

@@ -188,7 +188,7 @@ Foam::mpm::pointRegion::pointRegion
      && !(inGas && grid.hasLattice())
      && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
     ),
-    byCorners_(!hexCells::refusal(grid.mesh(), grid).empty()),
+    byCorners_(!grid.hasHexes()),
     emptyFaces_(gridNodes::emptyFaces(grid.mesh())),
     m_(boundedLabelOrDefault(dict, "samples", inGas_ && !rows_ ? 1 : 4, 1, 8)),
     volumeFraction_
