@@ -8,6 +8,7 @@ License
 
 #include "pointContact.H"
 #include "dictionaryTools.H"
+#include "twoLevelShares.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -150,6 +151,10 @@ Foam::mpm::pointContact::pointContact
     reach_(4*grid.nNodes(), -GREAT)
 {
     read(dict);
+    if (dynamic_cast<const twoLevelShares*>(&passes))
+    {
+        setBalls();
+    }
     forAll(fields_, fieldi)
     {
         for (const rigidNodes::bodyOf& b : fields_[fieldi].rigid().bodies())

@@ -10,68 +10,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class Function>
-void Foam::mpm::pointContact::forPoints
-(
-    const label fieldi,
-    const Function& f
-) const
-{
-    DynamicList<label> nodes;
-    DynamicList<scalar> S, gradS;
-    forAll(phases_, phasei)
-    {
-        if (fieldOf_[phasei] != fieldi)
-        {
-            continue;
-        }
-        const materialPointCloud& cloud = phases_[phasei].cloud();
-        const column* half = cloud.halfSize();
-        gridTransfer_.forStencils
-        (
-            cloud,
-            [&](const label k, const labelUList& stencil)
-            {
-                bool near = false;
-                for (const label node : stencil)
-                {
-                    near = near || (node >= 0 && placeOf_[node] >= 0);
-                }
-                if (!near)
-                {
-                    return;
-                }
-                const label celli = cloud.cells()[k];
-                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
-                {
-                    scalar x[3], l[3] = {0, 0, 0};
-                    for (int d = 0; d < nDim_; ++d)
-                    {
-                        x[d] = cloud.x()[d][p];
-                        l[d] = half ? (*half)[d][p] : 0;
-                    }
-                    gridTransfer_.weights(celli, x, half ? l : nullptr, nodes, S, gradS);
-                    if (!half)
-                    {
-                        // A box of the cell's shape and the point's volume
-                        const scalar part = 0.5*std::pow
-                        (
-                            cloud.volume()[0][p]/grid_.mesh().cellVolumes()[celli],
-                            1.0/nDim_
-                        );
-                        for (int d = 0; d < nDim_; ++d)
-                        {
-                            l[d] = part*grid_.width(celli, d);
-                        }
-                    }
-                    f(cloud, p, x, l, nodes, S, gradS);
-                }
-            }
-        );
-    }
-}
-
-
 void Foam::mpm::pointContact::meet(const label pairi)
 {
     const contactPair& pair = pairs_[pairi];
@@ -226,7 +164,15 @@ void Foam::mpm::pointContact::sumGradients()
                     cloud.volume()[0][p]/(radial < 0 ? scalar(1) : x[radial]);
                 forAll(nodes, i)
                 {
-                    if (nodes[i] >= 0 && placeOf_[nodes[i]] >= 0)
+                    if (nodes[i] < 0 || placeOf_[nodes[i]] < 0)
+                    {
+                        continue;
+                    }
+                    if (ball_.size())
+                    {
+                        addBall(nodes[i], x, v, g.data() + stride*nodes[i]);
+                    }
+                    else
                     {
                         for (int d = 0; d < nDim_; ++d)
                         {
@@ -251,10 +197,8 @@ void Foam::mpm::pointContact::setNormals()
     // |g| where the normal comes from the points
     DynamicList<scalar> steep;
     scalarList steepest(pairs_.size(), scalar(0));
-    label kept = 0;
-    for (const contactNode& from : contactNodes_)
+    for (contactNode& m : contactNodes_)
     {
-        contactNode m = from;
         const contactPair& pair = pairs_[m.pair];
         const velocityField& A = fields_[pair.a];
         const bool given = mag(pair.how.normal) > 0;
@@ -299,6 +243,19 @@ void Foam::mpm::pointContact::setNormals()
               : wa*gradient_[pair.a][A.stride()*m.node + d]
               - wb*gradient_[pair.b][A.stride()*m.node + d];
         }
+        steep.append(std::sqrt(size2));
+    }
+    if (ball_.size())
+    {
+        spreadNormals();
+    }
+
+    label kept = 0;
+    forAll(contactNodes_, i)
+    {
+        contactNode m = contactNodes_[i];
+        const contactPair& pair = pairs_[m.pair];
+        const velocityField& A = fields_[pair.a];
         scalar before = 0, size = 0;
         for (int d = 0; d < nDim_; ++d)
         {
@@ -319,12 +276,12 @@ void Foam::mpm::pointContact::setNormals()
             {
                 m.n[d] /= std::sqrt(size);
             }
-            contactNodes_[kept++] = m;
-            steep.append(std::sqrt(size2));
+            contactNodes_[kept] = m;
+            steep[kept++] = steep[i];
         }
     }
     contactNodes_.resize(kept);
-    if (bodies_.empty())
+    if (bodies_.empty() || ball_.size())
     {
         return;
     }
@@ -360,50 +317,11 @@ Foam::FixedList<Foam::scalar, 2> Foam::mpm::pointContact::reach
     scalar along = 0, R = 0;
     for (int d = 0; d < nDim_; ++d)
     {
-        scalar dx = x[d] - position_[m.node][grid_.direction(d)];
-        if (grid_.period(d) > 0)
-        {
-            dx -= grid_.period(d)*std::round(dx/grid_.period(d));
-        }
-        along += dx*m.n[d];
+        along += distance(m.node, x, d)*m.n[d];
         R += sqr(l[d]*m.n[d]);
     }
     R = std::sqrt(R);
     return {along + R, R - along};
-}
-
-
-template<class Function>
-void Foam::mpm::pointContact::forMeetings
-(
-    const label fieldi,
-    const Function& f
-) const
-{
-    forPoints
-    (
-        fieldi,
-        [&]
-        (
-            const materialPointCloud&,
-            const label,
-            const scalar* x,
-            const scalar* l,
-            const UList<label>& nodes,
-            const UList<scalar>& S,
-            const UList<scalar>&
-        )
-        {
-            forAll(nodes, i)
-            {
-                const label place = nodes[i] < 0 ? -1 : placeOf_[nodes[i]];
-                if (place >= 0 && S[i] > 0)
-                {
-                    f(place, x, l, S[i]);
-                }
-            }
-        }
-    );
 }
 
 

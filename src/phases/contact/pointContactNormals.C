@@ -1,0 +1,219 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointContact.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pointContact::setBalls()
+{
+    ball_.setSize(nDim_*grid_.nNodes(), scalar(0));
+    const pointField& points = grid_.mesh().points();
+    for (const edge& e : grid_.mesh().edges())
+    {
+        const vector between(e.vec(points));
+        for (const label pointi : {e.first(), e.second()})
+        {
+            const label n = grid_.pointToNode()[pointi];
+            for (int d = 0; n >= 0 && d < nDim_; ++d)
+            {
+                scalar& R = ball_[nDim_*n + d];
+                R = max(R, 1.2*mag(between[grid_.direction(d)]));
+            }
+        }
+    }
+    fields_[0].largestOfShared(ball_.data(), nDim_, nDim_);
+}
+
+
+void Foam::mpm::pointContact::addBall
+(
+    const label node,
+    const scalar* x,
+    const scalar v,
+    scalar* g
+) const
+{
+    const scalar* R = ball_.cdata() + nDim_*node;
+    scalar dx[3], w = 1;
+    for (int d = 0; d < nDim_; ++d)
+    {
+        dx[d] = distance(node, x, d)/R[d];
+        w -= sqr(dx[d]);
+    }
+    for (int d = 0; w > 0 && d < nDim_; ++d)
+    {
+        g[d] -= v*w*dx[d]/R[d];
+    }
+}
+
+
+void Foam::mpm::pointContact::chooseNormals
+(
+    const contactPair& pair,
+    const label first,
+    const label last,
+    scalarList& weighted
+)
+{
+    const int stride = fields_[pair.a].stride();
+
+    // Of the normals of both bodies the one with the wider gap: along the
+    // side of a block it is that of the floor
+    for (label i = first; i < last; ++i)
+    {
+        placeOf_[contactNodes_[i].node] = i;
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+        forMeetings
+        (
+            side == 0 ? pair.a : pair.b,
+            [&]
+            (
+                const label place,
+                const scalar* x,
+                const scalar* l,
+                const scalar
+            )
+            {
+                contactNode m = contactNodes_[place];
+                for (int of = 0; of < 2; ++of)
+                {
+                    const scalar* g =
+                        gradient_[of == 0 ? pair.a : pair.b].cdata()
+                      + stride*m.node;
+                    for (int d = 0; d < nDim_; ++d)
+                    {
+                        m.n[d] = of == 0 ? g[d] : -g[d];
+                    }
+                    scalar& e = reach_[4*m.node + 2*of + side];
+                    e = max(e, reach(m, x, l)[side]);
+                }
+            }
+        );
+    }
+    fields_[pair.a].largestOfShared(reach_.data(), 4, 4);
+
+    for (label i = first; i < last; ++i)
+    {
+        contactNode& m = contactNodes_[i];
+        scalar size[2] = {0, 0};
+        for (int d = 0; d < nDim_; ++d)
+        {
+            size[0] += sqr(gradient_[pair.a][stride*m.node + d]);
+            size[1] += sqr(gradient_[pair.b][stride*m.node + d]);
+        }
+        scalar* e = reach_.data() + 4*m.node;
+        size[0] = max(std::sqrt(size[0]), VSMALL);
+        size[1] = max(std::sqrt(size[1]), VSMALL);
+        const bool ofB =
+            size[0] <= VSMALL
+         || (
+                size[1] > VSMALL
+             && (e[2] + e[3])*size[0] < (e[0] + e[1])*size[1]
+            );
+        const scalar* g =
+            gradient_[ofB ? pair.b : pair.a].cdata() + stride*m.node;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            m.n[d] = (ofB ? -g[d] : g[d])/size[ofB];
+            weighted[stride*m.node + d] = m.n[d]*min(size[0], size[1]);
+        }
+        e[0] = e[1] = e[2] = e[3] = -GREAT;
+    }
+}
+
+
+void Foam::mpm::pointContact::spreadNormals()
+{
+    label first = 0;
+    forAll(pairs_, pairi)
+    {
+        const contactPair& pair = pairs_[pairi];
+        label last = first;
+        while (last < contactNodes_.size() && contactNodes_[last].pair == pairi)
+        {
+            ++last;
+        }
+        if (pair.b < 0 || mag(pair.how.normal) > 0)
+        {
+            first = last;
+            continue;
+        }
+        velocityField& A = fields_[pair.a];
+        const int stride = A.stride();
+
+        scalarList& from = impulse_[pair.a];
+        scalarList& to = impulse_[pair.b];
+        chooseNormals(pair, first, last, from);
+        for (const label fieldi : {pair.a, pair.b})
+        {
+            forPoints
+            (
+                fieldi,
+                [&]
+                (
+                    const materialPointCloud& cloud,
+                    const label p,
+                    const scalar*,
+                    const scalar*,
+                    const UList<label>& nodes,
+                    const UList<scalar>& S,
+                    const UList<scalar>&
+                )
+                {
+                    scalar g[3] = {0, 0, 0};
+                    forAll(nodes, i)
+                    {
+                        for (int d = 0; nodes[i] >= 0 && d < nDim_; ++d)
+                        {
+                            g[d] += S[i]*from[stride*nodes[i] + d];
+                        }
+                    }
+                    const scalar v = cloud.volume()[0][p];
+                    forAll(nodes, i)
+                    {
+                        for (int d = 0; nodes[i] >= 0 && d < nDim_; ++d)
+                        {
+                            to[stride*nodes[i] + d] += v*S[i]*g[d];
+                        }
+                    }
+                }
+            );
+        }
+        A.sumColumn(to.data());
+        for (label i = first; i < last; ++i)
+        {
+            contactNode& m = contactNodes_[i];
+            placeOf_[m.node] = -1;
+            scalar size = 0;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                size += sqr(to[stride*m.node + d]);
+            }
+            for (int d = 0; size > 0 && d < nDim_; ++d)
+            {
+                m.n[d] = to[stride*m.node + d];
+            }
+        }
+        for (const label fieldi : {pair.a, pair.b})
+        {
+            for (const label n : fields_[fieldi].active())
+            {
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    from[stride*n + d] = to[stride*n + d] = 0;
+                }
+            }
+        }
+        first = last;
+    }
+}
+
+// ************************************************************************* //
