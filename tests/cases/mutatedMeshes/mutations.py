@@ -517,7 +517,8 @@ MUTATIONS = [
      cellZones(1, 2, "n")),
     ("cellZone with a label of -3", REFUSED, ("boxes",), cellZones(-3, 2)),
     ("cellZone with a cell twice", EITHER, ("tets",), cellZones(5, 6, 6)),
-    ("cellZones without header, which OpenFOAM takes for no file", SAME, ("boxes",), raw("cellZones", b"2 (")),
+    ("cellZones without header, which OpenFOAM takes for no file", SAME, ("boxes",),
+     raw("cellZones", b"2 (")),
 ]
 
 #: Of the mesh of one of two processors: changes that must end in a message

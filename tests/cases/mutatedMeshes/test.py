@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Mutated meshes: one change of constant/polyMesh at a time (mutations.py).
 
-A small elastic block that moves, turns and is strained, in the middle of a box of hexahedra, prisms,
-tetrahedra or polyhedra, with GIMP, linear and node-dual functions, in vacuum and in a
-gas; 10 steps. The mesh is changed before setMaterialPoints; if that refuses it,
+A small elastic block that moves, turns and is strained, in the middle of a box of
+hexahedra, prisms, tetrahedra or polyhedra, with GIMP, linear and node-dual functions, in
+vacuum and in a gas; 10 steps. The mesh is changed before setMaterialPoints; if that refuses it,
 materialPointFoam gets it too, with the points of the unchanged mesh. Some meshes are
 changed on one of two processors.
 
@@ -51,7 +51,8 @@ CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
     r"|Assertion|terminate called|\[stack trace\]|signal \d"
 
 #: What a message names: a file of the mesh, or what is wrong with its place
-NAMES = r"polyMesh/\w+|file \"\w+\" in directory \"polyMesh\"|boundaryField|[Cc]ells? \d|[Ff]aces? \d|[Pp]oints? \d|[Pp]atch" \
+NAMES = r"polyMesh/\w+|file \"\w+\" in directory \"polyMesh\"|boundaryField" \
+    r"|[Cc]ells? \d|[Ff]aces? \d|[Pp]oints? \d|[Pp]atch" \
     r"|[Rr]egion \w+ has no points|mesh is not that of|leaves the mesh|directions of the" \
     r" mesh|mesh .* has no cells"
 
@@ -154,7 +155,9 @@ def columns(case, time, factor=1.0):
 def scale(case, factor):
     """Body and times."""
     regions = "system/setMaterialPointsDict"
-    for old in re.findall(r"^\s*(?:min|max)\s+\((.*)\);", open(case.file(regions)).read(), flags=re.M):
+    with open(case.file(regions)) as f:
+        boxes = re.findall(r"^\s*(?:min|max)\s+\((.*)\);", f.read(), flags=re.M)
+    for old in boxes:
         new = " ".join(repr(factor*float(x)) for x in old.split())
         case.change(regions, re.escape(f"({old})"), f"({new})")
     case.change(regions, r"\(1 \(", f"({factor!r} (")
@@ -199,7 +202,6 @@ def sums(case, name, first, last):
 
 def judge(case, name, expected, reference, factor):
     """Wrong or '', and what came of it."""
-    start = {c: v for c, v in reference["0"].items()}
     saved = case.file("points")
     shutil.copytree(case.file("0"), saved)
     status, text = run(case, "setMaterialPoints")
@@ -227,7 +229,7 @@ def judge(case, name, expected, reference, factor):
     wrong = sums(case, name, first, last)
     same = difference(reference["end"], last)
     if expected == SAME and not wrong and not same <= 1e-10:
-        wrong = "other points at the start" if difference(start, first) > 1e-10 else \
+        wrong = "other points at the start" if difference(reference["0"], first) > 1e-10 else \
             f"differs by {same:.2e}"
     return wrong, f"runs, difference {same:.1e}"
 
