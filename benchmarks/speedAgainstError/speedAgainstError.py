@@ -85,18 +85,19 @@ def plot(rows, path):
                 shape = max((s for s in SHAPES if scheme.startswith(s + " ")), key=len)
                 transfer = scheme[len(shape) + 1:]
                 at = list(SHAPES).index(shape)
-                handles[scheme], = ax.loglog(
-                    *zip(*line), lw=1, ms=5, marker="osD^vXP"[at],
-                    linestyle=("-", ":", "--", "-.")[at % 4],
-                    color=f"C{list(TRANSFERS).index(transfer)}")
+                style = {"marker": "osD^vXP"[at], "linestyle": ("-", ":", "--", "-.")[at % 4]}
+                colour = f"C{list(TRANSFERS).index(transfer)}"
+                ax.loglog(*zip(*line), lw=1, ms=5, color=colour, **style)
+                handles[shape] = pyplot.Line2D([], [], lw=1, ms=5, color="0.4", **style)
+                handles[transfer] = pyplot.Line2D([], [], lw=3, color=colour)
         ax.set_xlabel("core-seconds of the steps")
         ax.set_ylabel("error: " + scenes.SCENES[scene][1])
         ax.set_title(f"{scene}: cells " + ", ".join(
             map(str, sorted({r["cells"] for r in rows if r["scene"] == scene}))), fontsize=10)
         ax.grid(True, which="both", alpha=0.3)
-    figure.legend(handles.values(), handles.keys(), loc="lower center",
-                  ncol=len(SHAPES), fontsize=8)
-    figure.tight_layout(rect=(0, 0.02 + 0.035*len(TRANSFERS), 1, 1))
+    names = [n for n in (*SHAPES, *TRANSFERS) if n in handles]
+    figure.legend([handles[n] for n in names], names, loc="lower center", ncol=5, fontsize=8)
+    figure.tight_layout(rect=(0, 0.03 + 0.035*math.ceil(len(names)/5), 1, 1))
     figure.savefig(path, dpi=110)
     pyplot.close(figure)
 
