@@ -141,7 +141,7 @@ def halfPipe(table, runs=(("hexes", 0, "slip"), ("prisms", 0, "slip"),
                           ("hexes", 0, "contact"),
                           ("hexes", 0.1, "contact"), ("prisms", 0.1, "contact"))):
     """A block slides in a half-pipe, held by slip or on it by contact: the exact compound
-    pendulum, half a swing."""
+    pendulum, half a swing. FLIP loses 3 % of the speed to the wall (energy: remap)."""
     ri, ro, nr, nt = 0.8, 1.0, 4, 54
     low = 0.7
     hr, half = (ro - low)/6, math.radians(90)
@@ -166,8 +166,7 @@ def halfPipe(table, runs=(("hexes", 0, "slip"), ("prisms", 0, "slip"),
             f"halfPipe {how} {mu}", kind, n,
             {"block": {"constitutiveModel": {**LAW, "E": 1e6}}},
             {"block": {"min": ((at - 4)*H, 0, 0), "max": ((at + 4)*H, nr*H, (1 + deep)*H)}},
-            end, sides, {"transfer": "FLIP", "PICfraction": 0, "stressUpdate": "USAVG"},
-            gravity=(0, -G, 0), place=place,
+            end, sides, {"transfer": "APIC"}, gravity=(0, -G, 0), place=place,
             **({} if how == "slip" else {"contact": {"pipe": {
                 "fields": "(block)", "patch": "pipe", "type": "Coulomb", "mu": mu}}}))
         tm, m, P, _ = balance(case, "block")
@@ -438,10 +437,7 @@ def inclineOfTets(table):
     incline(table, [("tets", (14, 6, 4), "slab", mu) for mu in (0.2, 0)])
 
 
-PARTS = (choice, slope, incline, plates, rigidMass, rest, outflow, crack)
+PARTS = (choice, slope, halfPipe, incline, plates, rigidMass, rest, outflow, crack)
 
 #: Longer
 LONG = (inclineOfTets,)
-
-#: Not within its limits yet
-OPEN = (halfPipe,)
