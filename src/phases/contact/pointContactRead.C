@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointContact.H"
+#include "cornerNormal.H"
 #include "dictionaryTools.H"
 #include "polyMesh.H"
 #include "emptyPolyPatch.H"
@@ -84,10 +85,10 @@ Foam::scalarList Foam::mpm::pointContact::wallNormals
         const label n = grid_.pointToNode()[pp.meshPoints()[i]];
         for (const label facei : pp.pointFaces()[i])
         {
+            const vector nf(cornerNormal(pp, facei, pp.meshPoints()[i]));
             for (int d = 0; d < nDim_; ++d)
             {
-                sum[stride*n + d] +=
-                    pp.faceAreas()[facei][grid_.direction(d)];
+                sum[stride*n + d] += nf[grid_.direction(d)];
             }
         }
     }

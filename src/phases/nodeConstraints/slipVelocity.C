@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "slipVelocity.H"
+#include "cornerNormal.H"
 #include "basicSymmetryPointPatchField.H"
 #include "fixedNormalSlipPointPatchField.H"
 #include <algorithm>
@@ -71,13 +72,7 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
             const label n = grid_.pointToNode()[pp.meshPoints()[i]];
             for (const label facei : pp.pointFaces()[i])
             {
-                add
-                (
-                    n,
-                    patchi,
-                    grid_.mesh().faceAreas()[pp.start() + facei]
-                   /pp[facei].size()
-                );
+                add(n, patchi, cornerNormal(pp, facei, pp.meshPoints()[i]));
             }
         }
     }

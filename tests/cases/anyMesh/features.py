@@ -437,7 +437,11 @@ def inclineOfTets(table):
     incline(table, [("tets", (14, 6, 4), "slab", mu) for mu in (0.2, 0)])
 
 
+def halfPipeOfTets(table):
+    halfPipe(table, [("tets", 0, "slip")])
+
+
 PARTS = (choice, slope, halfPipe, incline, plates, rigidMass, rest, outflow, crack)
 
 #: Longer
-LONG = (inclineOfTets,)
+LONG = (inclineOfTets, halfPipeOfTets)
