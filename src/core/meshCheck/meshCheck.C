@@ -9,6 +9,7 @@ License
 #include "meshCheck.H"
 #include "polyMesh.H"
 #include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
 #include <cstdint>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -85,7 +86,7 @@ DynamicList<label> flatCells(const polyMesh& mesh)
 }
 
 
-//- Cells that do not lie between two empty sides
+//- Cells that do not lie between two empty sides; these may differ in size
 DynamicList<label> thickCells(const polyMesh& mesh)
 {
     vectorField sum(mesh.nCells(), Zero), all(mesh.nCells(), Zero);
@@ -110,7 +111,7 @@ DynamicList<label> thickCells(const polyMesh& mesh)
             if (mesh.solutionD()[d] < 0)
             {
                 const scalar out = mag(sum[celli][d]);
-                one = one && all[celli][d] > 0 && out <= 1e-3*all[celli][d];
+                one = one && all[celli][d] > 0 && out <= 0.5*all[celli][d];
             }
         }
         if (!one)
@@ -201,8 +202,14 @@ void Foam::mpm::checkMesh(const polyMesh& mesh)
         listed(mesh, flatCells(mesh), "without volume, or turned inside out")
     );
 
-    // Empty in every direction: the axes of the points have their own message
-    if (mesh.nSolutionD() > 0 && mesh.nSolutionD() < 3)
+    // Empty in every direction, or wedges too: the axes of the points have
+    // their own message
+    bool wedges = false;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        wedges = wedges || isA<wedgePolyPatch>(pp);
+    }
+    if (!wedges && mesh.nSolutionD() > 0 && mesh.nSolutionD() < 3)
     {
         refuseMesh
         (
