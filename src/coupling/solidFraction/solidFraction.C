@@ -79,7 +79,8 @@ Foam::mpm::solidFraction::solidFraction
     dilation_(mesh_.nCells(), 0),
     own_(points.phases().size()),
     oldVolume_(points.phases().size()),
-    gasTheta_(nullptr)
+    gasTheta_(nullptr),
+    gasWalls_(nullptr)
 {
     for (materialPointPhase& phase : points.phases())
     {

@@ -420,6 +420,18 @@ Foam::mpm::starFraction::starFraction
         }
         limit[c] = 0.8/n;
     }
+    DynamicList<label> sides;
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        for (label i = 0; !pp.coupled() && i < pp.size(); ++i)
+        {
+            if (!isEmpty.test(pp.start() + i))
+            {
+                sides.append(pp.start() + i);
+            }
+        }
+    }
+    sides_.transfer(sides);
     scalarField behind;
     syncTools::swapBoundaryCellList(mesh_, limit, behind);
     forAll(soundLimit_, f)
@@ -542,6 +554,7 @@ void Foam::mpm::starFraction::arrive(const scalar dt)
     }
     sumFaces();
     updateFaces(dt);
+    updateSides();
     updateTheta();
     limitDrag();
     updateDilation(dt);

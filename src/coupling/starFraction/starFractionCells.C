@@ -112,6 +112,36 @@ void Foam::mpm::starFraction::updateFaces(const scalar dt)
 }
 
 
+void Foam::mpm::starFraction::updateSides()
+{
+    const labelList& toNode = stars_.grid().pointToNode();
+    for (const label f : sides_)
+    {
+        if ((*gasWalls_)[f - mesh_.nInternalFaces()])
+        {
+            continue;
+        }
+        scalar old = 0, mean = 0;
+        const face& points = mesh_.faces()[f];
+        for (const label pointi : points)
+        {
+            const label l = toNode[pointi];
+            if (hasNode_[l])
+            {
+                old += (1 - eps_)*old_[l]/stars_.nodeVolume(l);
+                mean += meanTheta(l);
+            }
+        }
+        thetaS0_[f] = min(old/points.size(), most_);
+        thetaS_[f] = min(mean/points.size(), most_);
+        uS_[f] =
+            thetaS_[f] > 0
+          ? (velocityOf(f) & mesh_.faceAreas()[f])/mag(mesh_.faceAreas()[f])
+          : 0;
+    }
+}
+
+
 Foam::scalar Foam::mpm::starFraction::ownOf
 (
     const label phasei,

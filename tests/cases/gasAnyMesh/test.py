@@ -20,6 +20,8 @@ anyMesh; points with node-dual functions.
     packed        grains that their granular pressure pushes away from a wall: momentum
                   3 %; a disc that it drives apart: momentum of all 1e-12, on two processors
                   as on one
+    open sides    a block at rest from one open side to the other: pressure 1e-10, mass of
+                  the gas 1e-12
     spall         plates in air on prisms, FMPM 2, Courant number 0.3, failure at 400 MPa:
                   first tension 1.5 % (50 cells over the target), p > 0, no pressure set to
                   the isentrope, mass of the gas 1e-12
@@ -332,6 +334,23 @@ def spall(table):
     print(label, "Theta", log["ThetaMin"].min(), log["ThetaMax"].max(), case.nSteps())
 
 
+def openSides(table):
+    """A block from one open side of the mesh to the other."""
+    def opened(case):
+        case.change("0/p", "type zeroGradient;", f"type totalPressure; p0 uniform {P0};")
+        case.change("0/U.air", "type fixedValue;", "type pressureInletOutletVelocity;")
+
+    across = {"type": "box", "min": (-1, 3*H, -1), "max": (1, 7*H, 1)}
+    for kind in ("prisms", "boxes"):
+        case = bodyInGas(f"open sides {kind}", kind, (12, 10, 1), across, (0, 0, 0), 300,
+                         prepare=opened)
+        f = figures(case)
+        label = f"block across open sides, {kind}, at rest"
+        table.row(f"{label}: max dP/P", 0, np.max(abs(f["p"]/P0 - 1)), 1e-10, "atMost")
+        table.row(f"{label}: mass of the gas", f["gasMass"][0], f["gasMass"][-1], 1e-12,
+                  "relative")
+
+
 def turningDisc(name, kind, edge, arc, R=10, n=(36, 36, 1), points=2, Co=0.4,
                 numerics=None):
     """A disc that turns by arc [cells at its edge] with its pore gas."""
@@ -400,4 +419,4 @@ def rotation(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, restart, processors,
-                      packed, spall))
+                      packed, openSides, spall))

@@ -224,7 +224,14 @@ void Foam::mpm::impedanceFlux::boundaryFaces
         pStar[f] = B.p;
         if (close)
         {
-            phi[f] *= 1 - solid->pores.thetaS[f];
+            // Without an area of the solid the gas of its share goes with it
+            const solidOnFaces& pores = solid->pores;
+            const scalar thetaS = pores.thetaS[f];
+            phi[f] *= 1 - thetaS;
+            if (pores.area)
+            {
+                phi[f] += thetaS*pores.uS[f]*magS[f];
+            }
         }
         if (faces_.wall[i])
         {
