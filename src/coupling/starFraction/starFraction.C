@@ -407,7 +407,8 @@ Foam::mpm::starFraction::starFraction
     soundLimit_(mesh_.nFaces(), Zero),
     dense_(points.phases().size()),
     largest_(old_.size(), Zero),
-    around1_(mesh_.nCells(), Zero)
+    around1_(mesh_.nCells(), Zero),
+    failed_(old_.size(), false)
 {
     const bitSet isEmpty(gridNodes::emptyFaces(mesh_));
     scalarField limit(mesh_.nCells());
@@ -492,7 +493,7 @@ void Foam::mpm::starFraction::setPressure
     const UList<scalar>&
 )
 {
-    stars_.toNodes(p, P_);
+    stars_.toNodes(p, P_, &nodes_);
 }
 
 

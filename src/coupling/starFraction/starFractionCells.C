@@ -374,9 +374,22 @@ void Foam::mpm::starFraction::updateDilation(const scalar dt)
 }
 
 
-Foam::boolList Foam::mpm::starFraction::failedNodes()
+void Foam::mpm::starFraction::findFailed()
 {
-    boolList failed;
+    for (const label l : failedNodes_)
+    {
+        failed_[l] = false;
+    }
+    failedNodes_.clear();
+    const auto add = [&](const label l)
+    {
+        if (!failed_[l])
+        {
+            failed_[l] = true;
+            failedNodes_.append(l);
+        }
+    };
+    bool fails = false;
     for (const materialPointPhase& phase : points_.phases())
     {
         const materialPointCloud& cloud = phase.cloud();
@@ -385,7 +398,7 @@ Foam::boolList Foam::mpm::starFraction::failedNodes()
         {
             continue;
         }
-        failed.setSize(old_.size(), false);
+        fails = true;
         cloud.forCells
         (
             [&](const label p, const label celli)
@@ -395,32 +408,34 @@ Foam::boolList Foam::mpm::starFraction::failedNodes()
                     const label* nodes = stars_.cells().nodes(celli);
                     for (label i = 0; i < stars_.cells().nVertices(celli); ++i)
                     {
-                        failed[nodes[i]] = true;
+                        add(nodes[i]);
                     }
                 }
             }
         );
     }
-    if (stars_.others() && failed.size())
+    if (stars_.others() && fails)
     {
         const sharedNodes& shared = stars_.others()->nodes();
         for (const label l : shared.nodes())
         {
-            largest_[l] = failed[l];
+            largest_[l] = failed_[l];
         }
         shared.largest(largest_.begin(), 1, 1);
         for (const label l : shared.nodes())
         {
-            failed[l] = largest_[l] > 0;
+            if (largest_[l] > 0)
+            {
+                add(l);
+            }
         }
     }
-    return failed;
 }
 
 
 void Foam::mpm::starFraction::blendDilation(const scalar dt)
 {
-    const boolList failed(failedNodes());
+    findFailed();
     const scalar least = 1 - gap_;
     for (const label c : around_)
     {
@@ -429,9 +444,7 @@ void Foam::mpm::starFraction::blendDilation(const scalar dt)
         for (label i = 0; i < stars_.cells().nVertices(c); ++i)
         {
             const label l = nodes[i];
-            const bool full =
-                hasNode_[l] && !(failed.size() && failed[l]);
-            m = min(m, full ? thetaOf(l) : 0);
+            m = min(m, hasNode_[l] && !failed_[l] ? thetaOf(l) : 0);
         }
         if (!(m > least))
         {

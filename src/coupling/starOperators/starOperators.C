@@ -13,6 +13,7 @@ License
 #include "processorPolyPatch.H"
 #include "syncTools.H"
 #include "scalarMatrices.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -539,12 +540,13 @@ Foam::mpm::starOperators::starOperators(const pointGrid& grid)
 void Foam::mpm::starOperators::toNodes
 (
     const UList<scalar>& ofCells,
-    scalarList& ofNodes
+    scalarList& ofNodes,
+    const labelUList* some
 ) const
 {
     ofNodes.setSize(grid_.nNodes());
     sums_.setSize(others_ ? grid_.nNodes() : 0);
-    forAll(ofNodes, l)
+    const auto mean = [&](const label l)
     {
         // Equal values stay equal
         const label first = vertexStart_[l], end = vertexStart_[l + 1];
@@ -565,9 +567,25 @@ void Foam::mpm::starOperators::toNodes
         {
             ofNodes[l] = first < end ? base + sum/nodeVolume_[l] : 0;
         }
+    };
+    if (some)
+    {
+        std::for_each(some->cbegin(), some->cend(), mean);
+    }
+    else
+    {
+        forAll(ofNodes, l)
+        {
+            mean(l);
+        }
     }
     if (others_)
     {
+        if (some)
+        {
+            const labelList& shared = others_->nodes().nodes();
+            std::for_each(shared.cbegin(), shared.cend(), mean);
+        }
         others_->means(ofNodes, sums_);
     }
 }

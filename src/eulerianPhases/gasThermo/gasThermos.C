@@ -75,6 +75,13 @@ public:
         R_ = positive(dict, first);
         if (first == "molWeight")
         {
+            if (R_ < 1)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry molWeight " << R_ << " is less than that of"
+                    << " hydrogen atoms, 1.008: it is in kg/kmol, of air 28.96."
+                    << exit(FatalIOError);
+            }
             R_ = universal/R_;
         }
 

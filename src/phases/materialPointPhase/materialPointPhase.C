@@ -427,6 +427,8 @@ Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block
     }
     b.mass = cloud_.mass()[0] + first;
     b.volume = cloud_.volume()[0] + first;
+    b.id = cloud_.id()[0] + first;
+    b.phase = cloud_.name().c_str();
     for (int i = 0; i < nStress(b.nDim); ++i)
     {
         b.stress[i] = cloud_.stress()[i] + first;

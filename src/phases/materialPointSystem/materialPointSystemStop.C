@@ -121,7 +121,7 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
 
     if (bad.left)
     {
-        vector xNew(Zero);
+        vector xNew(x);
         for (int d = 0; d < grid_.nDim(); ++d)
         {
             xNew[grid_.direction(d)] = cloud.xNew()[d][pointi];

@@ -272,6 +272,8 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         b.hoop = HOOP ? room.dL[N - 1] : nullptr;
         b.mass = cloud.mass()[0] + begin;
         b.volume = volume + begin;
+        b.id = cloud.id()[0] + begin;
+        b.phase = cloud.name().c_str();
         for (int i = 0; i < nStress(DIM); ++i)
         {
             b.stress[i] = stress[i] + begin;

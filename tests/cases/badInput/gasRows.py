@@ -110,6 +110,9 @@ def gasRows(solve, replace, remove, several, withPoints, line):
              "constant/g", HEAD.format("uniformDimensionedVectorField", "g")
              + "dimensions [0 1 -2 0 0 0 0]; value (0 0 1);\n")),
          ["acts along z", "computed directions are: x y"]),
+        ("gas: molWeight in kg/mol", solve,
+         inAir(replace(phases, "R 287;", "molWeight 0.0289;")),
+         inPhases + ["molWeight 0.0289", "kg/kmol"]),
         ("gas: unknown thermo", solve,
          inAir(replace(phases, "perfectGas", "perfctGas")), inPhases + [valid, "perfectGas"]),
         ("gas: no gamma", solve, inAir(replace(phases, "gamma 1.4;", "")),

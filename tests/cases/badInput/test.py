@@ -572,7 +572,7 @@ ROWS = [
      replace(PHASES, "strength", "failed glue; strength"),
      inPhases + ["glue", VALID, "compression", "nothing"]),
     ("cells too wide for Gf", SOLVE, replace(PHASES, "1e5;", "1e3; Gf 1e-3;"),
-     ["narrower than", "Gf"]),
+     ["narrower than", "Gf", r"point \d+ of \w+ is"]),
     ("JohnsonCookDamage of an elastic law", SOLVE, failure(DAMAGE),
      ["JohnsonCookDamage", "plastic strain", "linearElastic"]),
     ("keyword of JohnsonCookDamage", SOLVE,

@@ -122,6 +122,7 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
     const boundBox body(r.shape().bounds());
     const boundBox& mesh = grid.mesh().bounds();
     bool meant = false;
+    int across = -1;
     for (int d = 0; d < grid.nDim(); ++d)
     {
         const int c = grid.direction(d);
@@ -133,6 +134,7 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
             low != high && mag(middle - (low ? mesh.min() : mesh.max())[c]) < tol;
         if ((low || high) && !half)
         {
+            across = low && high ? c : -1;
             meant = false;
             break;
         }
@@ -140,11 +142,17 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
     }
     if (!meant)
     {
-        WarningInFunction
-            << "Region " << r.name() << " reaches beyond the mesh: "
+        Ostream& os = WarningInFunction;
+        os  << "Region " << r.name() << " reaches beyond the mesh: "
             << 0.1*std::round(1000*part) << " % of its " << r.shape().type()
             << " has no points. The shape lies in " << r.bounds() << " m, the mesh"
-            << " in " << mesh << " m." << endl;
+            << " in " << mesh << " m.";
+        if (across >= 0)
+        {
+            os  << " In a scene of fewer dimensions the sides of the mesh across "
+                << "xyz"[across] << " have type empty.";
+        }
+        os  << endl;
     }
 }
 

@@ -164,12 +164,13 @@ void Foam::mpm::NewtonianFluid::initialise(pointBlock& b) const
             {
                 FatalErrorInFunction
                     << "The law " << type() << " cannot start with a shear"
-                    << " stress, as point " << p << " does; give a pressure."
+                    << " stress, as " << b.nameOf(p).c_str()
+                    << " does; give a pressure."
                     << exit(FatalError);
             }
         }
         scalar e;
-        pressure_.stateOf(-mean, p, b.history[0][p], e);
+        pressure_.stateOf(-mean, b, p, b.history[0][p], e);
         if (pressure_.usesEnergy())
         {
             b.history[1][p] = e;

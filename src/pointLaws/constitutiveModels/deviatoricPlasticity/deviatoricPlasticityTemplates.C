@@ -253,7 +253,7 @@ void deviatoricPlasticity<Law>::initialise(pointBlock& b) const
         const scalar mean =
             (b.stress[0][p] + b.stress[1][p] + b.stress[2][p])/3;
         scalar theta, e;
-        pressure_.stateOf(-mean, p, theta, e);
+        pressure_.stateOf(-mean, b, p, theta, e);
         for (int i = 0; i < n; ++i)
         {
             b.history[i][p] =

@@ -147,8 +147,8 @@ void isotropicElastic<Law>::initialise(pointBlock& b) const
                 << "The law " << type() << " cannot start with the stress"
                 << " (xx yy zz xy xz yz) = (" << sigma[0] << ' ' << sigma[4]
                 << ' ' << sigma[8] << ' ' << sigma[1] << ' ' << sigma[2]
-                << ' ' << sigma[5] << ") Pa of point " << p << " at J = "
-                << J << ": " << reason.c_str() << "." << exit(FatalError);
+                << ' ' << sigma[5] << ") Pa of " << b.nameOf(p).c_str()
+                << " at J = " << J << ": " << reason.c_str() << "." << exit(FatalError);
         }
 
         for (int i = 0; i < 3; ++i)

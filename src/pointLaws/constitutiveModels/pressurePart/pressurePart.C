@@ -214,6 +214,7 @@ Foam::scalar Foam::mpm::pressurePart::advance
 void Foam::mpm::pressurePart::stateOf
 (
     const scalar p,
+    const pointBlock& b,
     const label point,
     scalar& theta,
     scalar& e
@@ -224,8 +225,8 @@ void Foam::mpm::pressurePart::stateOf
     {
         FatalErrorInFunction
             << "The equation of state " << equation_->type() << " has no state"
-            << " with the pressure " << p << " Pa that point " << point
-            << " starts with." << exit(FatalError);
+            << " with the pressure " << p << " Pa that "
+            << b.nameOf(point).c_str() << " starts with." << exit(FatalError);
     }
     theta = std::log(equation_->rho0()/rho);
 }

@@ -63,8 +63,8 @@ Foam::scalar Foam::mpm::maxPrincipalStress::damageOf
     {
         FatalErrorInFunction
             << "Softening needs bands narrower than 2 E Gf/strength^2 = "
-            << r*l << " m; there is one of " << l << " m in a cell of "
-            << b.width[p] << " m. Use smaller cells, or no Gf."
+            << r*l << " m; that of " << b.nameOf(p).c_str() << " is " << l
+            << " m wide, in a cell of " << b.width[p] << " m. Use smaller cells, or no Gf."
             << exit(FatalError);
     }
     const scalar d = min(r/(r - 1)*(1 - limit/s), scalar(1));
