@@ -422,7 +422,11 @@ void Foam::mpm::pointContact::filter(const bool changes)
                 field[side]->increment()[at + d] += inverse[side]*J;
                 if (changes)
                 {
-                    field[side]->dU()[at + d] += inverse[side]*J;
+                    // An increment of du is added to it anyway
+                    if (field[side]->filtered() != velocityField::ofDU)
+                    {
+                        field[side]->dU()[at + d] += inverse[side]*J;
+                    }
                     impulse_[side == 0 ? pair.a : pair.b][at + d] +=
                         inverse[side] > 0 ? 0 : J;
                 }

@@ -147,7 +147,7 @@ void Foam::mpm::materialPointSystem::momentum(const scalar dt)
 void Foam::mpm::materialPointSystem::filterVelocity()
 {
     const noTraps guard;
-    filter(transfer_->filtered(), 1);
+    filter(transfer_->filtered(), 1, transfer_->filterScale());
 }
 
 

@@ -17,7 +17,8 @@ License
 void Foam::mpm::materialPointSystem::filter
 (
     const velocityField::series s,
-    const scalar weight
+    const scalar weight,
+    const scalar scale
 )
 {
     if (weight <= 0)
@@ -32,7 +33,7 @@ void Foam::mpm::materialPointSystem::filter
             velocityField& field = fields_[fieldi];
             if (k == 1)
             {
-                field.startFilter(s);
+                field.startFilter(s, scale);
             }
             scalar* Mv = field.zeroProduct();
             forAll(phases_, phasei)
@@ -89,6 +90,16 @@ void Foam::mpm::materialPointSystem::strainVelocity()
 
 void Foam::mpm::materialPointSystem::strainVelocityL()
 {
+    if (transfer_->order() > 1 && transfer_->filtered() == velocityField::ofDU)
+    {
+        // Q u^n + Q du, which du is already
+        strainVelocity();
+        for (velocityField& field : fields_)
+        {
+            field.addChangeToStrain();
+        }
+        return;
+    }
     for (velocityField& field : fields_)
     {
         field.strainFromUL(transfer_->strainFilter());

@@ -27,7 +27,8 @@ namespace mpm
 Foam::mpm::FLIP::FLIP(const dictionary& dict)
 :
     fraction_(boundedOrDefault(dict, "PICfraction", 0, 0, 1)),
-    fractionOfGrains_(boundedOrDefault(dict, "PICfraction", 0.1, 0, 1))
+    fractionOfGrains_(boundedOrDefault(dict, "PICfraction", 0.1, 0, 1)),
+    filter_(boundedOrDefault(dict, "massFilter", 0, 0, 1))
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -48,6 +49,10 @@ void Foam::mpm::FLIP::write(Ostream& os) const
     if (fractionOfGrains_ > fraction_)
     {
         os  << " (of grains " << fractionOfGrains_ << ")";
+    }
+    if (filter_ > 0)
+    {
+        os  << ", mass filter " << filter_;
     }
     os  << ": x moves with u^L" << nl;
 }

@@ -83,6 +83,7 @@ Foam::mpm::velocityField::velocityField
     U_(stride_*grid.nNodes()),
     UL_(stride_*grid.nNodes()),
     dU_(stride_*grid.nNodes()),
+    filtered_(ofUL),
     strainIsU_(true),
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),

@@ -42,6 +42,18 @@ void Foam::mpm::velocityField::strainFromUL(const scalar weight)
 }
 
 
+void Foam::mpm::velocityField::addChangeToStrain()
+{
+    for (const label n : active_)
+    {
+        for (int d = 0; d < nDim_; ++d)
+        {
+            Ustrain_.data()[stride_*n + d] += dU_.data()[stride_*n + d];
+        }
+    }
+}
+
+
 Foam::scalar* Foam::mpm::velocityField::strainMomentum()
 {
     strainIsU_ = false;
@@ -77,21 +89,29 @@ void Foam::mpm::velocityField::strainFromMomentum()
 }
 
 
-void Foam::mpm::velocityField::startFilter(const series s)
+void Foam::mpm::velocityField::startFilter
+(
+    const series s,
+    const scalar scale
+)
 {
+    filtered_ = s;
     if (!increment_.data())
     {
         increment_ = alignedArray(stride_*grid_.nNodes());
         product_ = alignedArray(stride_*grid_.nNodes());
     }
     const scalar* from =
-        s == ofUL ? UL_.data() : s == ofU ? U_.data() : Ustrain_.data();
+        s == ofUL ? UL_.data()
+      : s == ofU ? U_.data()
+      : s == ofDU ? dU_.data()
+      : Ustrain_.data();
     scalar* v = increment_.data();
     for (const label n : active_)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            v[stride_*n + d] = from[stride_*n + d];
+            v[stride_*n + d] = scale*from[stride_*n + d];
         }
     }
 }
@@ -166,6 +186,10 @@ void Foam::mpm::velocityField::addIncrement(const series s, const scalar weight)
         for (int d = 0; d < nDim_; ++d)
         {
             to[stride_*n + d] += weight*v[stride_*n + d];
+            if (s == ofDU)
+            {
+                dU_.data()[stride_*n + d] += weight*v[stride_*n + d];
+            }
         }
     }
 }

@@ -801,6 +801,8 @@ ROWS = [
      inRegion + ["volumeFraction is 2", r"\[.*\]"]),
     ("pointsPerCell 0", SET, replace(REGIONS, "pointsPerCell   2", "pointsPerCell 0"),
      inRegion + ["pointsPerCell", "1 to 16"]),
+    ("massFilter 2", SOLVE, replace(NUMERICS, "PICfraction", "massFilter 2; PICfraction"),
+     inNumerics + ["massFilter is 2", r"\[0, 1\]"]),
     ("PICfraction 2", SOLVE, replace(NUMERICS, "0.01", "2"),
      inNumerics + ["PICfraction is 2", r"\[0, 1\]"]),
     ("order 0", SOLVE, replace(NUMERICS, r"FLIP;.*?0\.01", "FMPM; order 0"),

@@ -380,6 +380,9 @@ GROUNDS = {"soft": None, "patch": None,
 BLOCK = (4, -10, 0)
 
 TRANSFERS = {"FLIP": {"transfer": "FLIP"},
+             "FLIP massFilter 1": {"transfer": "FLIP", "massFilter": 1},
+             "FLIP 10 % PIC, massFilter 0.5": {"transfer": "FLIP", "PICfraction": 0.1,
+                                               "massFilter": 0.5},
              "FLIP 10 % PIC": {"transfer": "FLIP", "PICfraction": 0.1},
              "FMPM 1": {"transfer": "FMPM", "order": 1},
              "FMPM 2": {"transfer": "FMPM", "order": 2},
@@ -465,7 +468,7 @@ def ledger(table):
                 table.row(f"{shape}, {name}, maxCo {maxCo}: impulses of contact and loads"
                           " against momenta", 0, worst, 1e-12)
                 least = min(least, push)
-                if name != "FLIP":
+                if name not in ("FLIP", "FLIP massFilter 1"):
                     took = re.findall(r"^Energy budget: transfer ([^,]+),", case.log(),
                                       re.M)
                     gain = max(gain, float(took[-1]))
