@@ -103,6 +103,10 @@ Foam::vector Foam::mpm::dragExchange::impulse
     const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
     const vector ug((gas_.rhoU()[celli] + J_[celli])/rho);
     vector relative(Us - ug);
+    vector push
+    (
+        ahead_.size() ? vector((dt/rho)*fraction_.gasPush()[celli]) : Zero
+    );
 
     const scalar solid = fraction_.theta()[celli];
     if (model.normalOnly() && solid <= fraction_.fullForNormal())
@@ -111,6 +115,7 @@ Foam::vector Foam::mpm::dragExchange::impulse
         if (magSqr(n) > 0)
         {
             relative = n*(n & relative);
+            push = n*(n & push);
         }
     }
 
@@ -127,19 +132,25 @@ Foam::vector Foam::mpm::dragExchange::impulse
     {
         return Zero;
     }
+    if (!(Kc_[celli] > 0))
+    {
+        cells_.append(celli);
+    }
     Kc_[celli] += K;
 
     // Harmonic masses; a rigid phase has no end of it: a free body takes
     // the impulse at the end of the step
     const scalar shared = M < GREAT ? rho*M/(rho + M) : rho;
     const scalar a = dt*K/shared;
-    const vector J(a/(1 + a)*shared*relative);
+    vector J(a/(1 + a)*shared*relative);
+    if (ahead_.size())
+    {
+        const vector lead(a/(1 + a)*shared*push);
+        J -= lead;
+        ahead_[celli] += lead;
+    }
     held_[celli] += rho*M*a/(rho*(1 + a) + M);
 
-    if (magSqr(J_[celli]) <= 0 && mag(Q_[celli]) <= 0)
-    {
-        cells_.append(celli);
-    }
     J_[celli] += J;
     Q_[celli] += J & (M < GREAT ? Us - 0.5*J/M : Us);
 
@@ -364,7 +375,12 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
     {
         J_[c] = Zero;
         Q_[c] = 0;
+        if (ahead_.size())
+        {
+            ahead_[c] = Zero;
+        }
     }
+    ahead_.setSize(fraction_.gasPush().size(), Zero);
     cells_.clear();
     Kc_ = 0;
     held_ = 0;
