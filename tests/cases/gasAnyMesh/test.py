@@ -337,8 +337,11 @@ def spall(table):
 def openSides(table):
     """A block from one open side of the mesh to the other."""
     def opened(case):
-        case.change("0/p", "type zeroGradient;", f"type totalPressure; p0 uniform {P0};")
-        case.change("0/U.air", "type fixedValue;", "type pressureInletOutletVelocity;")
+        names = "phi phi.air; U U.air; rho rho.air; psi psi.air;"
+        case.change("0/p", "type zeroGradient;",
+                    f"type totalPressure; p0 uniform {P0}; gamma 1.4; {names}")
+        case.change("0/U.air", "type fixedValue;",
+                    f"type pressureInletOutletVelocity; {names}")
 
     across = {"type": "box", "min": (-1, 3*H, -1), "max": (1, 7*H, 1)}
     for kind in ("prisms", "boxes"):
