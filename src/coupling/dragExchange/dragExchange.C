@@ -102,11 +102,12 @@ Foam::vector Foam::mpm::dragExchange::impulse
     const dragModel& model = models_[phasei];
     const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
     const vector ug((gas_.rhoU()[celli] + J_[celli])/rho);
-    vector relative(Us - ug);
-    vector push
-    (
-        ahead_.size() ? vector((dt/rho)*fraction_.gasPush()[celli]) : Zero
-    );
+    vector seen(Us - ug), relative(seen);
+    if (ahead_.size())
+    {
+        seen -= ahead_[celli]/rho;
+        relative -= dt/rho*fraction_.gasPush()[celli];
+    }
 
     const scalar solid = fraction_.theta()[celli];
     if (model.normalOnly() && solid <= fraction_.fullForNormal())
@@ -115,7 +116,7 @@ Foam::vector Foam::mpm::dragExchange::impulse
         if (magSqr(n) > 0)
         {
             relative = n*(n & relative);
-            push = n*(n & push);
+            seen = n*(n & seen);
         }
     }
 
@@ -126,7 +127,7 @@ Foam::vector Foam::mpm::dragExchange::impulse
       ? dragModel::sticking
       : model.K
         (
-            dragModel::state{thetaS, theta, rho/theta, mu_, mag(relative)}
+            dragModel::state{thetaS, theta, rho/theta, mu_, mag(seen)}
         );
     if (!(K > 0))
     {
@@ -142,12 +143,10 @@ Foam::vector Foam::mpm::dragExchange::impulse
     // the impulse at the end of the step
     const scalar shared = M < GREAT ? rho*M/(rho + M) : rho;
     const scalar a = dt*K/shared;
-    vector J(a/(1 + a)*shared*relative);
+    const vector J(a/(1 + a)*shared*relative);
     if (ahead_.size())
     {
-        const vector lead(a/(1 + a)*shared*push);
-        J -= lead;
-        ahead_[celli] += lead;
+        ahead_[celli] += a/(1 + a)*shared*(seen - relative);
     }
     held_[celli] += rho*M*a/(rho*(1 + a) + M);
 
