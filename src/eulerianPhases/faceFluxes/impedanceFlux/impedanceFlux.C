@@ -58,11 +58,7 @@ inline void Foam::mpm::impedanceFlux::porousFace
     );
     scalar u = (ZL*uL + ZR*uR)/sumZ + a*dp;
     scalar push = Vector ? a*dp : 0, ofSolid = 0;
-
-    // Share of the face that the pressure has for the gas
-    const scalar open =
-        Vector ? max(theta, mag(S - pores.area0[f])/magS) : theta;
-    scalar mu = ZL*ZR/sumZ/max(open, max(thetaL, thetaR));
+    scalar mu = ZL*ZR/sumZ/max(theta, max(thetaL, thetaR));
 
     if (pores.K && pores.fd != solidOnFaces::none)
     {
@@ -92,7 +88,7 @@ inline void Foam::mpm::impedanceFlux::porousFace
             mu += min
             (
                 0.5*wm*(Zm - z),
-                0.25*pores.inertia[f]/(open*magS*dt)
+                0.25*pores.inertia[f]/(theta*magS*dt)
             );
         }
     }
