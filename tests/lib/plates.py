@@ -21,13 +21,14 @@ P_AIR, RHO_AIR, R_AIR = 1e5, 1.2, 287.0
 
 def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxCo,
               strength=None, pointsPerCell=2, width=4, probes=(),
-              writeFormat="binary", air=None, carried=(0, 0), cells=None):
+              writeFormat="binary", air=None, carried=(0, 0), cells=None, depth=1):
     """Write, mesh and fill a case; not run yet. carried: velocity of all, across
     (through cyclic sides) and along the impact. Probes: phase, name, fields,
     y from, y to (of the start), operation. air: entries of the gas and, of the
-    plates, volumeFraction (1) and drag (stick); None is vacuum. cells: prisms or
-    hexes (boxOfCells) in place of boxes, not carried; the plates' faces are sides of
-    theirs."""
+    plates, volumeFraction (1) and drag (stick); None is vacuum. cells: prisms, hexes
+    or tets (boxOfCells) in place of boxes, not carried; the plates' faces are sides of
+    theirs. polyhedra: polyDualMesh of tets, the ends closed in air. depth: cells in z,
+    more than one is 3D."""
     h = exact.H/cellsPerFlyer
     # The target's outer face moves on with 100 m/s from 0.75 us
     margin = max(4, math.ceil(exact.V*(endTime - 0.7e-6)/h) + 3)
@@ -44,8 +45,9 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
     phases = {"target": law, "flyer": law}
     if air is not None:
         air = dict(air)
-        ends = {"low": ("cyclic; neighbourPatch high", ("y-",)),
-                "high": ("cyclic; neighbourPatch low", ("y+",))}
+        if cells != "polyhedra":
+            ends = {"low": ("cyclic; neighbourPatch high", ("y-",)),
+                    "high": ("cyclic; neighbourPatch low", ("y+",))}
         fill.update(stress="ambient", pressure=P_AIR,
                     volumeFraction=air.pop("volumeFraction", 1))
         law["drag"] = {"type": air.pop("drag", "stick")}
@@ -54,7 +56,9 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
         phases["air"] = {"type": "gas", "thermo": "perfectGas", "R": R_AIR,
                          "gamma": 1.4, **air}
 
-    sides = {"sides": ("patch", ("x-", "x+"))}
+    flat = depth == 1
+    frontAndBack = {"frontAndBack": ("empty", ("z-", "z+"))} if flat else {}
+    sides = {"sides": ("patch", ("x-", "x+") + (() if flat else ("z-", "z+")))}
     if carried[0]:
         sides = {"left": ("cyclic; neighbourPatch right", ("x-",)),
                  "right": ("cyclic; neighbourPatch left", ("x+",))}
@@ -62,19 +66,19 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
     case.write("constant/phaseProperties",
                {"phases": list(phases), **phases})
     case.write("system/blockMeshDict", boxMesh(
-        (0, low, 0), (w, high, h), (width, 3*cellsPerFlyer + 2*margin + above + below, 1),
-        {**ends, **sides,
-         "frontAndBack": ("empty", ("z-", "z+"))}))
-    conditions = {name: "calculated" if air is None else "cyclic" for name in ends}
-    conditions["frontAndBack"] = "empty"
+        (0, low, 0), (w, high, depth*h),
+        (width, 3*cellsPerFlyer + 2*margin + above + below, depth),
+        {**ends, **sides, **frontAndBack}))
+    conditions = {name: "calculated" if name == "ends" else "cyclic" for name in ends}
+    conditions.update({name: "empty" for name in frontAndBack})
     velocityFile(case, "plates", {
         **{side: "cyclic" if carried[0] else "slip" for side in sides}, **conditions})
     case.write("system/setMaterialPointsDict", {"regions": {
         "target": {"phase": "target", "type": "box", "min": (0, 0, 0),
-                   "max": (w, 2*exact.H, h), **fill,
+                   "max": (w, 2*exact.H, depth*h), **fill,
                    "velocity": (*carried, 0)},
         "flyer": {"phase": "flyer", "type": "box", "min": (0, 2*exact.H, 0),
-                  "max": (w, 3*exact.H, h), **fill,
+                  "max": (w, 3*exact.H, depth*h), **fill,
                   "velocity": (carried[0], carried[1] - exact.V, 0)}}})
     case.write("system/fvSolution", {"materialPoints": numerics})
     if air is None:
@@ -82,7 +86,8 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
     else:
         case.write("system/fvSchemes", schemes(UPWIND))
         uniformGas(case, P_AIR, P_AIR/(RHO_AIR*R_AIR),
-                   {"sides": WALL, **{name: (c,)*3 for name, c in conditions.items()}})
+                   {"sides": WALL, **{name: WALL if name == "ends" else (c,)*3
+                                      for name, c in conditions.items()}})
 
     functions = {}
     for phase, label, fields, y0, y1, operation in probes:
@@ -97,10 +102,13 @@ def plateCase(group, name, cellsPerFlyer, numerics, endTime, writeInterval, maxC
         several = {name: (kind.split(";")[0], at, *([{"low": "high", "high": "low"}[name]]
                                                     if "cyclic" in kind else []))
                    for name, (kind, at) in ends.items()}
-        boxOfCells(case, cells, (0, low, 0), (w, high, h),
-                   (width, 3*cellsPerFlyer + 2*margin, 1),
-                   {**several, **sides, "frontAndBack": ("empty", ("z-", "z+"))},
+        dual = cells == "polyhedra"
+        boxOfCells(case, "tets" if dual else cells, (0, low, 0), (w, high, depth*h),
+                   (width, 3*cellsPerFlyer + 2*margin, depth),
+                   {**several, **sides, **frontAndBack}, moved=0 if dual else 0.2,
                    kept=[(1, margin + k*cellsPerFlyer) for k in (0, 2, 3)])
+        if dual:
+            case.run("polyDualMesh", "60", "-overwrite")
     else:
         case.run("blockMesh")
     case.run("setMaterialPoints")

@@ -102,7 +102,12 @@ Foam::vector Foam::mpm::dragExchange::impulse
     const dragModel& model = models_[phasei];
     const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
     const vector ug((gas_.rhoU()[celli] + J_[celli])/rho);
-    vector relative(Us - ug);
+    vector seen(Us - ug), relative(seen);
+    if (ahead_.size())
+    {
+        seen -= ahead_[celli]/rho;
+        relative -= dt/rho*fraction_.gasPush()[celli];
+    }
 
     const scalar solid = fraction_.theta()[celli];
     if (model.normalOnly() && solid <= fraction_.fullForNormal())
@@ -111,6 +116,7 @@ Foam::vector Foam::mpm::dragExchange::impulse
         if (magSqr(n) > 0)
         {
             relative = n*(n & relative);
+            seen = n*(n & seen);
         }
     }
 
@@ -121,11 +127,15 @@ Foam::vector Foam::mpm::dragExchange::impulse
       ? dragModel::sticking
       : model.K
         (
-            dragModel::state{thetaS, theta, rho/theta, mu_, mag(relative)}
+            dragModel::state{thetaS, theta, rho/theta, mu_, mag(seen)}
         );
     if (!(K > 0))
     {
         return Zero;
+    }
+    if (!(Kc_[celli] > 0))
+    {
+        cells_.append(celli);
     }
     Kc_[celli] += K;
 
@@ -134,12 +144,12 @@ Foam::vector Foam::mpm::dragExchange::impulse
     const scalar shared = M < GREAT ? rho*M/(rho + M) : rho;
     const scalar a = dt*K/shared;
     const vector J(a/(1 + a)*shared*relative);
+    if (ahead_.size())
+    {
+        ahead_[celli] += a/(1 + a)*shared*(seen - relative);
+    }
     held_[celli] += rho*M*a/(rho*(1 + a) + M);
 
-    if (magSqr(J_[celli]) <= 0 && mag(Q_[celli]) <= 0)
-    {
-        cells_.append(celli);
-    }
     J_[celli] += J;
     Q_[celli] += J & (M < GREAT ? Us - 0.5*J/M : Us);
 
@@ -364,7 +374,12 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
     {
         J_[c] = Zero;
         Q_[c] = 0;
+        if (ahead_.size())
+        {
+            ahead_[c] = Zero;
+        }
     }
+    ahead_.setSize(fraction_.gasPush().size(), Zero);
     cells_.clear();
     Kc_ = 0;
     held_ = 0;

@@ -40,7 +40,7 @@ Foam::mpm::gasCoupling::gasCoupling
             << " material points it needs thermo perfectGas or isentropic."
             << exit(FatalIOError);
     }
-    fraction_->beside(gas.theta(), gas.walls());
+    fraction_->beside(gas.theta(), gas.thetaBehind(), gas.walls());
     fraction_->show(pores_);
     drag_.show(pores_);
 

@@ -80,6 +80,7 @@ Foam::mpm::solidFraction::solidFraction
     own_(points.phases().size()),
     oldVolume_(points.phases().size()),
     gasTheta_(nullptr),
+    gasThetaBehind_(nullptr),
     gasWalls_(nullptr)
 {
     for (materialPointPhase& phase : points.phases())

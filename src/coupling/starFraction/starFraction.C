@@ -404,12 +404,15 @@ Foam::mpm::starFraction::starFraction
     area_(mesh_.nFaces(), Zero),
     areaNew_(mesh_.nFaces(), Zero),
     velocityOfFaces_(mesh_.nFaces(), Zero),
+    isBetween_(mesh_.nFaces(), false),
     soundLimit_(mesh_.nFaces(), Zero),
     dense_(points.phases().size()),
     largest_(old_.size(), Zero),
     around1_(mesh_.nCells(), Zero),
     failed_(old_.size(), false)
 {
+    gasPush_.setSize(mesh_.nCells(), Zero);
+    std::fill_n(isBetween_.begin(), mesh_.nInternalFaces(), true);
     const bitSet isEmpty(gridNodes::emptyFaces(mesh_));
     scalarField limit(mesh_.nCells());
     forAll(limit, c)
@@ -424,6 +427,10 @@ Foam::mpm::starFraction::starFraction
     DynamicList<label> sides;
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
+        for (label i = 0; pp.coupled() && i < pp.size(); ++i)
+        {
+            isBetween_[pp.start() + i] = true;
+        }
         for (label i = 0; !pp.coupled() && i < pp.size(); ++i)
         {
             if (!isEmpty.test(pp.start() + i))
@@ -490,10 +497,11 @@ void Foam::mpm::starFraction::initialise()
 void Foam::mpm::starFraction::setPressure
 (
     const UList<scalar>& p,
-    const UList<scalar>&
+    const UList<scalar>& pBehind
 )
 {
     stars_.toNodes(p, P_, &nodes_);
+    updateGasPush(p, pBehind);
 }
 
 

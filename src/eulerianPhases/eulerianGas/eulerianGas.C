@@ -463,14 +463,16 @@ void Foam::mpm::eulerianGas::addSources
 (
     const UList<label>& cells,
     const UList<vector>& momentum,
-    const UList<scalar>& energy
+    const UList<scalar>& energy,
+    const UList<vector>& ahead
 )
 {
     for (const label c : cells)
     {
         rhoU_[c] += momentum[c];
         rhoE_[c] += energy[c];
-        W_[c].u = rhoU_[c]/rho_[c];
+        W_[c].u =
+            (ahead.size() ? vector(rhoU_[c] + ahead[c]) : rhoU_[c])/rho_[c];
         U_[c] = W_[c].u;
     }
     updateBoundaryStates();
