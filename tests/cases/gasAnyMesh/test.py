@@ -25,6 +25,9 @@ anyMesh; points with node-dual functions.
     spall         plates in air on prisms, FMPM 2, Courant number 0.3, failure at 400 MPa:
                   first tension 1.5 % (50 cells over the target), p > 0, no pressure set to
                   the isentrope, mass of the gas 1e-12
+    wedges        quadrilaterals and triangles about an axis (wedges.py): translation, rest,
+                  shock, restart, processors as above; a ring that a blast drives outward:
+                  energy 1 %, its speed as with the form lattice
 """
 
 import math
@@ -36,6 +39,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import plateImpactExact as exact
+import wedges
 from blockInGas import EXTREMES, P0, R, figures, gasFields, gasSchemes
 from cellMesh import boxOfCells
 from coupledCases import gasLog
@@ -419,4 +423,5 @@ def rotation(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, restart, processors,
-                      packed, openSides, spall))
+                      packed, openSides, spall, wedges.wedgeTranslation, wedges.wedgeRest,
+                      wedges.wedgeShock, wedges.wedgeBlast))
