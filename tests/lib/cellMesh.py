@@ -88,10 +88,19 @@ def _matched(outer, points, patches):
     return [f for _, f in sorted(turned, key=lambda f: f[0])]
 
 
+def _joined(places, faces):
+    """Points and faces without points that are in the place of others."""
+    _, first, number = np.unique(places, axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(np.argsort(first))
+    number = order[number.ravel()]
+    return (places[np.sort(first)],
+            [(*f[:-1], tuple(dict.fromkeys(int(number[p]) for p in f[-1]))) for f in faces])
+
+
 def writePolyMesh(case, points, cells, patchOf, patches, places=None):
     """cells: outward faces of each; patchOf(centre) gives the index of the patch of
     a boundary face; patches: (name, type), of a cyclic one with its neighbour;
-    places: points to write instead."""
+    places: points to write instead, those in one place as one; flat faces fall away."""
     first = {}
     inner, outer = [], []
     for c, faces in enumerate(cells):
@@ -106,6 +115,10 @@ def writePolyMesh(case, points, cells, patchOf, patches, places=None):
     for owner, face in first.values():
         outer.append((patchOf(points[list(face)].mean(axis=0)), owner, face))
     outer = _matched(outer, points, patches)
+    if places is not None:
+        n = len(inner)
+        points, joined = _joined(places, inner + outer)
+        inner, outer = joined[:n], [f for f in joined[n:] if len(f[2]) > 2]
 
     folder = os.path.join(case.path, "constant", "polyMesh")
     os.makedirs(folder, exist_ok=True)
@@ -115,8 +128,8 @@ def writePolyMesh(case, points, cells, patchOf, patches, places=None):
             f.write(_HEADER.format(kind=kind, name=name))
             f.write(f"{len(rows)}\n(\n" + "\n".join(rows) + "\n)\n")
 
-    write("points", "vectorField", [f"({x!r} {y!r} {z!r})" for x, y, z in
-                                     (points if places is None else places).tolist()])
+    write("points", "vectorField",
+          [f"({x!r} {y!r} {z!r})" for x, y, z in points.tolist()])
     faces = [f[2] for f in inner] + [f[2] for f in outer]
     write("faces", "faceList",
           [f"{len(f)}({' '.join(map(str, f))})" for f in faces])

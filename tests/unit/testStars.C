@@ -6,8 +6,9 @@ License
 
 Description
     Areas that points block on the faces of tetrahedra, prisms, hexahedra with
-    warped faces and polyhedra (starOperators): divergence of g and B, area of
-    a full body, force of random points against that on the faces.
+    warped faces, polyhedra and triangles of a wedge (starOperators):
+    divergence of g and B, area of a full body, force of random points against
+    that on the faces.
 
 \*---------------------------------------------------------------------------*/
 
@@ -22,6 +23,94 @@ using namespace Foam::mpm;
 
 namespace
 {
+
+//- Rings of triangles about x, 1 to 2 from it, of n x n squares whose inner
+//  points are moved
+class ringMesh
+{
+    std::unique_ptr<Time> time_;
+    std::unique_ptr<polyMesh> mesh_;
+
+public:
+
+    explicit ringMesh(const label n)
+    {
+        dictionary control;
+        control.add("startTime", 0);
+        control.add("endTime", 1);
+        control.add("deltaT", 1);
+        control.add("writeInterval", 1);
+        time_.reset
+        (
+            new Time(control, "/tmp", "mpmUnitTest" + Foam::name(pid()))
+        );
+        std::mt19937 gen(5);
+        std::uniform_real_distribution<scalar> u(-0.15, 0.15);
+        const label behind = (n + 1)*(n + 1);
+        pointField points(2*behind);
+        for (label p = 0; p < behind; ++p)
+        {
+            const label i = p % (n + 1), j = p/(n + 1);
+            const scalar x = (i + (i % n ? u(gen) : 0))/n;
+            const scalar r = 1 + (j + (j % n ? u(gen) : 0))/n;
+            points[p] = point(x, r, -0.05*r);
+            points[p + behind] = point(x, r, 0.05*r);
+        }
+        cellShapeList cells;
+        faceListList sides(2);
+        for (label c = 0; c < n*n; ++c)
+        {
+            const label a = c % n + (n + 1)*(c/n), b = a + 1;
+            for (const labelList& l :
+                {labelList({a, b, b + n + 1}), labelList({a, b + n + 1, a + n + 1})})
+            {
+                labelList all(l), up(l);
+                for (label& p : up) p += behind;
+                all.append(up);
+                cells.append(cellShape(cellModel::ref(cellModel::PRISM), all));
+                sides[0].append(face(l).reverseFace());
+                sides[1].append(face(up));
+            }
+        }
+        const int level = messageStream::level;
+        messageStream::level = 0;
+        mesh_.reset
+        (
+            new polyMesh
+            (
+                IOobject
+                (
+                    polyMesh::defaultRegion,
+                    time_->constant(),
+                    *time_,
+                    IOobject::NO_READ,
+                    IOobject::NO_WRITE
+                ),
+                std::move(points),
+                cells,
+                sides,
+                wordList({"back", "front"}),
+                wordList({"wedge", "wedge"}),
+                "walls",
+                "patch",
+                wordList()
+            )
+        );
+        messageStream::level = level;
+    }
+
+    ~ringMesh()
+    {
+        mesh_.reset();
+        time_.reset();
+    }
+
+    const pointGrid& grid() const
+    {
+        return pointGrid::New(*mesh_);
+    }
+};
+
 
 void stars(const pointGrid& g, const scalar size)
 {
@@ -62,7 +151,7 @@ void stars(const pointGrid& g, const scalar size)
         forAll(vertices, i)
         {
             const label c = all.cellOf(vertices[i]);
-            const vector e(all.sideSum(c, vertices[i] - all.start(c)));
+            const vector e(all.surfaceSum(c, vertices[i] - all.start(c)));
             gradient += e;
             Map<scalar> sum;
             forAll(faces, k)
@@ -160,6 +249,8 @@ TEST_CASE("areas blocked by points on any cells")
         const cellMesh m(kind, 4);
         stars(m.grid(), 0.25);
     }
+    const ringMesh rings(5);
+    stars(rings.grid(), 0.2);
 }
 
 // ************************************************************************* //

@@ -31,25 +31,11 @@ namespace
 using namespace Foam;
 using namespace Foam::mpm;
 
-//- The mesh, where the form allows it
-const pointGrid& allowed(const pointGrid& grid)
-{
-    if (grid.radial() >= 0)
-    {
-        FatalErrorInFunction
-            << "solidFraction star does not work with wedge patches yet: on"
-            << " these, material points in a gas need boxes of one size in each"
-            << " direction (solidFraction lattice)." << exit(FatalError);
-    }
-    return grid;
-}
-
-
 starOperators makeStars(const pointGrid& grid)
 {
     try
     {
-        return starOperators(allowed(grid));
+        return starOperators(grid);
     }
     catch (const string& reason)
     {
@@ -405,6 +391,10 @@ Foam::mpm::starFraction::starFraction
     areaNew_(mesh_.nFaces(), Zero),
     velocityOfFaces_(mesh_.nFaces(), Zero),
     isBetween_(mesh_.nFaces(), false),
+    ofSector_
+    (
+        points.grid().radial() < 0 ? bitSet() : gridNodes::emptyFaces(mesh_)
+    ),
     soundLimit_(mesh_.nFaces(), Zero),
     dense_(points.phases().size()),
     largest_(old_.size(), Zero),

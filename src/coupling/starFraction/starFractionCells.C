@@ -453,6 +453,11 @@ void Foam::mpm::starFraction::blendDilation(const scalar dt)
         scalar sum = 0;
         for (const label f : mesh_.cells()[c])
         {
+            // What the sides of a wedge would take is the hoop's
+            if (ofSector_.test(f))
+            {
+                continue;
+            }
             const vector u
             (
                 hasFace_[f] ? velocityOfFaces_[f] : velocityOf(f)

@@ -27,7 +27,7 @@ Foam::scalar Foam::mpm::starOperators::thickness(const label celli) const
     scalar sum = 0;
     for (label s = 0; s < cells_.nSimplices(celli); ++s)
     {
-        sum += cells_.volumes(celli)[s];
+        sum += radius(celli, s)*cells_.volumes(celli)[s];
     }
     return mesh_.cellVolumes()[celli]/sum;
 }
@@ -216,7 +216,8 @@ Foam::vector Foam::mpm::starOperators::sideSum
         for (int k = 0; k < D; ++k)
         {
             const scalar share =
-                (scalar(corner[k] == i) - b)*cells_.volumes(celli)[s];
+                (scalar(corner[k] == i) - b)
+               *radius(celli, s)*cells_.volumes(celli)[s];
             for (int d = 0; d < D; ++d)
             {
                 sum[grid_.direction(d)] += share*I[D*k + d];
@@ -244,7 +245,10 @@ Foam::vector Foam::mpm::starOperators::faceShare
         scalar share = 0;
         for (const label p : f)
         {
-            share += scalar(toNode[p] == node)/f.size();
+            if (toNode[p] == node)
+            {
+                share += grid_.radial() < 0 ? 1.0/f.size() : wedgeShare(f, p);
+            }
         }
         for (int d = 0; d < grid_.nDim(); ++d)
         {
@@ -334,7 +338,7 @@ void Foam::mpm::starOperators::ownPart(const label node, starPart& part) const
         (
             starPart::vertex
             {
-                number(c), vertexVolume_[v], sideSum(c, v - start_[c])
+                number(c), vertexVolume_[v], surfaceSum(c, v - start_[c])
             }
         );
     }

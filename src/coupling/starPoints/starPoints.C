@@ -16,7 +16,8 @@ namespace Foam
 namespace mpm
 {
 
-template<int DIM>
+//- HOOP: on wedges (DIM 2)
+template<int DIM, bool HOOP = false>
 class starPointsOf final
 :
     public starPoints
@@ -29,6 +30,11 @@ class starPointsOf final
     static constexpr int W = shape::W;
 
     static_assert(2*DIM + 1 <= vertexStride && moved + DIM <= spare);
+    static_assert(!HOOP || DIM == 2, "the plane of a wedge is 2D");
+
+    //- Places of v/r in the rows of points, with v before and after; nobody
+    //  reads them in those of nodes
+    static constexpr int sectionOld = 6, section = 7;
 
     const pointGrid& grid_;
     const cellSimplices& cells_;
@@ -39,6 +45,11 @@ class starPointsOf final
 
     //- Pressure at the origin and its gradient in the simplices of a cell
     alignedArray gradP_;
+
+    //- Computed direction of the radius, volume over radius and section, where
+    //  HOOP is
+    const int radial_;
+    const scalar sector_;
 
     //- Points of a group: their functions of the corners and simplices
     struct place
@@ -135,6 +146,12 @@ class starPointsOf final
 
     void finish(const stencil& s, const row& ofOrigin, const sums& to) const;
 
+    //- 1/r of a ring of volume v
+    scalar inverseRadius(const scalar r, const scalar v) const
+    {
+        return 1/max(r, 0.1*std::cbrt(v/sector_));
+    }
+
 public:
 
     starPointsOf
@@ -149,7 +166,9 @@ public:
         start_(start),
         ofSimplices_(8*mostSimplices(cells, grid.nCells())),
         ofVertices_(8*max(cells.maxVertices(), label(1))),
-        gradP_(DIM*mostSimplices(cells, grid.nCells()))
+        gradP_(DIM*mostSimplices(cells, grid.nCells())),
+        radial_(grid.radial()),
+        sector_(grid.sector())
     {}
 
     void depart(materialPointCloud& cloud, const sums& to) const override;
@@ -175,9 +194,9 @@ public:
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<int DIM>
+template<int DIM, bool HOOP>
 template<class Row>
-void Foam::mpm::starPointsOf<DIM>::scatter
+void Foam::mpm::starPointsOf<DIM, HOOP>::scatter
 (
     materialPointCloud& cloud,
     const Row& of,
@@ -217,8 +236,8 @@ void Foam::mpm::starPointsOf<DIM>::scatter
 }
 
 
-template<int DIM>
-void Foam::mpm::starPointsOf<DIM>::finish
+template<int DIM, bool HOOP>
+void Foam::mpm::starPointsOf<DIM, HOOP>::finish
 (
     const stencil& s,
     const row& ofOrigin,
@@ -253,6 +272,13 @@ void Foam::mpm::starPointsOf<DIM>::finish
         const double b = cells_.originShare(s.celli, i);
         scalar* at = vertex + vertexStride*i;
         store<8>(at, load<8>(at) + b*gradOrigin);
+        if constexpr (HOOP)
+        {
+            const scalar* q = ofVertices_.data() + 8*i;
+            at[gradOld(DIM) + radial_] +=
+                q[sectionOld] + b*ofOrigin[sectionOld];
+            at[gradNew(DIM) + radial_] += q[section] + b*ofOrigin[section];
+        }
         scalar* node = to.nodes + nodeStride*s.nodes[i];
         store<8>
         (
@@ -266,8 +292,8 @@ void Foam::mpm::starPointsOf<DIM>::finish
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<int DIM>
-void Foam::mpm::starPointsOf<DIM>::depart
+template<int DIM, bool HOOP>
+void Foam::mpm::starPointsOf<DIM, HOOP>::depart
 (
     materialPointCloud& cloud,
     const sums& to
@@ -296,8 +322,8 @@ void Foam::mpm::starPointsOf<DIM>::depart
 }
 
 
-template<int DIM>
-void Foam::mpm::starPointsOf<DIM>::arrive
+template<int DIM, bool HOOP>
+void Foam::mpm::starPointsOf<DIM, HOOP>::arrive
 (
     materialPointCloud& cloud,
     const scalar* oldVolume,
@@ -306,6 +332,7 @@ void Foam::mpm::starPointsOf<DIM>::arrive
 {
     const scalar* v = (*cloud.gasVolume())[0];
     const scalar* m = cloud.mass()[0];
+    const scalar* r = HOOP ? cloud.x()[radial_] : nullptr;
     const scalar* dx[DIM];
     for (int d = 0; d < DIM; ++d)
     {
@@ -319,6 +346,15 @@ void Foam::mpm::starPointsOf<DIM>::arrive
             row q = {};
             q[volume] = v[p];
             q[mass] = m[p];
+            if constexpr (HOOP)
+            {
+                q[section] = v[p]*inverseRadius(r[p], v[p]);
+                if (oldVolume)
+                {
+                    q[sectionOld] =
+                        oldVolume[p]*inverseRadius(r[p], oldVolume[p]);
+                }
+            }
             if (oldVolume)
             {
                 q[volumeOld] = oldVolume[p];
@@ -335,8 +371,8 @@ void Foam::mpm::starPointsOf<DIM>::arrive
 }
 
 
-template<int DIM>
-void Foam::mpm::starPointsOf<DIM>::gather
+template<int DIM, bool HOOP>
+void Foam::mpm::starPointsOf<DIM, HOOP>::gather
 (
     materialPointCloud& cloud,
     const scalar* P,
@@ -432,6 +468,13 @@ Foam::autoPtr<Foam::mpm::starPoints> Foam::mpm::starPoints::New
     const labelUList& start
 )
 {
+    if (grid.radial() >= 0)
+    {
+        return autoPtr<starPoints>
+        (
+            new starPointsOf<2, true>(grid, cells, start)
+        );
+    }
     switch (grid.nDim())
     {
         case 1:

@@ -11,6 +11,40 @@ License
 #include "prismMatcher.H"
 #include "meshCheck.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- A hexahedron that the axis of a wedge has made a prism: its triangles are
+//  no sides of the wedge, as those of a ring of triangular section are
+bool isAtAxis
+(
+    const polyMesh& mesh,
+    const int radial,
+    const bitSet& isEmpty,
+    prismMatcher& prism,
+    const label celli
+)
+{
+    if (radial < 0 || !prism.isA(mesh, celli))
+    {
+        return false;
+    }
+    for (const label f : mesh.cells()[celli])
+    {
+        if (isEmpty.test(f) && mesh.faces()[f].size() == 3)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::hexCells::pairFaces
@@ -249,7 +283,8 @@ Foam::mpm::hexCells::hexCells
 
     forAll(mesh.cells(), celli)
     {
-        const bool atAxis = axes.radial() >= 0 && prism.isA(mesh, celli);
+        const bool atAxis =
+            isAtAxis(mesh, axes.radial(), isEmpty, prism, celli);
         const cellSides sides(sidesOf(celli, isEmpty, atAxis));
         setCorners(celli, sides, nodes.ofPoints(), corners.data(), onAxis);
         setNeighbours(celli, sides, coupled);
@@ -267,12 +302,14 @@ Foam::string Foam::mpm::hexCells::refusal
     const gridAxes& axes
 )
 {
+    const bitSet isEmpty(gridNodes::emptyFaces(mesh));
     hexMatcher hex;
     prismMatcher prism;
     string reason;
     forAll(mesh.cells(), celli)
     {
-        const bool atAxis = axes.radial() >= 0 && prism.isA(mesh, celli);
+        const bool atAxis =
+            isAtAxis(mesh, axes.radial(), isEmpty, prism, celli);
         if (!atAxis && !hex.isA(mesh, celli))
         {
             OStringStream s;

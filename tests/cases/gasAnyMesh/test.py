@@ -32,6 +32,9 @@ anyMesh; points with node-dual functions.
                   (50 cells over the target; polyhedra 30), p > 0, no pressure set to the
                   isentrope, mass of the gas 1e-12; without failure compression and tension
                   4 %. Columns: short ones always, the others with VERIFY
+    wedges        quadrilaterals and triangles about an axis (wedges.py): translation, rest,
+                  shock, restart, processors as above; a ring that a blast drives outward:
+                  energy 1 %, its speed as with the form lattice
 """
 
 import math
@@ -43,6 +46,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import plateImpactExact as exact
+import wedges
 from blockInGas import EXTREMES, P0, R, figures, gasFields, gasSchemes
 from cellMesh import boxOfCells
 from coupledCases import gasLog
@@ -515,4 +519,5 @@ def rotation(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("gasAnyMesh", translation, rest, rotation, shock, stable, restart,
-                      processors, packed, openSides, spall))
+                      processors, packed, openSides, spall, wedges.wedgeTranslation,
+                      wedges.wedgeRest, wedges.wedgeShock, wedges.wedgeBlast))
