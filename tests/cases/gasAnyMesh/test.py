@@ -10,7 +10,8 @@ anyMesh; points with node-dual functions.
     rest          a block in still gas between walls: velocities 1e-11 m/s
     rotation      a disc of 10 cells that turns with its pore gas, edge speed 100 m/s,
                   sticking, for the time of half a turn: pressure in gas, mixed cells and
-                  core; no pressure set to the isentrope
+                  core; no pressure set to the isentrope; with APIC its angular momentum
+                  2 % (boxes), 5 %
     shock         air of 4 bar meets a moving block at 30 degrees in a cyclic box: momentum
                   of all 1e-12, mass 1e-12, energy residual <= 1e-3, falling with the step;
                   on triangles of gmsh between walls too. At twice the Courant number (of
@@ -499,22 +500,40 @@ def angularMomentum(case, time, centre):
     return np.sum(m*(x[:, 0]*U[:, 1] - x[:, 1]*U[:, 0]))
 
 
+APIC = {"transfer": "APIC"}
+
+#: Cells, points, numerics, limits of core and mixed cells (prototype in 2D, where there
+#: is one), least angular momentum (issue: one turn). FLIP's PIC fraction stops the disc
+TURNS = (("boxes", 2, APIC, None, None, 0.98),
+         ("hexes", 4, {"shapeFunction": "nodeDual", **APIC}, 0.067, 0.059, 0.95),
+         ("prisms", 2, {"shapeFunction": "nodeDual", **APIC}, None, None, 0.95),
+         ("prisms", 2, FLIP, 0.33, 0.32, None), ("hexes", 2, FLIP, 0.14, 0.05, None))
+
+
 def rotation(table):
-    """Sticking, half a turn at 100 m/s; limits: those of a prototype in 2D."""
-    for kind, ofCore, ofMixed in (("prisms", 0.33, 0.32), ("hexes", 0.14, 0.05)):
-        case, centre = turningDisc(f"rotation {kind}", kind, 100, np.pi*10)
+    """Sticking, half a turn at 100 m/s. The gas around at most 1.3 times as far off as on
+    boxes (lattice)."""
+    ofBoxes = None
+    for kind, points, numerics, ofCore, ofMixed, kept in TURNS:
+        transfer = numerics["transfer"]
+        case, centre = turningDisc(f"rotation {kind} {transfer}", kind, 100, np.pi*10,
+                                   points=points, numerics=numerics)
         gas, mixed, core = deviation(case)
         f = figures(case)
         L = (angularMomentum(case, case.times()[-1], centre)
              / angularMomentum(case, "0", centre))
-        label = f"disc, 100 m/s, half a turn, {kind}"
-        table.row(f"{label}: |dP|/P in the gas", 0, gas, 3e-2, "atMost")
-        table.row(f"{label}: in mixed cells", 0, mixed, ofMixed, "atMost")
-        table.row(f"{label}: in the core", 0, core, ofCore, "atMost")
+        label = f"disc, 100 m/s, half a turn, {kind}, {transfer}"
+        ofBoxes = ofBoxes or gas
+        table.row(f"{label}: |dP|/P in the gas", 0, gas, 1.3*ofBoxes, "atMost")
+        if ofCore:
+            table.row(f"{label}: in mixed cells", 0, mixed, ofMixed, "atMost")
+            table.row(f"{label}: in the core", 0, core, ofCore, "atMost")
+        if kept:
+            table.row(f"{label}: angular momentum left", 1, L, kept, "atLeast")
         table.row(f"{label}: pressures set to the isentrope", 0, f["fixups"][-1][2], 0)
-        print(f"{label}: Theta {f['Theta'].min():.4f} to {f['Theta'].max():.4f}; FLIP leaves"
-              f" {L:.3f} of the angular momentum; {case.nSteps()} steps,"
-              f" {case.solverSeconds():.1f} s", flush=True)
+        print(f"{label}: mixed {mixed:.3f}, core {core:.3f}, Theta {f['Theta'].min():.4f} to"
+              f" {f['Theta'].max():.4f}; {L:.4f} of the angular momentum is left;"
+              f" {case.nSteps()} steps, {case.solverSeconds():.1f} s", flush=True)
 
 
 if __name__ == "__main__":
