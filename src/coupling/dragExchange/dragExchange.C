@@ -282,12 +282,37 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
     freeBody* body = points_.phases()[phasei].motion()->free();
     const scalar* mass = cloud.mass()[0];
     const scalar* volume = (*cloud.gasVolume())[0];
+
+    // Velocity U of the body at x, its place in the cell
+    const auto drag = [&]
+    (
+        const label celli,
+        const vector& U,
+        const point& x,
+        const scalar thetaS
+    )
+    {
+        const vector J
+        (
+            fraction_.mesh().V()[celli]
+           *impulse(phasei, celli, GREAT, U, thetaS, dt)
+        );
+        rigid.addLoad(phasei, -J);
+        if (body)
+        {
+            body->addLoad(-J, x);
+        }
+        else
+        {
+            work_ += J & U;
+        }
+    };
+
     forAll(cloud.cells(), k)
     {
         const label celli = cloud.cells()[k];
         const scalar V = fraction_.mesh().V()[celli];
         const scalar m = cellSum(cloud, k, mass);
-        const scalar thetaS = fraction_.ofPoints(cellSum(cloud, k, volume), V);
         const vector mU
         (
             cellSumOf
@@ -297,30 +322,44 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
                 [&](const label p) { return mass[p]*cloud.velocity(p); }
             )
         );
-        const vector U(mU/m);
-        const vector J(V*impulse(phasei, celli, GREAT, U, thetaS, dt));
-        rigid.addLoad(phasei, -J);
+        vector mx(Zero);
         if (body)
         {
-            const vector mx
+            mx = cellSumOf
             (
-                cellSumOf
-                (
-                    cloud,
-                    k,
-                    [&](const label p)
-                    {
-                        return mass[p]*cloud.position(p, celli);
-                    }
-                )
+                cloud,
+                k,
+                [&](const label p)
+                {
+                    return mass[p]*cloud.position(p, celli);
+                }
             );
-            body->addLoad(-J, mx/m);
         }
-        else
-        {
-            work_ += J & U;
-        }
+        drag
+        (
+            celli,
+            mU/m,
+            mx/m,
+            fraction_.ofPoints(cellSum(cloud, k, volume), V)
+        );
     }
+
+    const rigidMotion::placement& now = points_.phases()[phasei].motion()->now();
+    fraction_.forDenseCells
+    (
+        phasei,
+        [&]
+        (
+            const label celli,
+            const labelUList&,
+            const UList<scalar>&,
+            const scalar thetaS
+        )
+        {
+            const point& x = fraction_.mesh().C()[celli];
+            drag(celli, now.velocityAt(x), x, thetaS);
+        }
+    );
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
