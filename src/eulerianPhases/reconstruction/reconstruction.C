@@ -341,7 +341,15 @@ Foam::mpm::reconstruction::reconstruction
         {
             measureSkew();
         }
-        grad_.setSize(own_.size() || skew_.size() ? mesh.nCells() : 0);
+        if (own_.size() && skew_.size())
+        {
+            byCells_ = true;
+            skew_.clear();
+        }
+        grad_.setSize
+        (
+            !byCells_ && (own_.size() || skew_.size()) ? mesh.nCells() : 0
+        );
         rates_.setSize(mesh.nCells());
         swap_.setSize(mesh.nFaces() - mesh.nInternalFaces());
     }
@@ -364,6 +372,7 @@ Foam::string Foam::mpm::reconstruction::description() const
 {
     return
         "rho " + scheme_[0] + ", U " + scheme_[1] + ", p " + scheme_[2]
+      + (byCells_ && own_.size() ? ", on these cells: MLP" : "")
       + (upwind_ || byCells_ || own_.size() ? "" : " (by OpenFOAM's general schemes)")
       + (skew_.size() ? ", corrected on skewed faces" : "");
 }

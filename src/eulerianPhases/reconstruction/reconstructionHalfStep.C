@@ -34,6 +34,38 @@ void Foam::mpm::reconstruction::fromSlopes()
 }
 
 
+void Foam::mpm::reconstruction::sidesOfBoundary
+(
+    const phase& of,
+    const boolUList* nearSolid
+)
+{
+    const vectorField& C = mesh_.cellCentres();
+    const vectorField& Cf = mesh_.faceCentres();
+    const vectorField& S = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+    for (const label f : boundary_)
+    {
+        const label c = own[f];
+        const gasState& w = of.W[c];
+        gasState& s = faces_[f].own;
+        s = w;
+        if (byCells_ && !(nearSolid && (*nearSolid)[c]))
+        {
+            const vector d(Cf[f] - C[c]);
+            s = limitedGradients::fromLanes(slopes_->at(c, d));
+            if (of.Wb[f - mesh_.nInternalFaces()].p != w.p)
+            {
+                // The pressure of the boundary is that at the foot of the
+                // normal
+                const vector along(d - (d & S[f])/magSqr(S[f])*S[f]);
+                s.p = slopes_->at(c, along)[4];
+            }
+        }
+    }
+}
+
+
 template<class IsNear>
 void Foam::mpm::reconstruction::setNearSolid
 (
@@ -231,9 +263,9 @@ void Foam::mpm::reconstruction::predict
             ahead(nei[f], faces_[f].nei);
         }
     }
+    sidesOfBoundary(of, nearSolid);
     for (const label f : boundary_)
     {
-        faces_[f].own = W[own[f]];
         ahead(own[f], faces_[f].own);
         faces_[f].nei = of.Wb[f - nInternal];
     }

@@ -69,7 +69,8 @@ def region(case, body, n, H):
 
 def bodyInGas(name, kind, n, body, velocity, steps, walls=False, moved=0.2, Co=0.4,
               numerics=FLIP, gas=None, phase=None, reports=20, points=2, writes=1,
-              prepare=None, h=H, modulus=E, gasVelocity=None, split=None, start=None):
+              prepare=None, h=H, modulus=E, gasVelocity=None, split=None, start=None,
+              scheme="upwind"):
     """walls: True, False (open) or "cyclic"; split: pieces (nx, ny, nz), one for each
     processor; start: called with the case before the run on these."""
     case = FoamCase("gasAnyMesh", name.replace(" ", "-").replace(",", ""))
@@ -93,7 +94,7 @@ def bodyInGas(name, kind, n, body, velocity, steps, walls=False, moved=0.2, Co=0
         conditions["sides"] = "empty"
     boxOfCells(case, {"polyhedra": "tets", "boxes": "hexes"}.get(kind, kind), (0, 0, 0),
                h*np.array(n), n, patches, moved=0 if kind == "boxes" else moved)
-    gasSchemes(case)
+    gasSchemes(case, scheme)
     case.write("system/setMaterialPointsDict", {"regions": {"block": {
         "phase": "block", **region(case, body, n, h), "pointsPerCell": points,
         **({} if not solid else
