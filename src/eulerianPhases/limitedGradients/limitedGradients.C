@@ -118,12 +118,12 @@ void Foam::mpm::limitedGradients::aroundPoints()
     }
     if (coupled_)
     {
-        const List<around> mine(points_);
+        const List<around> mine(turned_ ? points_ : List<around>());
         shareOfPoints
         (
             mesh_, number_, points_, nothingAround(), combineAround(), turnAround()
         );
-        forAll(points_, v)
+        forAll(mine, v)
         {
             scalar* const to = points_[v].data();
             const scalar* const from = mine[v].cdata();
@@ -201,6 +201,7 @@ Foam::mpm::limitedGradients::limitedGradients
     mesh_(mesh),
     axis_(Zero),
     coupled_(returnReduce(coupledFaceList.size(), sumOp<label>()) > 0),
+    turned_(false),
     states_(width*(mesh.nCells() + mesh.nFaces() - mesh.nInternalFaces()), Zero),
     gradients_(3*width*mesh.nCells(), Zero)
 {

@@ -229,6 +229,7 @@ void Foam::mpm::limitedGradients::setFaceCorners
             mesh_.boundaryMesh()[mesh_.boundaryMesh().whichPatch(f)];
         if (!refCast<const coupledPolyPatch>(pp).parallel())
         {
+            turned_ = true;
             add(f, false);
         }
     }
