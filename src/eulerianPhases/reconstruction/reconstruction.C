@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "reconstruction.H"
+#include "limitedGradients.H"
 #include "dictionaryTools.H"
 #include "surfaceFields.H"
 #include "surfaceInterpolationScheme.H"
@@ -75,6 +76,9 @@ void Foam::mpm::reconstruction::readSchemes()
     upwind_ =
         scheme_[0] == "upwind" && scheme_[1] == "upwind"
      && scheme_[2] == "upwind";
+
+    byCells_ =
+        scheme_[0] == "MLP" && scheme_[1] == "MLP" && scheme_[2] == "MLP";
 
     const dictionary& grad = requiredDict(mesh_.schemesDict(), "gradSchemes");
     bool gaussLinear = true;
@@ -333,12 +337,23 @@ Foam::mpm::reconstruction::reconstruction
     if (!upwind_)
     {
         faces_.setSize(mesh.nFaces());
-        measureSkew();
-        grad_.setSize(own_.size() || skew_.size() ? mesh.nCells() : 0);
+        if (!byCells_)
+        {
+            measureSkew();
+        }
+        if (own_.size() && skew_.size())
+        {
+            byCells_ = true;
+            skew_.clear();
+        }
+        grad_.setSize
+        (
+            !byCells_ && (own_.size() || skew_.size()) ? mesh.nCells() : 0
+        );
         rates_.setSize(mesh.nCells());
         swap_.setSize(mesh.nFaces() - mesh.nInternalFaces());
     }
-    if (!upwind_ && own_.empty())
+    if (!upwind_ && !byCells_ && own_.empty())
     {
         // A wrong name is fatal now, not in the first step
         const surfaceScalarField to(direction(1));
@@ -348,13 +363,17 @@ Foam::mpm::reconstruction::reconstruction
     }
 }
 
+
+Foam::mpm::reconstruction::~reconstruction() = default;
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::string Foam::mpm::reconstruction::description() const
 {
     return
         "rho " + scheme_[0] + ", U " + scheme_[1] + ", p " + scheme_[2]
-      + (upwind_ || own_.size() ? "" : " (by OpenFOAM's general schemes)")
+      + (byCells_ && own_.size() ? ", on these cells: MLP" : "")
+      + (upwind_ || byCells_ || own_.size() ? "" : " (by OpenFOAM's general schemes)")
       + (skew_.size() ? ", corrected on skewed faces" : "");
 }
 
@@ -371,6 +390,17 @@ void Foam::mpm::reconstruction::update
 {
     const UList<gasState>& W = of.W;
     const UList<gasState>& Wb = of.Wb;
+    if (byCells_)
+    {
+        if (!slopes_)
+        {
+            slopes_.reset(new limitedGradients(mesh_, boundary_, coupledList_));
+        }
+        slopes_->update(W, Wb);
+        fromSlopes();
+        halfStep(dt, of, nearSolid);
+        return;
+    }
     if (skew_.size())
     {
         leastSquares(W, Wb);

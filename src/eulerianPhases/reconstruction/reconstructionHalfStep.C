@@ -7,8 +7,64 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "reconstruction.H"
+#include "limitedGradients.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::reconstruction::fromSlopes()
+{
+    const limitedGradients& slopes = *slopes_;
+    const vectorField& C = mesh_.cellCentres();
+    const vectorField& Cf = mesh_.faceCentres();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const auto side = [&](const label f, const label c)
+    {
+        return limitedGradients::fromLanes(slopes.at(c, Cf[f] - C[c]));
+    };
+    for (label f = 0; f < mesh_.nInternalFaces(); ++f)
+    {
+        faces_[f].own = side(f, own[f]);
+        faces_[f].nei = side(f, nei[f]);
+    }
+    for (const label f : coupledList_)
+    {
+        faces_[f].own = side(f, own[f]);
+    }
+}
+
+
+void Foam::mpm::reconstruction::sidesOfBoundary
+(
+    const phase& of,
+    const boolUList* nearSolid
+)
+{
+    const vectorField& C = mesh_.cellCentres();
+    const vectorField& Cf = mesh_.faceCentres();
+    const vectorField& S = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+    for (const label f : boundary_)
+    {
+        const label c = own[f];
+        const gasState& w = of.W[c];
+        gasState& s = faces_[f].own;
+        s = w;
+        if (byCells_ && !(nearSolid && (*nearSolid)[c]))
+        {
+            const vector d(Cf[f] - C[c]);
+            s = limitedGradients::fromLanes(slopes_->at(c, d));
+            if (of.Wb[f - mesh_.nInternalFaces()].p != w.p)
+            {
+                // The pressure of the boundary is that at the foot of the
+                // normal
+                const vector along(d - (d & S[f])/magSqr(S[f])*S[f]);
+                s.p = slopes_->at(c, along)[4];
+            }
+        }
+    }
+}
+
 
 template<class IsNear>
 void Foam::mpm::reconstruction::setNearSolid
@@ -104,6 +160,46 @@ void Foam::mpm::reconstruction::changes
 
 
 template<bool General>
+void Foam::mpm::reconstruction::slopeChanges
+(
+    const scalar dt,
+    const phase& of,
+    const boolUList* nearSolid
+)
+{
+    const UList<gasState>& W = of.W;
+    const scalarField& V = mesh_.V();
+    const vectorField& S = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+    const scalar gamma = of.thermo.gamma();
+
+    rates_ = rates{0, 0, 0, Zero, Zero};
+    for (const label f : wedge_)
+    {
+        // u_r/r
+        rates_[own[f]].div -= (W[own[f]].u & S[f])/V[own[f]];
+    }
+    forAll(rates_, c)
+    {
+        const gasState& w = W[c];
+        const limitedGradients::state
+            x = slopes_->slope(c, 0),
+            y = slopes_->slope(c, 1),
+            z = slopes_->slope(c, 2),
+            along = x*w.u.x() + y*w.u.y() + z*w.u.z();
+
+        rates& r = rates_[c];
+        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5*dt;
+        const scalar div = r.div + x[1] + y[2] + z[3];
+        const gasState change = limitedGradients::fromLanes(along);
+        r.rho = h*(change.rho + w.rho*div);
+        r.u = h*(change.u + vector(x[4], y[4], z[4])/w.rho);
+        r.p = h*(change.p + (General ? of.t[c].K : gamma*w.p)*div);
+    }
+}
+
+
+template<bool General>
 void Foam::mpm::reconstruction::predict
 (
     const scalar dt,
@@ -130,7 +226,14 @@ void Foam::mpm::reconstruction::predict
     {
         setNearSolid(W, isNear);
     }
-    changes<General>(dt, of, nearSolid);
+    if (byCells_)
+    {
+        slopeChanges<General>(dt, of, nearSolid);
+    }
+    else
+    {
+        changes<General>(dt, of, nearSolid);
+    }
 
     const auto ahead = [&](const label c, gasState& s)
     {
@@ -160,9 +263,9 @@ void Foam::mpm::reconstruction::predict
             ahead(nei[f], faces_[f].nei);
         }
     }
+    sidesOfBoundary(of, nearSolid);
     for (const label f : boundary_)
     {
-        faces_[f].own = W[own[f]];
         ahead(own[f], faces_[f].own);
         faces_[f].nei = of.Wb[f - nInternal];
     }
