@@ -164,14 +164,13 @@ void Foam::mpm::pointContact::spreadNormals()
                     const scalar*,
                     const scalar*,
                     const UList<label>& nodes,
-                    const UList<scalar>& S,
-                    const UList<scalar>&
+                    const UList<scalar>& S
                 )
                 {
                     scalar g[3] = {0, 0, 0};
                     forAll(nodes, i)
                     {
-                        for (int d = 0; nodes[i] >= 0 && d < nDim_; ++d)
+                        for (int d = 0; d < nDim_; ++d)
                         {
                             g[d] += S[i]*from[stride*nodes[i] + d];
                         }
@@ -179,7 +178,7 @@ void Foam::mpm::pointContact::spreadNormals()
                     const scalar v = cloud.volume()[0][p];
                     forAll(nodes, i)
                     {
-                        for (int d = 0; nodes[i] >= 0 && d < nDim_; ++d)
+                        for (int d = 0; d < nDim_; ++d)
                         {
                             to[stride*nodes[i] + d] += v*S[i]*g[d];
                         }
