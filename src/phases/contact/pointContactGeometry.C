@@ -427,19 +427,25 @@ void Foam::mpm::pointContact::setGaps()
                 {
                     const contactNode& m = contactNodes_[place];
                     const FixedList<scalar, 2> r(reach(m, x, l));
-                    scalar* e = reach_.data() + 4*m.node + side;
+                    scalar* e = reach_.data() + nReach_*m.node + side;
+                    e += inBall(m.node, x) ? 0 : 4;
                     e[0] = max(e[0], r[side]);
                     e[2] = max(e[2], r[1 - side]);
                 }
             );
         }
-        fields_[pair.a].largestOfShared(reach_.data(), 4, 4);
+        fields_[pair.a].largestOfShared(reach_.data(), nReach_, nReach_);
 
         for (label i = first; i < last; ++i)
         {
             contactNode& m = contactNodes_[i];
             placeOf_[m.node] = -1;
-            scalar* e = reach_.data() + 4*m.node;
+            scalar* e = reach_.data() + nReach_*m.node;
+            for (int k = 0; k + 4 < nReach_; ++k)
+            {
+                e[k] = e[k] > -GREAT ? e[k] : e[4 + k];
+                e[4 + k] = -GREAT;
+            }
             m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
             const bool turn =
                 pair.b >= 0
@@ -526,7 +532,8 @@ void Foam::mpm::pointContact::setPlaces
                       - reach(m, x, l)[isA ? 0 : 1];
                     const scalar near =
                         1 - behind/(0.01*max(l[0], max(l[1], l[2])));
-                    if (near <= 0)
+                    // Not those beside the ball that the gap leaves out
+                    if (near <= 0 || near > 1 + 1e-9)
                     {
                         return;
                     }
