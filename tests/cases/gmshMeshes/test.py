@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Meshes of gmsh as background and as bodies: the tutorials kirsch, spallOnTriangles,
-bracket and pipeBlast, short or coarse.
+bracket, pipeBlast and sphereOnSphere, short or coarse.
 
 kirsch     plate with a hole on triangles that follow it: stress at the rim 3 S within 2 %,
            stress up to 3 a; the same on boxes with GIMP
@@ -10,6 +10,8 @@ bracket    a body of tetrahedra on other tetrahedra bends over its cells: displa
            centre of mass against a rod, 6 %
 pipe       gas drives a plug round a bend of triangles: speed and turning point of a straight
            pipe on boxes within 1 %, mass of the gas to rounding
+spheres    two elastic spheres from a mesh collide, half-width of the contact 3 cells: force and
+           time of Hertz within 5 %
 ball       a ball from a mesh flies through boxes with GIMP and through tetrahedra with
            nodeDual: velocity 1e-13, momentum and mass to rounding
 """
@@ -142,6 +144,19 @@ def pipe(table):
         table.row(f"plug in a bent pipe: {what}", straight[i], bend[i], 0.01, "relative")
 
 
+def spheres(table):
+    results, = tutorial("sphereOnSphere", "results")
+    case = copyOf("sphereOnSphere")
+    case.change("sizes.geo", r"^h = .*", "h = 0.5e-3;")
+    mesh(case, "space")
+    case.run("gmsh", "-3", "spheres.geo", "-o", "spheres.msh")
+    case.run("setMaterialPoints")
+    case.run("materialPointFoam", limit=200)
+    rows = results.figures(case)
+    for name, unit, exact, ours in (rows[0], rows[2]):
+        table.row(f"spheres collide: {name} [{unit}]", exact, ours, 0.05, "relative")
+
+
 def ball(table, h=0.01, n=10, steps=100):
     """An elastic ball of 3 cells, elements of 0.8 cells, 5 cells along and across."""
     c = np.sqrt(1e6*0.7/(1.3*0.4)/1000)
@@ -184,4 +199,4 @@ def ball(table, h=0.01, n=10, steps=100):
 if __name__ == "__main__":
     if not shutil.which("gmsh"):
         sys.exit("gmsh is missing: etc/installOpenFOAM -packages")
-    sys.exit(runParts("gmshMeshes", kirsch, spall, bracket, pipe, ball))
+    sys.exit(runParts("gmshMeshes", kirsch, spall, bracket, pipe, spheres, ball))
