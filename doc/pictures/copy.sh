@@ -12,7 +12,8 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     spallInAir/plates blockInAir/moving freePiston/piston shockOnSlab/cylinder \
     dustyShockTube/dustyShockTube houimOran/dense darcyFlow/darcy fluidisedColumn/fluidised \
     ballThroughPlate/debris blastWall/blast kirsch/kirsch spallOnTriangles/spallOnTriangles \
-    bracket/bracket pipeBlast/pipe refinedImpact/impact
+    bracket/bracket pipeBlast/pipe refinedImpact/impact sphereOnSphere/spheres \
+    cylinderInChannel/cylinder
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done

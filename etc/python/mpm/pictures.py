@@ -82,17 +82,20 @@ def owners(x, half, box, shape, close=0.5):
         return owner
     distance = np.full((ny, nx), np.inf)
     first = np.rint(place).astype(int)
-    most = np.ceil(reach.max(axis=0)).astype(int)
-    for j in range(-most[1], most[1] + 1):
-        for i in range(-most[0], most[0] + 1):
-            at = first + [i, j]
-            away = abs(at - place)/half
-            d = away.max(axis=1)
-            some = (d <= 1 + close) & (at >= 0).all(axis=1) & (at < [nx, ny]).all(axis=1)
-            column, row, d = at[some, 0], at[some, 1], d[some]
-            better = d < distance[row, column]
-            distance[row[better], column[better]] = d[better]
-            owner[row[better], column[better]] = index[some][better]
+    # Points of about one size together: where they differ, the large ones are few
+    size = np.ceil(np.log2(reach.max(axis=1))).astype(int)
+    for one in np.unique(size):
+        group = np.flatnonzero(size == one)
+        most = np.ceil(reach[group].max(axis=0)).astype(int)
+        for j in range(-most[1], most[1] + 1):
+            for i in range(-most[0], most[0] + 1):
+                at = first[group] + [i, j]
+                d = (abs(at - place[group])/half[group]).max(axis=1)
+                some = (d <= 1 + close) & (at >= 0).all(axis=1) & (at < [nx, ny]).all(axis=1)
+                column, row, d = at[some, 0], at[some, 1], d[some]
+                better = d < distance[row, column]
+                distance[row[better], column[better]] = d[better]
+                owner[row[better], column[better]] = index[group[some]][better]
     # Closed, not grown: what the longer reach added outside is taken away again
     back = np.floor(close*np.median(half, axis=0)).astype(int)
     inside = (distance <= 1) | _erode(distance < np.inf, *back)

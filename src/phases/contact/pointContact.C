@@ -148,10 +148,11 @@ Foam::mpm::pointContact::pointContact
     otherOwner_(grid.nNodes(), label(-1)),
     placeOf_(grid.nNodes(), label(-1)),
     other_(grid.nNodes(), scalar(-1)),
-    reach_(4*grid.nNodes(), -GREAT)
+    nReach_(dynamic_cast<const twoLevelShares*>(&passes) ? 8 : 4),
+    reach_(nReach_*grid.nNodes(), -GREAT)
 {
     read(dict);
-    if (dynamic_cast<const twoLevelShares*>(&passes))
+    if (nReach_ > 4)
     {
         setBalls();
     }

@@ -117,9 +117,115 @@ void Foam::mpm::pointContact::meet(const label pairi)
 }
 
 
-void Foam::mpm::pointContact::sumGradients()
+void Foam::mpm::pointContact::placeAndHalfSize
+(
+    const materialPointCloud& cloud,
+    const label celli,
+    const label p,
+    scalar* x,
+    scalar* l
+) const
+{
+    const column* half = cloud.halfSize();
+
+    // Without half-sizes a box of the cell's shape and the point's volume
+    const scalar part = half ? 0 : 0.5*std::pow
+    (
+        cloud.volume()[0][p]/grid_.mesh().cellVolumes()[celli],
+        1.0/nDim_
+    );
+    for (int d = 0; d < 3; ++d)
+    {
+        x[d] = d < nDim_ ? cloud.x()[d][p] : 0;
+        l[d] =
+            d >= nDim_ ? 0 : half ? (*half)[d][p] : part*grid_.width(celli, d);
+    }
+}
+
+
+void Foam::mpm::pointContact::setNear(const label fieldi)
 {
     const int radial = grid_.radial();
+    const int stride = fields_[fieldi].stride();
+    scalarList& g = gradient_[fieldi];
+    DynamicList<label> nodes;
+    DynamicList<scalar> S, gradS;
+    near_.setSize(phases_.size());
+    forAll(phases_, phasei)
+    {
+        if (fieldOf_[phasei] != fieldi)
+        {
+            continue;
+        }
+        const materialPointCloud& cloud = phases_[phasei].cloud();
+        nearPoints& near = near_[phasei];
+        near.cells.clear();
+        near.nodes.clear();
+        near.end.clear();
+        near.S.clear();
+        gridTransfer_.forStencils
+        (
+            cloud,
+            [&](const label k, const labelUList& stencil)
+            {
+                bool reaches = false;
+                for (const label node : stencil)
+                {
+                    reaches = reaches || (node >= 0 && placeOf_[node] >= 0);
+                }
+                if (!reaches)
+                {
+                    return;
+                }
+                near.cells.append(k);
+                const label celli = cloud.cells()[k];
+                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
+                {
+                    scalar x[3], l[3];
+                    placeAndHalfSize(cloud, celli, p, x, l);
+                    gridTransfer_.weights
+                    (
+                        celli,
+                        x,
+                        cloud.halfSize() ? l : nullptr,
+                        nodes,
+                        S,
+                        gradS
+                    );
+
+                    // Section of the ring, whose volume also grows with the
+                    // radius
+                    const scalar v =
+                        cloud.volume()[0][p]/(radial < 0 ? scalar(1) : x[radial]);
+                    forAll(nodes, i)
+                    {
+                        const label n = nodes[i];
+                        if (n < 0 || placeOf_[n] < 0)
+                        {
+                            continue;
+                        }
+                        near.nodes.append(n);
+                        near.S.append(S[i]);
+                        if (ball_.size())
+                        {
+                            addBall(n, x, v, g.data() + stride*n);
+                            continue;
+                        }
+                        for (int d = 0; d < nDim_; ++d)
+                        {
+                            g[stride*n + d] += v*gradS[nDim_*i + d];
+                        }
+                    }
+                    near.end.append(near.nodes.size());
+                }
+            }
+        );
+    }
+}
+
+
+void Foam::mpm::pointContact::sumGradients()
+{
     forAll(fields_, fieldi)
     {
         if (!has_[fieldi])
@@ -145,44 +251,7 @@ void Foam::mpm::pointContact::sumGradients()
                 placeOf_[m.node] = 0;
             }
         }
-        forPoints
-        (
-            fieldi,
-            [&]
-            (
-                const materialPointCloud& cloud,
-                const label p,
-                const scalar* x,
-                const scalar*,
-                const UList<label>& nodes,
-                const UList<scalar>&,
-                const UList<scalar>& gradS
-            )
-            {
-                // Section of the ring, whose volume also grows with the radius
-                const scalar v =
-                    cloud.volume()[0][p]/(radial < 0 ? scalar(1) : x[radial]);
-                forAll(nodes, i)
-                {
-                    if (nodes[i] < 0 || placeOf_[nodes[i]] < 0)
-                    {
-                        continue;
-                    }
-                    if (ball_.size())
-                    {
-                        addBall(nodes[i], x, v, g.data() + stride*nodes[i]);
-                    }
-                    else
-                    {
-                        for (int d = 0; d < nDim_; ++d)
-                        {
-                            g[stride*nodes[i] + d] +=
-                                v*gradS[nDim_*i + d];
-                        }
-                    }
-                }
-            }
-        );
+        setNear(fieldi);
         for (const contactNode& m : contactNodes_)
         {
             placeOf_[m.node] = -1;
@@ -358,19 +427,25 @@ void Foam::mpm::pointContact::setGaps()
                 {
                     const contactNode& m = contactNodes_[place];
                     const FixedList<scalar, 2> r(reach(m, x, l));
-                    scalar* e = reach_.data() + 4*m.node + side;
+                    scalar* e = reach_.data() + nReach_*m.node + side;
+                    e += inBall(m.node, x) ? 0 : 4;
                     e[0] = max(e[0], r[side]);
                     e[2] = max(e[2], r[1 - side]);
                 }
             );
         }
-        fields_[pair.a].largestOfShared(reach_.data(), 4, 4);
+        fields_[pair.a].largestOfShared(reach_.data(), nReach_, nReach_);
 
         for (label i = first; i < last; ++i)
         {
             contactNode& m = contactNodes_[i];
             placeOf_[m.node] = -1;
-            scalar* e = reach_.data() + 4*m.node;
+            scalar* e = reach_.data() + nReach_*m.node;
+            for (int k = 0; k + 4 < nReach_; ++k)
+            {
+                e[k] = e[k] > -GREAT ? e[k] : e[4 + k];
+                e[4 + k] = -GREAT;
+            }
             m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
             const bool turn =
                 pair.b >= 0
@@ -457,7 +532,8 @@ void Foam::mpm::pointContact::setPlaces
                       - reach(m, x, l)[isA ? 0 : 1];
                     const scalar near =
                         1 - behind/(0.01*max(l[0], max(l[1], l[2])));
-                    if (near <= 0)
+                    // Not those beside the ball that the gap leaves out
+                    if (near <= 0 || near > 1 + 1e-9)
                     {
                         return;
                     }

@@ -92,13 +92,13 @@ void Foam::mpm::pointContact::chooseNormals
                     {
                         m.n[d] = of == 0 ? g[d] : -g[d];
                     }
-                    scalar& e = reach_[4*m.node + 2*of + side];
+                    scalar& e = reach_[nReach_*m.node + 2*of + side];
                     e = max(e, reach(m, x, l)[side]);
                 }
             }
         );
     }
-    fields_[pair.a].largestOfShared(reach_.data(), 4, 4);
+    fields_[pair.a].largestOfShared(reach_.data(), nReach_, 4);
 
     for (label i = first; i < last; ++i)
     {
@@ -109,7 +109,7 @@ void Foam::mpm::pointContact::chooseNormals
             size[0] += sqr(gradient_[pair.a][stride*m.node + d]);
             size[1] += sqr(gradient_[pair.b][stride*m.node + d]);
         }
-        scalar* e = reach_.data() + 4*m.node;
+        scalar* e = reach_.data() + nReach_*m.node;
         size[0] = max(std::sqrt(size[0]), VSMALL);
         size[1] = max(std::sqrt(size[1]), VSMALL);
         const bool ofB =
@@ -164,14 +164,13 @@ void Foam::mpm::pointContact::spreadNormals()
                     const scalar*,
                     const scalar*,
                     const UList<label>& nodes,
-                    const UList<scalar>& S,
-                    const UList<scalar>&
+                    const UList<scalar>& S
                 )
                 {
                     scalar g[3] = {0, 0, 0};
                     forAll(nodes, i)
                     {
-                        for (int d = 0; nodes[i] >= 0 && d < nDim_; ++d)
+                        for (int d = 0; d < nDim_; ++d)
                         {
                             g[d] += S[i]*from[stride*nodes[i] + d];
                         }
@@ -179,7 +178,7 @@ void Foam::mpm::pointContact::spreadNormals()
                     const scalar v = cloud.volume()[0][p];
                     forAll(nodes, i)
                     {
-                        for (int d = 0; nodes[i] >= 0 && d < nDim_; ++d)
+                        for (int d = 0; d < nDim_; ++d)
                         {
                             to[stride*nodes[i] + d] += v*S[i]*g[d];
                         }

@@ -15,8 +15,6 @@ void Foam::mpm::pointContact::forPoints
     const Function& f
 ) const
 {
-    DynamicList<label> nodes;
-    DynamicList<scalar> S, gradS;
     forAll(phases_, phasei)
     {
         if (fieldOf_[phasei] != fieldi)
@@ -24,48 +22,27 @@ void Foam::mpm::pointContact::forPoints
             continue;
         }
         const materialPointCloud& cloud = phases_[phasei].cloud();
-        const column* half = cloud.halfSize();
-        gridTransfer_.forStencils
-        (
-            cloud,
-            [&](const label k, const labelUList& stencil)
+        const nearPoints& near = near_[phasei];
+        label n = 0, begin = 0;
+        for (const label k : near.cells)
+        {
+            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
             {
-                bool near = false;
-                for (const label node : stencil)
-                {
-                    near = near || (node >= 0 && placeOf_[node] >= 0);
-                }
-                if (!near)
-                {
-                    return;
-                }
-                const label celli = cloud.cells()[k];
-                for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
-                {
-                    scalar x[3], l[3] = {0, 0, 0};
-                    for (int d = 0; d < nDim_; ++d)
-                    {
-                        x[d] = cloud.x()[d][p];
-                        l[d] = half ? (*half)[d][p] : 0;
-                    }
-                    gridTransfer_.weights(celli, x, half ? l : nullptr, nodes, S, gradS);
-                    if (!half)
-                    {
-                        // A box of the cell's shape and the point's volume
-                        const scalar part = 0.5*std::pow
-                        (
-                            cloud.volume()[0][p]/grid_.mesh().cellVolumes()[celli],
-                            1.0/nDim_
-                        );
-                        for (int d = 0; d < nDim_; ++d)
-                        {
-                            l[d] = part*grid_.width(celli, d);
-                        }
-                    }
-                    f(cloud, p, x, l, nodes, S, gradS);
-                }
+                scalar x[3], l[3];
+                placeAndHalfSize(cloud, cloud.cells()[k], p, x, l);
+                const label size = near.end[n] - begin;
+                f
+                (
+                    cloud,
+                    p,
+                    x,
+                    l,
+                    SubList<label>(near.nodes, size, begin),
+                    SubList<scalar>(near.S, size, begin)
+                );
+                begin = near.end[n++];
             }
-        );
+        }
     }
 }
 
@@ -87,13 +64,12 @@ void Foam::mpm::pointContact::forMeetings
             const scalar* x,
             const scalar* l,
             const UList<label>& nodes,
-            const UList<scalar>& S,
-            const UList<scalar>&
+            const UList<scalar>& S
         )
         {
             forAll(nodes, i)
             {
-                const label place = nodes[i] < 0 ? -1 : placeOf_[nodes[i]];
+                const label place = placeOf_[nodes[i]];
                 if (place >= 0 && S[i] > 0)
                 {
                     f(place, x, l, S[i]);

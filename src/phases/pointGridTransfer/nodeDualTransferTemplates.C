@@ -182,6 +182,7 @@ nodeDualTransfer<Shape, DIM, HOOP>::nodeDualTransfer(const pointGrid& grid)
     boundary_(dual_, grid.shared(shapeType::reach)),
     stamp_(grid.nNodes(), label(-1)),
     stampNow_(0),
+    place_(grid.nNodes(), label(-1)),
     a_(P*grid.nNodes()),
     U_(P*grid.nNodes()),
     UL_(P*grid.nNodes()),
@@ -256,7 +257,7 @@ void nodeDualTransfer<Shape, DIM, HOOP>::weights
         const scalar Sm = shapeType::weight(of, i)[0];
         for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
         {
-            label at = nodes.find(dual_.node(e));
+            label& at = place_[dual_.node(e)];
             if (at < 0)
             {
                 at = nodes.size();
@@ -270,6 +271,10 @@ void nodeDualTransfer<Shape, DIM, HOOP>::weights
                 gradS[DIM*at + d] += Sm*dual_.G(e)[d];
             }
         }
+    }
+    for (const label node : nodes)
+    {
+        place_[node] = -1;
     }
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Meshes of gmsh as background and as bodies: the tutorials kirsch, spallOnTriangles,
-bracket and pipeBlast, short or coarse.
+"""Meshes of gmsh as background and as bodies, and of snappyHexMesh: the tutorials kirsch,
+spallOnTriangles, bracket, pipeBlast, sphereOnSphere and cylinderInChannel, short or coarse.
 
 kirsch     plate with a hole on triangles that follow it: stress at the rim 3 S within 2 %,
            stress up to 3 a; the same on boxes with GIMP
@@ -10,6 +10,11 @@ bracket    a body of tetrahedra on other tetrahedra bends over its cells: displa
            centre of mass against a rod, 6 %
 pipe       gas drives a plug round a bend of triangles: speed and turning point of a straight
            pipe on boxes within 1 %, mass of the gas to rounding
+spheres    two elastic spheres from a mesh collide, half-width of the contact 3 cells: force and
+           time of Hertz within 5 %
+cylinder   gas at Mach 3 and grains round a cylinder of snappyHexMesh: pitot pressure and place of
+           the shock within 5 %, mass of the gas to rounding, no grain lost, their paths those
+           of their drag
 ball       a ball from a mesh flies through boxes with GIMP and through tetrahedra with
            nodeDual: velocity 1e-13, momentum and mass to rounding
 """
@@ -142,6 +147,49 @@ def pipe(table):
         table.row(f"plug in a bent pipe: {what}", straight[i], bend[i], 0.01, "relative")
 
 
+def spheres(table):
+    results, = tutorial("sphereOnSphere", "results")
+    case = copyOf("sphereOnSphere")
+    case.change("sizes.geo", r"^h = .*", "h = 0.5e-3;")
+    mesh(case, "space")
+    case.run("gmsh", "-3", "spheres.geo", "-o", "spheres.msh")
+    case.run("setMaterialPoints")
+    case.run("materialPointFoam", limit=200)
+    rows = results.figures(case)
+    for name, unit, exact, ours in (rows[0], rows[2]):
+        table.row(f"spheres collide: {name} [{unit}]", exact, ours, 0.05, "relative")
+
+
+def cylinder(table):
+    results, = tutorial("cylinderInChannel", "results")
+    case = FoamCase("gmshMeshes", "cylinder")
+    folder = os.path.join(PROJECT, "tutorials", "cylinderInChannel")
+    case.copy(source=folder)
+    for field in os.listdir(os.path.join(folder, "0.orig")):
+        shutil.copy(os.path.join(folder, "0.orig", field), case.file("0"))
+    for command in (("blockMesh",), ("snappyHexMesh", "-overwrite"), ("extrudeMesh",),
+                    ("createPatch", "-overwrite")):
+        case.run(*command)
+    for side in ("front", "back"):
+        case.run("foamDictionary", "-entry", f"entry0.{side}.type", "-set", "empty",
+                 "constant/polyMesh/boundary")
+    case.run("setMaterialPoints")
+    case.run("materialPointFoam", limit=200)
+    pressure, shock = results.nose(case, [case.nearest(v, "U.air") for v in (5e-4, 5.5e-4, 6e-4)])
+    table.row("cylinder at Mach 3: pressure at the nose (Rayleigh)", results.rayleigh(3.0),
+              pressure, 0.05, "relative")
+    table.row("cylinder at Mach 3: distance of the shock/R (Billig)", results.SHOCK, shock, 0.05,
+              "relative")
+    away, free, (_, exact), (_, ours) = results.apart(case)
+    table.row("grains round a cylinder: rms distance from their integrated paths/way behind", 0,
+              np.sqrt((away[free]**2).mean())*results.R
+              /(results.SPEED*8.6e-4 - (exact[-1] - exact[0])[free, 0].min()), 0.02)
+    table.row("grains round a cylinder: grains at the end", len(case.points("0", "dust")["m"]),
+              len(ours[-1]), 0)
+    table.row("grains round a cylinder: mass of the gas", 0, results.massChange(case), 1e-12)
+    table.row("grains round a cylinder: fix-ups", 0, case.fixups(), 0)
+
+
 def ball(table, h=0.01, n=10, steps=100):
     """An elastic ball of 3 cells, elements of 0.8 cells, 5 cells along and across."""
     c = np.sqrt(1e6*0.7/(1.3*0.4)/1000)
@@ -184,4 +232,4 @@ def ball(table, h=0.01, n=10, steps=100):
 if __name__ == "__main__":
     if not shutil.which("gmsh"):
         sys.exit("gmsh is missing: etc/installOpenFOAM -packages")
-    sys.exit(runParts("gmshMeshes", kirsch, spall, bracket, pipe, ball))
+    sys.exit(runParts("gmshMeshes", kirsch, spall, bracket, pipe, spheres, cylinder, ball))
