@@ -495,17 +495,16 @@ Foam::mpm::materialPointSystem::materialPointSystem
 
     startNodes();
     parts_.within(&stepPart::started);
+    // A processor without points of a phase has no files of it
     bool haveAffine = true;
     for (const materialPointPhase& phase : phases_)
     {
-        haveAffine =
-            haveAffine && (phase.motion() || phase.cloud().affineRead());
+        const bool none = !returnReduce(phase.cloud().size(), sumOp<label>());
+        const bool read =
+            returnReduce(phase.cloud().affineRead(), orOp<bool>());
+        haveAffine = haveAffine && (phase.motion() || none || read);
     }
-    if
-    (
-        transfer_->affine() != transferScheme::none
-     && !returnReduce(haveAffine, orOp<bool>())
-    )
+    if (transfer_->affine() != transferScheme::none && !haveAffine)
     {
         startAffine();
     }

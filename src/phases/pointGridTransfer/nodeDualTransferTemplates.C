@@ -353,6 +353,13 @@ scalar nodeDualTransfer<Shape, DIM, HOOP>::shortestWidth
     const scalar shortestSide
 ) const
 {
+    // On boxes of one size each function has the width of a side, but for
+    // rounding that would depend on where the points were at the start
+    if (grid_.sameWidth() > 0)
+    {
+        return shortestSide;
+    }
+
     // Without points that of the cells
     scalar most = cloud.cells().size() ? 0 : 1/shortestSide;
     for (const label celli : cloud.cells())

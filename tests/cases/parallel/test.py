@@ -11,7 +11,7 @@ failed after the same steps.
 
 Round trip: decomposePar on 2, run, reconstructPar, decomposePar on 4, go on: the
 result of the straight run to 1e-10. Restart on the same processors, binary: bit
-by bit; killed while it writes: goes on from the last complete time of all.
+by bit, also with a phase on each processor; killed while it writes: goes on from the last complete time of all.
 
 Balance: cellWeights for decomposePar. Another number of processors by decomposePar
 -latestTime; a processor whose points are missing.
@@ -243,6 +243,38 @@ def roundTrip(table):
               a.largestDifference(b, end, ["block"], COLUMNS), 0, "atMost")
 
 
+def apart(table):
+    """Two phases, at the restart each on a processor of its own: APIC goes on with the
+    matrices that were written."""
+    def make(name):
+        c = fallingBlock(name, 2, {"shapeFunction": "GIMP", "transfer": "APIC"})
+        law = {"velocityField": "block", "constitutiveModel": {
+            "type": "neoHookean", "rho": RHO, "E": E, "nu": 0.3}}
+        c.write("constant/phaseProperties", {"phases": ["block", "upper"], "block": law,
+                                             "upper": law})
+        c.write("system/setMaterialPointsDict", {"regions": {
+            name: {"phase": name, "type": "box", "min": low, "max": np.add(low, 5*H),
+                   "pointsPerCell": 2, "velocity": (0, v, 0)}
+            for name, low, v in (("block", (7*H, 4*H, 0), -8), ("upper", (5*H, 15*H, 0), 5))}})
+        c.run("setMaterialPoints")
+        c.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+        c.decompose((1, 2, 1))
+        return c
+
+    a, b = make("apart-straight"), make("apart-half")
+    a.runParallel()
+    half, end = sorted((t for t in os.listdir(a.processors()[0])
+                        if re.fullmatch(r"[\d.e+-]+", t)), key=float)[1:]
+    table.check("phases apart: each on one processor", [
+        os.listdir(os.path.join(p, half, "lagrangian")) for p in a.processors()]
+        == [["block"], ["upper"]])
+    for p, q in zip(a.processors(), b.processors()):
+        shutil.copytree(os.path.join(p, half), os.path.join(q, half))
+    b.runParallel()
+    table.row("phases apart, APIC: restart on 2 processors, largest difference", 0,
+              a.largestDifference(b, end, ["block", "upper"], COLUMNS), 0, "atMost")
+
+
 def processorIds(case, timeName):
     for d in case.processors():
         path = os.path.join(d, timeName, "lagrangian", "block")
@@ -349,7 +381,7 @@ def main():
             smooth(table, label)
         except RunFailed as e:
             table.check(f"{label} runs", False, e)
-    for part in (failing, roundTrip, killed, balance, rankChange):
+    for part in (failing, roundTrip, apart, killed, balance, rankChange):
         try:
             part(table)
         except RunFailed as e:
