@@ -25,15 +25,15 @@ def cyclicSides(axes):
 
 def gasOnCells(folder, name, kind, n, high, patches, conditions, state, end,
                reconstruct=VAN_LEER, low=(0, 0, 0), moved=0.2, maxCoGas=0.4, deltaT=None,
-               split=None, writes=1, start=None):
+               split=None, writes=1, start=None, place=None):
     """conditions: of p, T, U on each patch; split: pieces (nx, ny, nz), one for each
-    processor; start: called with the case before the run."""
+    processor; start: called with the case before the run; place: as for boxOfCells."""
     case = FoamCase(folder, name.replace(" ", "-"))
     patches, conditions = dict(patches), dict(conditions)
     if n[2] == 1:
         patches["sides"], conditions["sides"] = ("empty", ("z-", "z+")), ("empty",)*3
     boxOfCells(case, "tets" if kind == "polyhedra" else kind, low, high, n, patches,
-               moved=moved)
+               moved=moved, place=place)
     case.write("system/fvSchemes", schemes(reconstruct))
     case.write("system/fvSolution", {})
     entries = controlDict(end, end/writes, maxCo=None if deltaT else maxCoGas,

@@ -77,8 +77,21 @@ void Foam::mpm::reconstruction::readSchemes()
         scheme_[0] == "upwind" && scheme_[1] == "upwind"
      && scheme_[2] == "upwind";
 
-    byCells_ =
-        scheme_[0] == "MLP" && scheme_[1] == "MLP" && scheme_[2] == "MLP";
+    label nMLP = 0;
+    for (const string& scheme : scheme_)
+    {
+        nMLP += scheme == "MLP";
+    }
+    byCells_ = nMLP == 3;
+    if (nMLP && !byCells_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The scheme MLP is for all three: " << key_[0] << " is "
+            << scheme_[0].c_str() << ", " << key_[1] << ' '
+            << scheme_[1].c_str() << ", " << key_[2] << ' '
+            << scheme_[2].c_str() << " in " << dict.name() << "."
+            << exit(FatalIOError);
+    }
 
     const dictionary& grad = requiredDict(mesh_.schemesDict(), "gradSchemes");
     bool gaussLinear = true;
@@ -307,6 +320,32 @@ void Foam::mpm::reconstruction::interpolated
     }
 }
 
+
+void Foam::mpm::reconstruction::refuseTetrahedra() const
+{
+    label tet = -1;
+    forAll(mesh_.cells(), c)
+    {
+        if (mesh_.cells()[c].size() < 5)
+        {
+            tet = c;
+            break;
+        }
+    }
+    if (tet < 0)
+    {
+        return;
+    }
+    FatalIOErrorInFunction(mesh_.schemesDict())
+        << "Cell " << tet << " at " << mesh_.cellCentres()[tet]
+        << " is a tetrahedron, where " << key_[0] << ' '
+        << scheme_[0].c_str() << ", " << key_[1] << ' ' << scheme_[1].c_str()
+        << ", " << key_[2] << ' ' << scheme_[2].c_str()
+        << " grow without bound." << nl << "Valid there are MLP or upwind for"
+        << " all three; vanLeer, vanAlbada, Minmod and SuperBee (of U with V"
+        << " behind the name) become MLP." << exit(FatalIOError);
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::reconstruction::reconstruction
@@ -355,6 +394,8 @@ Foam::mpm::reconstruction::reconstruction
     }
     if (!upwind_ && !byCells_ && own_.empty())
     {
+        refuseTetrahedra();
+
         // A wrong name is fatal now, not in the first step
         const surfaceScalarField to(direction(1));
         scheme<scalar>(0, to);
