@@ -284,7 +284,8 @@ def stable(table):
                        modulus=modulus, rho=rho, numerics=TRANSFERS[transfer])
         print(f"energy residual {residual(f):.1e}")
     for motion in ({"type": "translation", "velocity": (50, -30, 0)},
-                   {"type": "free", "velocity": (50, -30, 0)}):
+                   {"type": "free", "velocity": (50, -30, 0),
+                    "constraints": ["rotation"]}):
         f = stableRows(table, f"prisms, rigid, {motion['type']}", "prisms", phase={
             "type": "rigid", "rho": 2700.0, "motion": motion})
     total = f["momentum"] + f["gasMomentum"]
