@@ -83,6 +83,11 @@ void Foam::mpm::contactPart::accepted(const scalar)
 
 void Foam::mpm::contactPart::end(const scalar)
 {
+    // Of use to a strain at the start of the next step only
+    if (!points_.strainsEarly())
+    {
+        contact_->release();
+    }
     contact_->update();
 }
 

@@ -45,7 +45,8 @@ void Foam::mpm::pointContact::computeImpulses
     const List<scalar*>& u,
     const int step,
     const scalar dt,
-    const bool settling
+    const bool settling,
+    const bool ofStrain
 )
 {
     const label sweeps = pairs_.size() > 1 ? 5 : 1;
@@ -88,7 +89,12 @@ void Foam::mpm::pointContact::computeImpulses
                 un += du[d]*m.n[d];
             }
             const scalar approach = m.gap > 0 ? m.gap/max(dt, VSMALL) : 0;
-            const scalar Jn = max(scalar(0), m.Jn - M*(approach + un));
+            const bool held =
+                ofStrain && pressed_.size() && pressed_[m.pair].found(m.node);
+            const bool sticks = held && pressed_[m.pair][m.node];
+            const scalar Jn =
+                held
+              ? m.Jn - M*un : max(scalar(0), m.Jn - M*(approach + un));
 
             // Tangential: the impulse that ends the slip, limited by friction
             scalar slip[3], size = 0;
@@ -100,8 +106,8 @@ void Foam::mpm::pointContact::computeImpulses
             size = std::sqrt(size);
             const contactLaw& law = *pair.how.law;
             const contactLaw::state s{Jn, size, M, dt};
-            const scalar limit = Jn > 0 ? law.limit(s) : 0;
-            const bool stuck = Jn > 0 && size <= limit;
+            const scalar limit = sticks ? GREAT : Jn > 0 ? law.limit(s) : 0;
+            const bool stuck = sticks || (Jn > 0 && size <= limit);
             const scalar part =
                 stuck ? 1 : size > 0 ? min(scalar(1), limit/size) : 0;
             for (int d = 0; d < nDim_; ++d)
@@ -112,7 +118,7 @@ void Foam::mpm::pointContact::computeImpulses
             }
             m.Jn = Jn;
             m.stickImpulse = size;
-            m.closed = Jn > 0;
+            m.closed = held || Jn > 0;
             m.stuck = stuck;
             m.slope = settling && Jn > 0 && !stuck ? law.slope(s) : 0;
         }
@@ -246,6 +252,11 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
         pair.step = Zero;
         pair.nClosed = pair.pushedGap = pair.push = 0;
     }
+    pressed_.setSize(pairs_.size());
+    for (Map<label>& nodes : pressed_)
+    {
+        nodes.clear();
+    }
     if (!any_)
     {
         return 0;
@@ -272,6 +283,7 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
         const scalar part = fields_[pair.a].part(m.node);
         if (m.closed)
         {
+            pressed_[m.pair].insert(m.node, m.stuck);
             pair.nClosed += part;
             pair.pushedGap += part*m.Jn*m.gap;
             pair.push += part*m.Jn;
@@ -358,7 +370,7 @@ void Foam::mpm::pointContact::applyStrainImpulses(const scalar dt)
         u[fieldi] = fields_[fieldi].strainU();
     }
     const int stride = fields_[0].stride();
-    computeImpulses(u, stride, dt, false);
+    computeImpulses(u, stride, dt, false, true);
     for (const contactNode& m : contactNodes_)
     {
         const contactPair& pair = pairs_[m.pair];
@@ -510,38 +522,6 @@ void Foam::mpm::pointContact::report(const scalar dt) const
         Info<< "Contact of free bodies: not converged in " << nUnsettled_
             << " solutions of this run (a smaller maxCo helps)"
             << endl;
-    }
-}
-
-
-Foam::dictionary Foam::mpm::pointContact::state() const
-{
-    dictionary state;
-    forAll(pairs_, pairi)
-    {
-        state.add
-        (
-            word("pair" + Foam::name(pairi)),
-            returnReduce(pairs_[pairi].sum, sumOp<vector>())
-        );
-    }
-    return state;
-}
-
-
-void Foam::mpm::pointContact::setState(const dictionary& state)
-{
-    forAll(pairs_, pairi)
-    {
-        const vector sum
-        (
-            state.getOrDefault<vector>
-            (
-                word("pair" + Foam::name(pairi)),
-                vector::zero
-            )
-        );
-        pairs_[pairi].sum = Pstream::master() ? sum : vector(Zero);
     }
 }
 

@@ -396,6 +396,9 @@ Foam::FixedList<Foam::scalar, 2> Foam::mpm::pointContact::reach
 
 void Foam::mpm::pointContact::setGaps()
 {
+    // Share of a ball's radius that points beside it may sink in
+    constexpr scalar allowed = 0.02;
+
     scalarList reachA(bodies_.size() ? contactNodes_.size() : 0);
     scalarList reachB(reachA.size());
     label first = 0;
@@ -441,12 +444,19 @@ void Foam::mpm::pointContact::setGaps()
             contactNode& m = contactNodes_[i];
             placeOf_[m.node] = -1;
             scalar* e = reach_.data() + nReach_*m.node;
+            scalar sunk = GREAT;
+            if (nReach_ > 4)
+            {
+                sunk =
+                    allowed*ball_[nDim_*m.node] - max(e[0], e[4])
+                  - (pair.b < 0 ? 0 : max(e[1], e[5]));
+            }
             for (int k = 0; k + 4 < nReach_; ++k)
             {
                 e[k] = e[k] > -GREAT ? e[k] : e[4 + k];
                 e[4 + k] = -GREAT;
             }
-            m.gap = -e[0] - (pair.b < 0 ? 0 : e[1]);
+            m.gap = min(-e[0] - (pair.b < 0 ? 0 : e[1]), sunk);
             const bool turn =
                 pair.b >= 0
              && !(mag(pair.how.normal) > 0)
