@@ -165,7 +165,7 @@ void Foam::mpm::limitedGradients::cellGradients()
             z += d*at.slope.z();
         }
 
-        state r = broadcast<width>(1.5);
+        state limit = broadcast<width>(1);
         for (label k = first; k < last; ++k)
         {
             const corner& at = corners_[k];
@@ -176,12 +176,11 @@ void Foam::mpm::limitedGradients::cellGradients()
             (
                 change > 0, load<width>(e + 2*width), load<width>(e + width)
             ) - w;
-            r = select
+            limit = select
             (
-                laneAbs(change) > none, laneMin(r, room/change), r
+                laneAbs(change) > none, laneMin(limit, room/change), limit
             );
         }
-        const state limit = r*(1.0 - 4.0/27*r*r);
         scalar* const g = gradients_.data() + 3*width*c;
         store<width>(g, x*limit);
         store<width>(g + width, y*limit);
@@ -202,7 +201,11 @@ Foam::mpm::limitedGradients::limitedGradients
     axis_(Zero),
     coupled_(returnReduce(coupledFaceList.size(), sumOp<label>()) > 0),
     turned_(false),
-    states_(width*(mesh.nCells() + mesh.nFaces() - mesh.nInternalFaces()), Zero),
+    states_
+    (
+        width*(mesh.nCells() + mesh.nFaces() - mesh.nInternalFaces()),
+        Zero
+    ),
     gradients_(3*width*mesh.nCells(), Zero)
 {
     setCorners();

@@ -3,6 +3,7 @@
     orders         isentropic vortex, simple wave between walls, density wave
     sodOnCells     Sod's tube: error beside first order, overshoots
     uniformFlow    nothing changes
+    linearFlow     a linear density in it stays linear away from the sides
     ring           a quarter with cyclic sides that turn as a whole ring
     partsOfCells   two processors against one, restart bit by bit
     tetrahedra     schemes that are not stable there are refused
@@ -134,6 +135,25 @@ def uniformFlow(table):
             ("rho.air", "U.air", "p"), state(C, 0)))
         table.row(f"uniform flow, {kind}, {case.nSteps()} steps: largest change", 0, worst,
                   1e-13, "atMost")
+
+
+def linearFlow(table):
+    dt, velocity, slope = 2e-3, np.array((1.0, 0.5, -0.3)), np.array((0.1, 0.2, -0.1))
+    sides = {"outside": ("patch", ("x-", "x+", "y-", "y+", "z-", "z+"))}, {"outside": OPEN}
+    flat = {"outside": ("patch", ("x-", "x+", "y-", "y+"))}, {"outside": OPEN}
+    for kind, n, (patches, conditions) in (("prisms", (10, 10, 1), flat),
+                                           ("tets", (8, 8, 8), sides)):
+        u = velocity*(1, 1, n[2] > 1)
+
+        def state(C, t):
+            return (1 + (C - u*t) @ (slope*(1, 1, n[2] > 1)), np.tile(u, (len(C), 1)),
+                    np.ones(len(C)))
+        case, C, _ = gasOnCells("gasAlone", f"linear-{kind}", kind, n, (1, 1, n[2]/n[0]),
+                                patches, conditions, state, dt, deltaT=dt)
+        inner = np.all(abs(C - 0.5)[:, :2 + (n[2] > 1)] < 0.2, axis=1)
+        worst = np.max(abs(volField(case, f"{dt:g}", "rho.air") - state(C, dt)[0])[inner])
+        table.row(f"linear density moves, {kind}, one step: largest error of {inner.sum()}"
+                  " cells", 0, worst, 1e-13, "atMost")
 
 
 def spot(C, t):
