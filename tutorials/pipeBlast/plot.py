@@ -1,5 +1,7 @@
 """The plug on its way round the bend, and its way and speed beside a straight pipe's."""
 
+import os
+
 import numpy as np
 from matplotlib.colors import Normalize
 
@@ -33,8 +35,10 @@ for ax, column in ((way, 1), (speed, 2)):
             label="straight pipe, boxes of 5 mm, GIMP")
 way.set(title="way along the middle of the pipe [m]")
 speed.set(xlabel="time [ms]", title="speed [m/s]")
-for name, marker, label in ((".", "C0o", "bend, triangles of 10 mm"),
-                            ("fine", "C1x", "bend, triangles of 5 mm")):
+bends = [(".", "C0o", "bend, triangles of 10 mm"), ("fine", "C1x", "bend, triangles of 5 mm")]
+if os.path.exists("variants/tube/0.02"):
+    bends.append(("tube", "C2+", "bend in 3D, tetrahedra"))
+for name, marker, label in bends:
     run = variant(name)
     rows = motion(run)
     for ax, column in ((way, 1), (speed, 2)):
@@ -50,6 +54,6 @@ for name, marker, label in ((".", "C0o", "bend, triangles of 10 mm"),
     print(f"    mass of the gas {abs(mass/mass[0] - 1).max():.0e}, energy of gas and plug"
           f" {(whole[-1] - whole[0])/points.max():+.1e} of the plug's, pressures set to the isentrope"
           f" {run.numbers('isentropic N')[-1]:.0f};"
-          f" {len(run.polygons())} triangles, {run.nSteps()} steps, {run.solverSeconds():.0f} s")
+          f" {run.nCells()} cells, {run.nSteps()} steps, {run.solverSeconds():.0f} s")
 way.legend(loc="lower right")
 save(figure, "pipe.png")

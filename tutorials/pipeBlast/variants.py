@@ -1,5 +1,9 @@
 """In variants/: triangles of half the side; the straight pipe on boxes, whose plug is as much
-heavier as a turning sector is (results.INERTIA)."""
+heavier as a turning sector is (results.INERTIA). And, if asked for,
+
+    variants.py tube
+
+the same bend in 3D, as deep as it is wide, on tetrahedra."""
 
 import os
 import shutil
@@ -31,8 +35,19 @@ def straight(case):
     case.run("blockMesh")
 
 
+def tube(case):
+    """In 3D, without the patch of a case in 2D; along curved walls APIC keeps the points."""
+    for name in os.listdir("0.orig"):
+        case.change(f"0/{name}", r"(?s)^    frontAndBack\n    {.*?\n    }\n", "")
+    case.change("system/fvSolution", r"transfer .*", "transfer        APIC;")
+    case.change("system/fvSolution", r"^ *PICfraction .*\n", "")
+    shutil.copy("tube.geo", case.path)
+    case.run("gmsh", "-3", "-format", "msh22", "tube.geo", "-o", "tube.msh")
+    case.run("gmshToFoam", "tube.msh")
+
+
 if __name__ == "__main__":
-    for make in (fine, straight):
+    for make in (tube,) if sys.argv[1:] == ["tube"] else (fine, straight):
         case = variant(make.__name__)
         try:
             start(case)
