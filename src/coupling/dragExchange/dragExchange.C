@@ -157,6 +157,66 @@ Foam::vector Foam::mpm::dragExchange::impulse
 }
 
 
+Foam::vector Foam::mpm::dragExchange::momentumOf
+(
+    const labelUList& nodes,
+    const UList<scalar>& share,
+    const scalar* U,
+    const int stride,
+    scalar& M
+) const
+{
+    const pointGrid& grid = points_.grid();
+    const int D = grid.nDim();
+    M = 0;
+    vector mU(Zero);
+    forAll(nodes, i)
+    {
+        M += share[i];
+        for (int d = 0; d < D && share[i] > 0; ++d)
+        {
+            mU[grid.direction(d)] += share[i]*U[stride*nodes[i] + d];
+        }
+    }
+    return mU;
+}
+
+
+template<class Action>
+void Foam::mpm::dragExchange::forDragged
+(
+    const label phasei,
+    const Action& f
+)
+{
+    materialPointCloud& cloud = points_.phases()[phasei].cloud();
+    const pointGridTransfer& passes = points_.gridTransfer();
+    const scalar* volume = (*cloud.gasVolume())[0];
+    const label n = passes.nStencil();
+    const auto ofPoints = [&](const label k, const labelUList& nodes)
+    {
+        const label celli = cloud.cells()[k];
+        const scalar V = fraction_.mesh().V()[celli];
+        f
+        (
+            celli,
+            nodes,
+            SubList<scalar>(share_, nodes.size(), n*k),
+            fraction_.ofPoints(cellSum(cloud, k, volume), V)
+        );
+    };
+    if (levels_)
+    {
+        levels_->forShares(cloud, ofPoints);
+    }
+    else
+    {
+        passes.forStencils(cloud, ofPoints);
+    }
+    fraction_.forDenseCells(phasei, f);
+}
+
+
 void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
@@ -180,66 +240,15 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     }
 
     const labelUList& beside = fraction_.nodesBeside(phasei);
-    const scalar* UL =
-        levels_ ? levels_->atShares(cloud, field.UL(), beside) : field.UL();
-    const scalar* volume = (*cloud.gasVolume())[0];
-    const auto exchangeCell =
-        [&](const label k, const labelUList& nodes)
-        {
-            const label celli = cloud.cells()[k];
-            const scalar* share = share_.cdata() + n*k;
-            scalar M = 0;
-            vector mU(Zero);
-            forAll(nodes, i)
-            {
-                M += share[i];
-                for (int d = 0; d < D; ++d)
-                {
-                    mU[grid.direction(d)] +=
-                        share[i]*UL[stride*nodes[i] + d];
-                }
-            }
-            const scalar V = fraction_.mesh().V()[celli];
-            const scalar thetaS =
-                fraction_.ofPoints(cellSum(cloud, k, volume), V);
-            const vector J(impulse(phasei, celli, M/V, mU/M, thetaS, dt));
-            forAll(nodes, i)
-            {
-                const scalar part = share[i]*V/M;
-                for (int d = 0; d < D; ++d)
-                {
-                    impulse_[stride*nodes[i] + d] -= part*J[grid.direction(d)];
-                }
-            }
-        };
-    if (levels_)
+    const auto atCells = [&]()
     {
-        levels_->forShares(cloud, exchangeCell);
-    }
-    else
-    {
-        passes.forStencils(cloud, exchangeCell);
-    }
-    dragDense(phasei, UL, dt);
-    if (levels_)
-    {
-        levels_->spreadShares(cloud, impulse_.data(), beside);
-    }
-    points_.addImpulse(fieldi, impulse_.data());
-}
-
-
-void Foam::mpm::dragExchange::dragDense
-(
-    const label phasei,
-    const scalar* U,
-    const scalar dt
-)
-{
-    const pointGrid& grid = points_.grid();
-    const int D = grid.nDim();
-    const int stride = points_.fields()[points_.fieldOf(phasei)].stride();
-    fraction_.forDenseCells
+        return
+            levels_ ? levels_->atShares(cloud, field.UL(), beside) : field.UL();
+    };
+    const scalar* U = atCells();
+    const bool exact = ahead_.size();
+    given_.clear();
+    forDragged
     (
         phasei,
         [&]
@@ -251,25 +260,51 @@ void Foam::mpm::dragExchange::dragDense
         )
         {
             scalar M = 0;
-            vector mU(Zero);
-            forAll(nodes, i)
-            {
-                M += share[i];
-                for (int d = 0; d < D && share[i] > 0; ++d)
-                {
-                    mU[grid.direction(d)] += share[i]*U[stride*nodes[i] + d];
-                }
-            }
+            const vector mU(momentumOf(nodes, share, U, stride, M));
             const scalar V = fraction_.mesh().V()[celli];
             const vector J(impulse(phasei, celli, M/V, mU/M, thetaS, dt));
             forAll(nodes, i)
             {
+                const scalar part = share[i]*V/M;
                 for (int d = 0; d < D && share[i] > 0; ++d)
                 {
-                    impulse_[stride*nodes[i] + d] -=
-                        share[i]*V/M*J[grid.direction(d)];
+                    impulse_[stride*nodes[i] + d] -= part*J[grid.direction(d)];
                 }
             }
+            if (exact)
+            {
+                given_.append(given{J, (mU - V*J)/M});
+            }
+        }
+    );
+    if (levels_)
+    {
+        levels_->spreadShares(cloud, impulse_.data(), beside);
+    }
+    points_.addImpulse(fieldi, impulse_.data());
+    if (!exact)
+    {
+        return;
+    }
+
+    // U_s after is that of the nodes, which other cells move and hold too
+    U = atCells();
+    const given* of = given_.cdata();
+    forDragged
+    (
+        phasei,
+        [&]
+        (
+            const label celli,
+            const labelUList& nodes,
+            const UList<scalar>& share,
+            const scalar
+        )
+        {
+            scalar M = 0;
+            const vector mU(momentumOf(nodes, share, U, stride, M));
+            Q_[celli] += 0.5*(of->J & (mU/M - of->U));
+            ++of;
         }
     );
 }
