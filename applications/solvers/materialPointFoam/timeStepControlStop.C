@@ -147,13 +147,15 @@ void Foam::mpm::timeStepControl::watchEnergy()
             << time_.timeName()
             << (
                    points()->energy().active()
-                 ? ": remap and residual of the energy budget, whose other terms"
-                   " may have taken more of the total."
+                 ? ": remap, residual and what transfer and contact gain in the"
+                   " energy budget, whose other terms may have taken more of"
+                   " the total."
                  : ": the total, since the first report."
                )
-            << nl << "A smaller maxCo, or a transfer that dissipates (FMPM,"
-            << " PICfraction), keeps a run stable; maxEnergyGrowth in"
-            << " system/controlDict ends it with its state written." << endl;
+            << nl << "A smaller maxCo or deltaT keeps a run stable, in place of"
+            << " FLIP and APIC also a transfer that dissipates (FMPM,"
+            << " PICfraction); maxEnergyGrowth in system/controlDict ends it"
+            << " with its state written." << endl;
     }
     if (growth > most)
     {

@@ -42,10 +42,14 @@ bool Foam::mpm::pointEnergy::hasSources() const
 
 void Foam::mpm::pointEnergy::noteEnergy
 (
-    const scalar energy,
+    const scalar kinetic,
+    const scalar strain,
     const energyBudget* b
 ) const
 {
+    // An explosive's stored energy is negative as it drives
+    const scalar energy = kinetic + strain;
+    const scalar size = max(mag(kinetic), mag(strain));
     if (!(largestEnergy_ > 0))
     {
         // Energies below this are rounding
@@ -57,7 +61,7 @@ void Foam::mpm::pointEnergy::noteEnergy
                 least += 1e-12*phase.mass()*sqr(phase.law().waveSpeed());
             }
         }
-        largestEnergy_ = max(least, energy);
+        largestEnergy_ = max(least, size);
         startEnergy_ = energy;
         sourceless_ = !hasSources();
     }
@@ -66,11 +70,15 @@ void Foam::mpm::pointEnergy::noteEnergy
         largestEnergy_ = max
         (
             largestEnergy_,
-            max(energy, mag(b->hasGas ? b->gas.energy - b->gas.energy0 : 0))
+            max(size, mag(b->hasGas ? b->gas.energy - b->gas.energy0 : 0))
         );
-        // With remap: a mismatch of forces and stresses can grow as well
+        // With remap: a mismatch of forces and stresses can grow as well.
+        // Transfer takes energy; contact does where nothing is driven
+        const scalar gain =
+            max(scalar(0), b->transfer())
+          + (sourceless_ ? max(scalar(0), b->work.contact) : 0);
         energyGrowth_ =
-            (b->residual() + b->remap())/max(largestEnergy_, VSMALL);
+            (b->residual() + b->remap() + gain)/max(largestEnergy_, VSMALL);
     }
     else if (sourceless_)
     {
@@ -310,7 +318,7 @@ void Foam::mpm::pointEnergy::report() const
         << "Energy: kinetic " << kinetic << ", strain " << strain
         << ", total " << kinetic + strain << nl;
     const energyBudget* b = budget();
-    noteEnergy(kinetic + strain, b);
+    noteEnergy(kinetic, strain, b);
     if (b)
     {
         Info<< "Energy budget: transfer " << b->transfer() << ", boundary "

@@ -11,6 +11,8 @@ balls      two balls in 3D meet off centre: momentum
 ledger     five impacts in one scene, every transfer, boxes and nodeDual, two time steps:
            impulse and load of the log are what the bodies' momenta change by
 thin       ball in 2D on rigid floors of one and three layers of cells: gap, impulse, energy
+bounce     an octahedron falls on its tip (bounce.py): no more speed than before, with
+           each transfer; restart in contact bit by bit
 hertz      tutorials/hertz: half-width and pressure
 sand       tutorials/sandColumn: runout
 """
@@ -23,6 +25,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from bounce import bounce
 from foamCase import (PROJECT, FoamCase, boxMesh, controlDict, foamText, noSchemes,
                       runParts, velocityFile)
 
@@ -494,7 +497,7 @@ def sand(table):
 
 def main():
     return runParts("contact", plates, pair, incline, disks, balls, ledger,
-                    thin, hertz, sand)
+                    thin, bounce, hertz, sand)
 
 
 if __name__ == "__main__":

@@ -162,7 +162,7 @@ def pipe(table):
 def spheres(table):
     results, = tutorial("sphereOnSphere", "results")
     case = copyOf("sphereOnSphere")
-    case.change("sizes.geo", r"^h = .*", "h = 0.5e-3;")
+    case.change("sizes.geo", r"^h = .*", "h = 0.4e-3;")
     mesh(case, "space")
     case.run("gmsh", "-3", "spheres.geo", "-o", "spheres.msh")
     case.run("setMaterialPoints")
