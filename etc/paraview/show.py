@@ -15,7 +15,11 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from mpm import views  # noqa: E402
 from mpm.case import Case  # noqa: E402
 
-from paraview import simple as pv  # noqa: E402
+try:
+    from paraview import simple as pv  # noqa: E402
+except ModuleNotFoundError as missing:
+    sys.exit(f"etc/paraview/show.py: {missing}: this pvbatch lacks ParaView's Python"
+             " (Debian: package python3-paraview)")
 
 PRESETS = {"VALUES": "Viridis (matplotlib)", "HEAT": "Cividis"}
 #: Radius of a Gaussian over half the side of a box: circles leave no holes between points

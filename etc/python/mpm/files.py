@@ -50,7 +50,8 @@ class Points:
 
     def keys(self):
         """Names of the columns."""
-        return sorted(os.listdir(self.paths[0])) if self.paths else []
+        places = {"positions", "coordinates"}       # OpenFOAM's own files
+        return sorted(set(os.listdir(self.paths[0])) - places) if self.paths else []
 
     def byId(self, name):
         """The column in the order of the points' ids."""

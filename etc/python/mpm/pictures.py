@@ -131,6 +131,9 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
     Returns what a colour bar needs.
     """
     x = cloud["x"][:, axes]*scale
+    if section is None and "halfSize" not in cloud:
+        raise ValueError("drawPoints: these points have no half-sizes (shapeFunction nodeDual and"
+                         " others): give section=<thickness of the mesh [m]>")
     half = cloud["halfSize"][:, axes] if section is None else np.stack(
         [0.5*np.sqrt(cloud["V"]/section)]*2, axis=1)
     half = half*scale*size
