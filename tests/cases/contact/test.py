@@ -25,6 +25,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bounce import bounce
 from foamCase import (PROJECT, FoamCase, boxMesh, controlDict, foamText, noSchemes,
                       runParts, velocityFile)
