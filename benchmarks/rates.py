@@ -16,6 +16,11 @@ Best of three of each; run on an idle machine.
 
     rates.py -processors 2      the block and the spall tutorial on 1 and 2
     rates.py -laws              the block at rest with other laws than linearElastic
+    rates.py -cells             nodeDual on cells of all kinds beside linear on boxes,
+                                at rest and moving: processor time, parts of the step,
+                                what finding the points' cells takes; the best of five
+                                runs, alternating, at real-time priority on one core
+                                where the user may have it
 """
 
 import csv
@@ -56,6 +61,12 @@ def set_text(path, pattern, value):
         f.write(new)
 
 
+#: Blocks of other cells than boxes: kind (boxOfCells), boxes of which they are made.
+#: Polyhedra are the dual of the tetrahedra
+CELLS = {"tetrahedra": ("tets", (30, 30, 27)), "polyhedra": ("tets", (30, 30, 27)),
+         "prisms": ("prisms", (30, 30, 27)), "hexahedra": ("hexes", (40, 40, 36))}
+
+
 def prepare(name, template, velocity=None, small=False):
     case = os.path.join(RUN, name)
     shutil.rmtree(case, ignore_errors=True)
@@ -72,13 +83,16 @@ def prepare(name, template, velocity=None, small=False):
         set_text(points, r"^high .*", "high 0.16;")
         if solid:
             set_text(points, r"^top .*", "top 0.04;")
-    if template == "tetrahedra":
+    if template in CELLS:
         from cellMesh import boxOfCells
-        boxOfCells(SimpleNamespace(path=case), "tets", (0, 0, 0), (1.25, 1.25, 1.125),
-                   (30, 30, 27),
+        kind, n = CELLS[template]
+        boxOfCells(SimpleNamespace(path=case), kind, (0, 0, 0), (1.25, 1.25, 1.125), n,
                    {"bottom": ("wall", ("z-",)),
                     "others": ("patch", ("x-", "x+", "y-", "y+", "z+"))},
-                   kept=[(d, k) for d in (0, 1) for k in (3, 27)] + [(2, 24)])
+                   kept=[(d, k*n[0]//10) for d in (0, 1) for k in (1, 9)]
+                   + [(2, 8*n[2]//9)])
+        if template == "polyhedra":
+            run(["polyDualMesh", "60", "-overwrite"], case)
     else:
         run(["blockMesh"], case)
     run(["setMaterialPoints"], case)
@@ -177,7 +191,60 @@ def laws():
         csv.writer(f).writerows(rows)
 
 
+def cells():
+    """Rates of nodeDual on cells of all kinds over that of linear on boxes."""
+    first = ["chrt", "-r", "1", "taskset", "-c", str(max(os.sched_getaffinity(0)))]
+    try:
+        run(first + ["true"], RUN)
+    except (SystemExit, FileNotFoundError):
+        first = []
+    triad, fma = re.findall(r"([\d.]+) G", run(first + ["machineRates"], RUN))
+    print(f"machine, one core: triad {triad} GB/s, FMA {fma} GFlop/s; compiler flags"
+          f" {os.environ.get('MPM_CXXFLAGS', '?')}; {' '.join(first) or 'no'} priority\n")
+    runs = [("block", "linear"), ("block", "nodeDual")] + [(k, "nodeDual") for k in CELLS]
+    cases = {(k, v): prepare(f"cells-{k}-{'moving' if v else 'rest'}", k, v)
+             for k in dict(runs) for v in (None, "12.5 0 0")}
+    best = {}
+    for _ in range(5):
+        for kind, shape in runs:
+            for velocity in (None, "12.5 0 0"):
+                case = cases[kind, velocity]
+                set_text(os.path.join(case, "system/fvSolution"),
+                         r"materialPoints\s*\{[^}]*\}",
+                         f"materialPoints {{ shapeFunction {shape}; transfer FLIP;"
+                         " PICfraction 0; }")
+                out = run(first + ["stepRate", "-steps", "5", "-warmup", "2", "-repeat", "1",
+                                   "-cpuTime"], case)
+                ns = number(out, "ns per point and step")
+                parts = {p: number(out.split("[%]:")[1], p)*ns/100
+                         for p in ("nodes", "move", "sort", "project", "force")}
+                key = kind, shape, velocity
+                # Parts are those of the clock on the wall
+                least, of, _ = best.get(key, (ns, parts, 0))
+                best[key] = (min(ns, least), {p: min(parts[p], of[p]) for p in of},
+                             number(out, "points"))
+    rows = [["cells", "shape", "points", "ns at rest", "over linear", "ns moving",
+             "over linear", "finding cells", "sorting"]]
+    for kind, shape in runs:
+        rest, moving = (best[kind, shape, v] for v in (None, "12.5 0 0"))
+        over = [best[kind, shape, v][0]/best["block", "linear", v][0]
+                for v in (None, "12.5 0 0")]
+        rows.append([kind, shape, f"{rest[2]:.0f}", f"{rest[0]:.1f}", f"{over[0]:.2f}",
+                     f"{moving[0]:.1f}", f"{over[1]:.2f}",
+                     *(f"{moving[1][p] - rest[1][p]:.1f}" for p in ("move", "sort"))])
+        print(kind, shape, {v: {k: round(x, 1) for k, x in best[kind, shape, v][1].items()}
+                            for v in (None, "12.5 0 0")})
+    widths = [max(len(r[i]) for r in rows) for i in range(len(rows[0]))]
+    for r in rows:
+        print("  ".join(v.ljust(w) for v, w in zip(r, widths)))
+    with open(os.path.join(RUN, "cells.csv"), "w", newline="") as f:
+        csv.writer(f).writerows(rows)
+
+
 def main():
+    if len(sys.argv) > 1 and sys.argv[1] == "-cells":
+        os.makedirs(RUN, exist_ok=True)
+        return cells()
     if len(sys.argv) > 1 and sys.argv[1] == "-laws":
         os.makedirs(RUN, exist_ok=True)
         return laws()

@@ -3,7 +3,8 @@
 
     Allrun                  everything: some minutes of an idle core
     Allrun -quick           the two coarsest resolutions of each, 2 to 3 minutes
-    Allrun word ...         schemes and scenes whose name has one of the words
+    Allrun word ...         schemes and scenes whose name has one of the words, or is
+                            one: Allrun "GIMP FLIP" "nodeDual, tetrahedra" spall
 
 Writes run/results.csv (one row per run) and run/speedAgainstError.png (error over
 core-seconds, one line per scheme from coarse to fine), and prints what each
@@ -23,7 +24,11 @@ SHAPES = {name: {"shapeFunction": name} for name in (
     "GIMP", "linear", "quadraticBSpline", "cubicBSpline", "nodeDual")}
 SHAPES.update({
     "nodeDual, triangles": {"shapeFunction": "nodeDual", "cells": "prisms"},
-    "nodeDual, moved boxes": {"shapeFunction": "nodeDual", "cells": "hexes"}})
+    "nodeDual, moved boxes": {"shapeFunction": "nodeDual", "cells": "hexes"},
+    **{f"{shape}, boxes in 3D": {"shapeFunction": shape, "cells": "boxes in 3D"}
+       for shape in ("GIMP", "nodeDual")},
+    "nodeDual, tetrahedra": {"shapeFunction": "nodeDual", "cells": "tets"},
+    "nodeDual, polyhedra": {"shapeFunction": "nodeDual", "cells": "polyhedra"}})
 
 #: A scheme more: a line here
 TRANSFERS = {
@@ -85,7 +90,7 @@ def plot(rows, path):
                 shape = max((s for s in SHAPES if scheme.startswith(s + " ")), key=len)
                 transfer = scheme[len(shape) + 1:]
                 at = list(SHAPES).index(shape)
-                style = {"marker": "osD^vXP"[at], "linestyle": ("-", ":", "--", "-.")[at % 4]}
+                style = {"marker": "osD^vXP<>ph"[at], "linestyle": ("-", ":", "--", "-.")[at % 4]}
                 colour = f"C{list(TRANSFERS).index(transfer)}"
                 ax.loglog(*zip(*line), lw=1, ms=5, color=colour, **style)
                 handles[shape] = pyplot.Line2D([], [], lw=1, ms=5, color="0.4", **style)
@@ -139,7 +144,8 @@ def main():
         sys.exit(f"Nothing has {unknown[0]} in its name; there are: " + ", ".join(names))
 
     def chosen(group):
-        some = [n for n in group if any(w in n for w in words)]
+        some = [n for n in group
+                if n in words or any(w in n for w in words if w not in names)]
         return some or list(group)
 
     os.makedirs(scenes.RUN, exist_ok=True)

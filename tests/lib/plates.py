@@ -121,17 +121,17 @@ def startPositions(case, phase):
 
 
 def tensionRun(group, name, cells, numerics, maxCo, pointsPerCell=2, probes=(),
-               limit=300, carried=(0, 0), kind=None):
+               limit=300, carried=(0, 0), kind=None, **size):
     """The impact without failure, 1.2 us; cells over the target. The case, its
     core-seconds, the mean sigma_yy of the points that were within half a cell of
     the target's mid-plane over time, and t343: when it rises through half of
-    rho c v/2, exact 3 H/c."""
+    rho c v/2, exact 3 H/c. size: width and depth of plateCase."""
     h = 2*exact.H/cells
     case = plateCase(
         group, name, cells//2, numerics, 1.2e-6, 1e-6, maxCo,
         pointsPerCell=pointsPerCell,
         probes=(("target", "middle", ("sigma_yy",), exact.H - h/2, exact.H + h/2, "mean"),
-                *probes), carried=carried, cells=kind)
+                *probes), carried=carried, cells=kind, **size)
     seconds = case.run("materialPointFoam", limit=limit)
     t, sigma = case.series("middle", "sigma_yy.dat").T
     return case, seconds, t, sigma, crossing(t, sigma, exact.STRESS/2)

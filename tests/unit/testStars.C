@@ -27,23 +27,13 @@ namespace
 //- Rings of triangles about x, 1 to 2 from it, of n x n squares whose inner
 //  points are moved
 class ringMesh
+:
+    public memoryMesh
 {
-    std::unique_ptr<Time> time_;
-    std::unique_ptr<polyMesh> mesh_;
-
 public:
 
     explicit ringMesh(const label n)
     {
-        dictionary control;
-        control.add("startTime", 0);
-        control.add("endTime", 1);
-        control.add("deltaT", 1);
-        control.add("writeInterval", 1);
-        time_.reset
-        (
-            new Time(control, "/tmp", "mpmUnitTest" + Foam::name(pid()))
-        );
         std::mt19937 gen(5);
         std::uniform_real_distribution<scalar> u(-0.15, 0.15);
         const label behind = (n + 1)*(n + 1);
@@ -72,42 +62,14 @@ public:
                 sides[1].append(face(up));
             }
         }
-        const int level = messageStream::level;
-        messageStream::level = 0;
-        mesh_.reset
+        make
         (
-            new polyMesh
-            (
-                IOobject
-                (
-                    polyMesh::defaultRegion,
-                    time_->constant(),
-                    *time_,
-                    IOobject::NO_READ,
-                    IOobject::NO_WRITE
-                ),
-                std::move(points),
-                cells,
-                sides,
-                wordList({"back", "front"}),
-                wordList({"wedge", "wedge"}),
-                "walls",
-                "patch",
-                wordList()
-            )
+            std::move(points),
+            cells,
+            sides,
+            wordList({"back", "front"}),
+            wordList({"wedge", "wedge"})
         );
-        messageStream::level = level;
-    }
-
-    ~ringMesh()
-    {
-        mesh_.reset();
-        time_.reset();
-    }
-
-    const pointGrid& grid() const
-    {
-        return pointGrid::New(*mesh_);
     }
 };
 

@@ -143,8 +143,10 @@ def coating(case, time, h, cells=2.0):
 
 
 def fractured(case, time, phase, h):
-    """Part of the neighbours of the start that are more than a cell apart now."""
+    """Part of the neighbours of the start that are more than a cell apart now; without
+    points that have been eroded."""
     X, x = (matter(case, t, phase, "x")[:, :2] for t in ("0", time))
+    X = X[np.isin(matter(case, "0", phase, "id"), matter(case, time, phase, "id"))]
     apart = []
     for d in (0, 1):
         key = np.round(X/h*1e3).astype(int)

@@ -40,7 +40,7 @@ for i, (name, label) in enumerate(runs):
     axes[2].annotate(label.split(",")[-1].strip() if i else "1 to 0.25 mm", (cost, FINEST - d),
                      xytext=(0, 7 if i else -15), textcoords="offset points", ha="center",
                      fontsize=8)
-axes[2].set(xlim=(0.05, 10), ylim=(0.07, 1), xlabel="seconds of one core",
+axes[2].set(xlim=(0.03, 10), ylim=(0.07, 1), xlabel="seconds of one core",
             title="depth, short of that on 0.125 mm [mm]")
 axes[2].legend(loc="lower left")
 save(figure, "impact.png")

@@ -395,6 +395,10 @@ void Foam::mpm::timeStepControl::setDeltaT()
         time_.setDeltaT(min(fixedDeltaT_, growFrom_), false);
     }
 
+    if (!nSteps_)
+    {
+        announceSteps();
+    }
     watchDeltaT();
     checkAdvances();
 
@@ -462,7 +466,7 @@ void Foam::mpm::timeStepControl::checkAdvances() const
             << " system/controlDict, the wave speeds and velocities of the"
             << " points and the size of the cells: look for a wrong unit in"
             << " constant/phaseProperties, setMaterialPointsDict or the"
-            << " boundary values of 0/U.<velocityField>."
+            << " boundary values of 0/U.<velocityField>, or endTime (s)."
             << exit(FatalError);
     }
 }
@@ -567,8 +571,10 @@ void Foam::mpm::timeStepControl::report()
         (time_.value() - startTime_)/max(end - startTime_, VSMALL);
 
     Info<< "Progress: " << 100*min(done, scalar(1)) << " %, step "
-        << time_.timeIndex() << ", about " << secondsLeft() << " s left" << nl;
-    time_.printExecutionTime(Info);
+        << time_.timeIndex() << timeLeft().c_str() << nl
+        << "ExecutionTime = " << time_.elapsedCpuTime() << " s of CPU,"
+        << " ClockTime = " << time_.elapsedClockTime() << " s passed" << nl
+        << endl;
     watchEnergy();
 }
 

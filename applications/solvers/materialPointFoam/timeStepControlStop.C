@@ -73,6 +73,62 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
 }
 
 
+void Foam::mpm::timeStepControl::announceSteps() const
+{
+    const scalar left = time_.endTime().value() - time_.value();
+    const scalar n = left/time_.deltaTValue();
+    if (openEnd() || !(left > 0) || !(n < labelMax))
+    {
+        return;
+    }
+    Info<< "About " << label(std::ceil(n)) << " steps of "
+        << time_.deltaTValue() << " s to endTime "
+        << time_.endTime().value() << " s" << nl;
+    if (n > 1e7)
+    {
+        WarningInFunction
+            << "The run would take " << n << " steps: endTime "
+            << time_.endTime().value() << " s of system/controlDict by time"
+            << " steps of " << time_.deltaTValue() << " s, set by "
+            << limiter().c_str() << "." << nl
+            << "    Is endTime in s? The first lines with  Progress  say how"
+            << " long the run will take." << endl;
+    }
+}
+
+
+Foam::string Foam::mpm::timeStepControl::timeLeft()
+{
+    const scalar seconds = secondsLeft();
+    const scalar end = time_.endTime().value();
+    if (last_ || time_.value() > end - 0.5*time_.deltaTValue())
+    {
+        return "";
+    }
+    OStringStream os;
+    os.precision(6);
+    os  << ", about ";
+    if (seconds < 120)
+    {
+        os << max(std::round(seconds), scalar(1)) << " s";
+    }
+    else if (seconds < 7200)
+    {
+        os << std::round(seconds/60) << " minutes";
+    }
+    else if (seconds < 48*3600)
+    {
+        os << std::round(seconds/3600) << " hours";
+    }
+    else
+    {
+        os << std::round(seconds/86400) << " days";
+    }
+    os << " left";
+    return os.str();
+}
+
+
 void Foam::mpm::timeStepControl::watchDeltaT()
 {
     const scalar dt = time_.deltaTValue();
@@ -147,9 +203,10 @@ void Foam::mpm::timeStepControl::watchEnergy()
             << time_.timeName()
             << (
                    points()->energy().active()
-                 ? ": remap, residual and what transfer and contact gain in the"
-                   " energy budget, whose other terms may have taken more of"
-                   " the total."
+                 ? " (work of boundaries, gravity and loads, heat and granular"
+                   " counted with that energy): remap, residual and what"
+                   " transfer and contact gain in the energy budget, whose"
+                   " other terms may have taken more of the total."
                  : ": the total, since the first report."
                )
             << nl << "A smaller maxCo or deltaT keeps a run stable, in place of"

@@ -73,7 +73,9 @@ Usage
     velocity field must not overlap, unless one of them allows it.
 
     On meshes with cells that are no hexahedra, and of the elements of a mesh,
-    pointsPerCell is 1 (centroid) or 2 (a point for each corner).
+    pointsPerCell is 1 (centroid), 2 (a point for each corner) or n from 3 on:
+    a triangle (n - 1)^2 and a tetrahedron (n - 1)^3 equal parts, other cells
+    simplices of (n/2)^nDim each (simplexParts.H).
 
     samples only counts where the parts are not known exactly: on meshes without
     a lattice, and for surfaces inside other shapes. There they are those of
@@ -136,6 +138,16 @@ using namespace Foam::mpm;
 
 namespace
 {
+
+void checkFiles(const Time& time, const argList& args)
+{
+    requireCaseFile(time, "constant/phaseProperties");
+    if (!args.found("dict"))
+    {
+        requireCaseFile(time, "system/setMaterialPointsDict");
+    }
+}
+
 
 //- The phases, without points
 void readPhases
@@ -465,6 +477,7 @@ int main(int argc, char *argv[])
 
     const pointGrid& grid = pointGrid::New(mesh);
 
+    checkFiles(runTime, args);
     const IOdictionary phaseProperties
     (
         IOobject

@@ -118,7 +118,8 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
                pixels=None, section=None):
     """Points of a cloud, in the limits that the axes have (set them before).
 
-    values   one per point with cmap and limits, or a colour for all
+    values   one per point with cmap (VALUES, SIGNED, HEAT, DAMAGE or a name of matplotlib's)
+             and limits, or a colour for all
     failed   mask of points in the colour of failed matter
     some     mask of the points that are drawn
     scale    of the places: 1e3 for millimetres
@@ -138,6 +139,7 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
         [0.5*np.sqrt(cloud["V"]/section)]*2, axis=1)
     half = half*scale*size
     plain = isinstance(values, str)
+    cmap = plt.get_cmap(cmap) if isinstance(cmap, str) else cmap
     norm = None if plain else Normalize(*(limits or (np.min(values), np.max(values))))
     colours = np.tile(to_rgba(values), (len(x), 1)) if plain else cmap(norm(values))
     if failed is not None:

@@ -19,7 +19,8 @@ for ParaView (etc/paraview/show).
     box        mesh     lowest and highest of the direction across, then of that up [unit]
     axes       "xy"     directions across and up: "yx" for r, x of an axisymmetric case
     mirror     none     "across" or "up": that direction's 0 is a plane of symmetry
-    floor      no       a rigid floor up to 0
+    floor      no       True: animations are grey from the lower end of the box up to 0, where
+                        the case has a wall
     size       5.6      width of the animation [inches of 100 pixels]
     from       none     direction from which ParaView looks at a case in 3D
     profile    none     a case in 1D: label and limits of the axis up. It shows the layers'

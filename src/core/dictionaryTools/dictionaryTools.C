@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dictionaryTools.H"
+#include "nearWords.H"
 #include "ListOps.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -15,9 +16,16 @@ void Foam::mpm::requireKeyword(const dictionary& dict, const word& key)
 {
     if (!dict.found(key))
     {
+        const word near(nearWord(key, dict.toc()));
+        const string instead
+        (
+            near.empty() ? string()
+          : string(" (is it meant by " + near + "?)")
+        );
         FatalIOErrorInFunction(dict)
-            << "Entry " << key << " is missing in " << dict.name() << nl
-            << nl << "Keywords found: " << flatOutput(dict.toc())
+            << "Entry " << key << " is missing in " << dict.name()
+            << instead.c_str() << nl << nl
+            << "Keywords found: " << flatOutput(dict.toc())
             << exit(FatalIOError);
     }
 }
@@ -137,7 +145,8 @@ Foam::word Foam::mpm::oneOf
     if (!valid.found(value))
     {
         FatalIOErrorInFunction(dict)
-            << "Unknown " << key << " " << value << nl << nl
+            << "Unknown " << key << " " << value
+            << meant(value, valid).c_str() << nl << nl
             << "Valid choices are: " << flatOutput(valid)
             << exit(FatalIOError);
     }
@@ -164,8 +173,9 @@ void Foam::mpm::checkKeywords(const dictionary& dict, const wordList& valid)
         if (!valid.found(key))
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown keyword " << key << " in " << dict.name() << nl
-                << nl << "Valid keywords are: " << flatOutput(valid)
+                << "Unknown keyword " << key << " in " << dict.name()
+                << meant(key, valid).c_str() << nl << nl
+                << "Valid keywords are: " << flatOutput(valid)
                 << exit(FatalIOError);
         }
     }

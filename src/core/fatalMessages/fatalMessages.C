@@ -8,6 +8,10 @@ License
 
 #include "fatalMessages.H"
 #include "dictionaryTools.H"
+#include "nearWords.H"
+#include "functionChecks.H"
+#include "OSspecific.H"
+#include "Time.H"
 #include "IFstream.H"
 #include "Pstream.H"
 #include "HashSet.H"
@@ -58,25 +62,6 @@ template<class Error>
 }
 
 
-//- Letters to add, remove or replace between two words
-label editDistance(const word& a, const word& b)
-{
-    labelList row(identity(label(b.size() + 1)));
-    for (std::size_t i = 0; i < a.size(); ++i)
-    {
-        label corner = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j)
-        {
-            const label above = row[j + 1];
-            row[j + 1] =
-                min(min(row[j], above) + 1, corner + label(a[i] != b[j]));
-            corner = above;
-        }
-    }
-    return row.last();
-}
-
-
 //- Warn of words of controlDict that are nearly one that is read. Any word may
 //  stand there: as a variable, or for a library
 void warnOfWords(const dictionary& control)
@@ -103,19 +88,11 @@ void warnOfWords(const dictionary& control)
         {
             continue;
         }
-        wordList near;
-        for (const word& w : own)
-        {
-            const label most = w.size() > 6 ? 2 : 1;
-            if (editDistance(key, w) <= most)
-            {
-                near.append(w);
-            }
-        }
+        const word near(mpm::nearWord(key, own));
         if (near.size())
         {
             IOWarningInFunction(control)
-                << "Entry " << key << " is not read; is " << near[0]
+                << "Entry " << key << " is not read; is " << near
                 << " meant?" << endl;
         }
     }
@@ -175,6 +152,7 @@ void Foam::mpm::checkControlDict(const fileName& file)
     }
     const dictionary control(is);
     warnOfWords(control);
+    checkFunctions(control);
     if (control.found("writeInterval") && control.found("endTime"))
     {
         const scalar interval = positive(control, "writeInterval");
@@ -185,6 +163,30 @@ void Foam::mpm::checkControlDict(const fileName& file)
                 << "Entry writeInterval is " << interval << ": too small for a"
                 << " run to endTime " << end << "." << exit(FatalIOError);
         }
+    }
+}
+
+
+void Foam::mpm::requireCaseFile(const Time& time, const fileName& name)
+{
+    if
+    (
+        Pstream::master()
+     && !exists(time.path()/name) && !exists(time.path()/name + ".gz")
+     && !exists(time.globalPath()/name)
+     && !exists(time.globalPath()/name + ".gz")
+    )
+    {
+        const fileName project(getEnv("MPM_PROJECT_DIR"));
+        const fileName from("etc/caseTemplate"/name);
+        FatalErrorInFunction
+            << "The case " << time.globalPath() << " has no file " << name
+            << "." << nl << "Copy "
+            << (project.empty() ? from : project/from).c_str()
+            << " and change it; etc/caseTemplate is a small case with every"
+            << " file that a run needs." << nl
+            << "If " << name << " is there, run in the folder of the case, or"
+            << " with  -case <folder>." << exit(FatalError);
     }
 }
 

@@ -123,6 +123,87 @@ DynamicList<label> thickCells(const polyMesh& mesh)
 }
 
 
+//- Directions in which the mesh is one layer of cells between faces that are
+//  no plane of symmetry, and the patches of these; none where it is so in all.
+//  sector: somewhere both sides make an angle with each other. Collective
+std::string oneLayer(const polyMesh& mesh, std::string& patches, bool& sector)
+{
+    sector = false;
+    // Of each direction: sum of the faces of both sides, and of one
+    List<FixedList<vector, 2>> sum(3, FixedList<vector, 2>(vector(Zero)));
+    List<FixedList<unsigned char, 3>> sides
+    (
+        mesh.nCells(), FixedList<unsigned char, 3>((unsigned char)(0))
+    );
+    const auto across = [&](const label facei, const int d)
+    {
+        const vector& S = mesh.faceAreas()[facei];
+        return mag(S[d]) > 0.9*mag(S);
+    };
+    const auto open = [](const polyPatch& pp)
+    {
+        return !pp.coupled() && !polyPatch::constraintType(pp.type());
+    };
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        for (label i = 0; open(pp) && i < pp.size(); ++i)
+        {
+            const label facei = pp.start() + i;
+            for (int d = 0; d < 3; ++d)
+            {
+                const bool up = mesh.faceAreas()[facei][d] > 0;
+                if (across(facei, d))
+                {
+                    sum[d][0] += mesh.faceAreas()[facei];
+                    sum[d][1] += up ? mesh.faceAreas()[facei] : vector(Zero);
+                }
+                sides[mesh.faceOwner()[facei]][d] |=
+                    !across(facei, d) ? 0 : up ? 2 : 1;
+            }
+        }
+    }
+
+    std::string found;
+    int nComputed = 0;
+    for (int d = 0; d < 3; ++d)
+    {
+        bool thin = mesh.geometricD()[d] > 0;
+        nComputed += thin;
+        for (label celli = 0; thin && celli < mesh.nCells(); ++celli)
+        {
+            thin = sides[celli][d] == 3;
+        }
+        if (!returnReduce(thin, andOp<bool>()))
+        {
+            continue;
+        }
+        // More than 0.06 degrees
+        for (vector& S : sum[d])
+        {
+            reduce(S, sumOp<vector>());
+        }
+        vector inPlane(sum[d][0]);
+        inPlane[d] = 0;
+        sector = sector || mag(inPlane) > 1e-3*mag(sum[d][1]);
+        found += found.empty() ? "" : " and ";
+        found += "xyz"[d];
+        --nComputed;
+        for (const polyPatch& pp : mesh.boundaryMesh())
+        {
+            if
+            (
+                open(pp) && pp.size() && across(pp.start(), d)
+             && patches.find(pp.name()) == std::string::npos
+            )
+            {
+                patches += ' ' + pp.name() + " (" + pp.type() + ')';
+            }
+        }
+    }
+    return nComputed ? found : std::string();
+}
+
+
 //- Number and places of bad cells of this processor
 string listed
 (
@@ -222,6 +303,23 @@ void Foam::mpm::checkMesh(const polyMesh& mesh)
                 false
             )
         );
+    }
+
+    std::string patches;
+    bool sector;
+    const std::string thin(oneLayer(mesh, patches, sector));
+    if (thin.size())
+    {
+        WarningInFunction
+            << "The mesh is one layer of cells thick in " << thin.c_str()
+            << ", and its faces there are no empty patches but"
+            << patches.c_str() << ": the scene is computed in "
+            << mesh.nGeometricD() << "D with open sides." << nl
+            << (sector ? "    They make an angle with each other: for a sector"
+                " of a scene with an axis give them  type wedge;  in"
+                : "    For fewer dimensions give them  type empty;  in")
+            << " system/blockMeshDict (then blockMesh again) and in the files"
+            << " of time 0." << endl;
     }
 }
 

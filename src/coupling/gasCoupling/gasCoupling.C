@@ -67,7 +67,7 @@ Foam::mpm::gasCoupling::gasCoupling
 void Foam::mpm::gasCoupling::start(const scalar)
 {
     const noTraps guard;
-    pressure_.start(grains_);
+    pressure_.start(grains_, books_);
 }
 
 
@@ -79,13 +79,13 @@ void Foam::mpm::gasCoupling::exchange(const scalar dt)
 }
 
 
-void Foam::mpm::gasCoupling::moved(const scalar)
+void Foam::mpm::gasCoupling::moved(const scalar dt)
 {
     const noTraps guard;
     fraction_->depart();
     if (books_)
     {
-        pressure_.sumWork();
+        pressure_.sumWork(dt);
     }
 }
 
@@ -116,6 +116,10 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
     gas_.advance(dt, &pores_);
     const noTraps guard;
     heat_.exchange(dt);
+    if (books_)
+    {
+        heat_.addGain(budget_);
+    }
     watch_.check();
 }
 

@@ -94,6 +94,7 @@ void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
             T[p] += change;
         }
         energy[k] = -CvS*gained/V;
+        gain_ -= CvS*gained;
     }
     gas_.addHeat(cloud.cells(), energy);
 }
@@ -125,7 +126,8 @@ Foam::mpm::heatExchange::heatExchange
             requiredDict(phaseProperties, gas.name()), "Pr", 0, 0, GREAT
         )
     ),
-    models_(points.phases().size())
+    models_(points.phases().size()),
+    gain_(0)
 {
     forAll(points_.phases(), phasei)
     {
@@ -140,8 +142,22 @@ Foam::mpm::heatExchange::heatExchange
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::mpm::heatExchange::acts() const
+{
+    forAll(models_, phasei)
+    {
+        if (models_.set(phasei))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::mpm::heatExchange::exchange(const scalar dt)
 {
+    gain_ = 0;
     forAll(models_, phasei)
     {
         if (models_.set(phasei))

@@ -48,6 +48,73 @@ void Foam::mpm::pressureForce::sumLoad(const label phasei)
 }
 
 
+void Foam::mpm::pressureForce::gatherApart
+(
+    const label phasei,
+    const scalarField& pOwn
+)
+{
+    materialPointCloud& cloud = points_.phases()[phasei].cloud();
+    const int D = points_.grid().nDim();
+    if (!grainPush_.set(phasei))
+    {
+        grainPush_.set(phasei, new column("grainPush", column::vectors, D));
+    }
+    column& push = grainPush_[phasei];
+    if (push.capacity() < cloud.size())
+    {
+        push.reserve(cloud.size(), 0);
+    }
+    fraction_.gather(phasei, nullptr);
+    for (int d = 0; d < D; ++d)
+    {
+        const scalar* F = (*cloud.gasForce())[d];
+        std::copy(F, F + cloud.size(), push[d]);
+    }
+    fraction_.gather(phasei, &pOwn);
+    const scalar* m = cloud.mass()[0];
+    for (int d = 0; d < D; ++d)
+    {
+        const scalar* F = (*cloud.gasForce())[d];
+        scalar* b = push[d];
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            b[p] = (F[p] - b[p])/m[p];
+        }
+    }
+}
+
+
+Foam::scalar Foam::mpm::pressureForce::grainWork
+(
+    const label phasei,
+    const scalar dt
+)
+{
+    const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
+    const int D = points_.grid().nDim(), stride = field.stride();
+    nodeForce_.setSize(stride*points_.grid().nNodes());
+    nodeForce_ = 0;
+    points_.gridTransfer().addBodyForce
+    (
+        points_.phases()[phasei].cloud(),
+        grainPush_[phasei],
+        nodeForce_.data()
+    );
+
+    // Of own points only: nodes that processors share need no sum
+    scalar work = 0;
+    for (const label n : field.active())
+    {
+        for (label i = stride*n; i < stride*n + D; ++i)
+        {
+            work += nodeForce_[i]*(field.U()[i] + 0.5*field.dU()[i]);
+        }
+    }
+    return dt*work;
+}
+
+
 void Foam::mpm::pressureForce::dryPressure(const label phasei)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
@@ -81,12 +148,18 @@ Foam::mpm::pressureForce::pressureForce
     gas_(gas),
     fraction_(fraction),
     load_(points.phases().size(), Zero),
-    work_(0)
+    work_(0),
+    grainPush_(points.phases().size()),
+    grainWork_(0)
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::pressureForce::start(granularForce& grains)
+void Foam::mpm::pressureForce::start
+(
+    granularForce& grains,
+    const bool books
+)
 {
     const List<gasState>& W = gas_.states();
     const List<gasState>& Wb = gas_.boundaryStates();
@@ -104,7 +177,15 @@ void Foam::mpm::pressureForce::start(granularForce& grains)
 
     forAll(points_.phases(), phasei)
     {
-        fraction_.gather(phasei, grains.pressure(phasei));
+        const scalarField* pOwn = grains.pressure(phasei);
+        if (books && pOwn && !points_.phases()[phasei].motion())
+        {
+            gatherApart(phasei, *pOwn);
+        }
+        else
+        {
+            fraction_.gather(phasei, pOwn);
+        }
         if (points_.phases()[phasei].motion())
         {
             sumLoad(phasei);
@@ -133,8 +214,16 @@ void Foam::mpm::pressureForce::load(const scalar dt)
 }
 
 
-void Foam::mpm::pressureForce::sumWork()
+void Foam::mpm::pressureForce::sumWork(const scalar dt)
 {
+    grainWork_ = 0;
+    forAll(grainPush_, phasei)
+    {
+        if (grainPush_.set(phasei))
+        {
+            grainWork_ += grainWork(phasei, dt);
+        }
+    }
     work_ = 0;
     for (materialPointPhase& phase : points_.phases())
     {
@@ -159,6 +248,7 @@ void Foam::mpm::pressureForce::sumWork()
 void Foam::mpm::pressureForce::addWork(gasBudget& sums)
 {
     sums.rigid += work_;
+    sums.granular += grainWork_;
     forAll(points_.phases(), phasei)
     {
         materialPointCloud& cloud = points_.phases()[phasei].cloud();

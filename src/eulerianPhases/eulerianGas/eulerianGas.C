@@ -62,32 +62,81 @@ void checkNames(const Field& field, const word& gas)
         pf.write(os);
         IStringStream is(os.str());
         const dictionary dict(is);
-        for (const word& key : asks[pf.type()])
+        const bool total = pf.type().compare(0, 5, "total") == 0;
+        const bool byRho =
+            pf.type() == "totalPressure"
+         && dict.getOrDefault<word>("psi", "none") == "none";
+
+        // The first asks for the density where it has no psi
+        wordList keys(asks[pf.type()]);
+        if (total)
         {
-            if (dict.getOrDefault<word>(key, key) == key)
+            keys.append(byRho ? "rho" : "psi");
+        }
+        for (const word& key : keys)
+        {
+            const word name(dict.getOrDefault<word>(key, key));
+            if (pf.db().template foundObject<regIOobject>(name))
             {
-                // Those of total values need psi where the gas compresses
-                wordList all(asks[pf.type()]);
-                if (pf.type().compare(0, 5, "total") == 0)
-                {
-                    all.append("psi");
-                }
-                OStringStream names;
-                for (const word& k : all)
+                continue;
+            }
+            OStringStream names;
+            for (const word& k : keys)
+            {
+                if (!(total && (k == "psi" || k == "rho")))
                 {
                     names
                         << ' ' << k << ' ' << IOobject::groupName(k, gas)
                         << ';';
                 }
-                FatalErrorInFunction
-                    << "The condition " << pf.type() << " of patch "
-                    << pf.patch().name() << " of " << field.name() << " ("
-                    << field.objectPath() << ") looks for the field " << key
-                    << ", which is called " << IOobject::groupName(key, gas)
-                    << "." << nl << "Add the entries:" << names.str().c_str()
-                    << exit(FatalError);
             }
+            if (total)
+            {
+                names
+                    << " psi " << IOobject::groupName("psi", gas)
+                    << "; gamma <of the gas>;";
+            }
+            if (pf.type() == "totalPressure")
+            {
+                names
+                    << nl << "or, without compression by its speed, psi none;"
+                    << " rho " << IOobject::groupName("rho", gas)
+                    << "; in place of psi and gamma.";
+            }
+            OStringStream fields;
+            for (const char* own : {"phi", "U", "psi", "rho", "T"})
+            {
+                fields << ' ' << IOobject::groupName(own, gas);
+            }
+            FatalErrorInFunction
+                << "The condition " << pf.type() << " of patch "
+                << pf.patch().name() << " of " << field.name() << " ("
+                << field.objectPath() << ") looks for the field " << name
+                << ", which is called " << IOobject::groupName(key, gas)
+                << "." << nl << "Add the entries:" << names.str().c_str() << nl
+                << "Fields of the gas: p" << fields.str().c_str()
+                << exit(FatalError);
         }
+    }
+}
+
+
+//- Warn of a temperature that is probably one in degrees Celsius: below 100 K
+//  everywhere, at a pressure of a scene in SI units
+void warnOfCelsius(const volScalarField& T, const volScalarField& p)
+{
+    const scalar low = gMin(T.primitiveField());
+    const scalar high = gMax(T.primitiveField());
+    if (high < 100 && gMax(p.primitiveField()) > 1e3)
+    {
+        Ostream& os = WarningInFunction;
+        os  << T.name() << " starts with " << low;
+        if (high > low)
+        {
+            os  << " to " << high;
+        }
+        os  << " K (" << T.objectPath() << "): it is in K. " << high
+            << " degrees Celsius are " << high + 273.15 << " K." << endl;
     }
 }
 
@@ -351,6 +400,10 @@ Foam::mpm::eulerianGas::eulerianGas
 
     sortFaces();
     readState(states);
+    if (T_ && !restarted_ && thermo_.isGammaLaw())
+    {
+        warnOfCelsius(*T_, p_);
+    }
 
     Info<< "Gas " << name_ << ": " << thermo_.description().c_str();
     Info<< ", " << returnReduce(mesh.nCells(), sumOp<label>()) << " cells"

@@ -9,6 +9,7 @@ License
 #include "reconstruction.H"
 #include "limitedGradients.H"
 #include "dictionaryTools.H"
+#include "nearWords.H"
 #include "surfaceFields.H"
 #include "surfaceInterpolationScheme.H"
 #include "NVDTVD.H"
@@ -38,6 +39,57 @@ string words(const UList<token>& tokens)
         text += (text.size() ? " " : "") + os.str();
     }
     return text;
+}
+
+
+//- Fatal for a scheme that there is not, with those that make sense here:
+//  limited ones for any range of values
+template<class Type>
+void checkScheme(const fvMesh& mesh, const word& key, const string& scheme)
+{
+    const auto& known =
+        *surfaceInterpolationScheme<Type>::MeshFluxConstructorTablePtr_;
+    const word name(scheme.substr(0, scheme.find(' ')));
+    if (known.found(name))
+    {
+        return;
+    }
+    const string V(pTraits<Type>::nComponents > 1 ? "V" : "");
+    wordList valid;
+    for (const word s : {"upwind", "MLP"})
+    {
+        valid.append(s);
+    }
+    for (const word s : {"vanLeer", "vanAlbada", "Minmod", "SuperBee"})
+    {
+        valid.append(s + V);
+    }
+    bool tetrahedra = false;
+    for (const cell& faces : mesh.cells())
+    {
+        tetrahedra = tetrahedra || faces.size() < 5;
+    }
+    if (!tetrahedra)
+    {
+        for
+        (
+            const word s :
+            {"MUSCL", "UMIST", "OSPRE", "QUICK", "SFCD", "limitedLinear"}
+        )
+        {
+            if (known.found(s + V))
+            {
+                valid.append(s + V);
+            }
+        }
+    }
+    FatalIOErrorInFunction(mesh.schemesDict().subDict("interpolationSchemes"))
+        << "Unknown scheme " << name << " of " << key
+        << mpm::meant(name, valid).c_str() << nl << nl
+        << "Valid schemes on this mesh are: " << flatOutput(valid) << nl
+        << "upwind is of first order; MLP is for all three, on any cells"
+        << (tetrahedra ? "." : "; limitedLinear takes a number: 1.")
+        << exit(FatalIOError);
 }
 
 }
@@ -394,9 +446,11 @@ Foam::mpm::reconstruction::reconstruction
     }
     if (!upwind_ && !byCells_ && own_.empty())
     {
-        refuseTetrahedra();
-
         // A wrong name is fatal now, not in the first step
+        checkScheme<scalar>(mesh, key_[0], scheme_[0]);
+        checkScheme<vector>(mesh, key_[1], scheme_[1]);
+        checkScheme<scalar>(mesh, key_[2], scheme_[2]);
+        refuseTetrahedra();
         const surfaceScalarField to(direction(1));
         scheme<scalar>(0, to);
         scheme<vector>(1, to);

@@ -76,6 +76,14 @@ void Foam::functionObjects::materialPointEnergy::prepare
     if (points.coupling())
     {
         header += "\tlastStep[J]";
+        if (points.coupling()->exchangesHeat())
+        {
+            header += "\theat[J]";
+        }
+        if (points.coupling()->pressesGrains())
+        {
+            header += "\tgranular[J]";
+        }
     }
     setFiles(wordList(1, "energy"), List<string>(1, header));
 }
@@ -128,6 +136,14 @@ void Foam::functionObjects::materialPointEnergy::sample
         if (b->hasGas)
         {
             os  << tab << b->lastStep();
+            if (points.coupling()->exchangesHeat())
+            {
+                os  << tab << b->gas.heat;
+            }
+            if (points.coupling()->pressesGrains())
+            {
+                os  << tab << b->gas.granular;
+            }
         }
         os  << endl;
     }

@@ -8,6 +8,7 @@ License
 
 #include "materialPointCloud.H"
 #include "outflowPatches.H"
+#include "wallPatches.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 #include "PstreamReduceOps.H"
@@ -104,6 +105,7 @@ void Foam::mpm::materialPointCloud::sendRows()
 void Foam::mpm::materialPointCloud::unpack
 (
     DynamicList<cellChange>& cellChanges,
+    const wallPatches* walls,
     const bool last
 )
 {
@@ -135,6 +137,19 @@ void Foam::mpm::materialPointCloud::unpack
                 x[d] = xNew_[d][p];
             }
             label celli = last ? -1 : grid_.locate(announced, x);
+            if (celli < 0 && walls && !last)
+            {
+                scalar shift[3] = {0, 0, 0};
+                for (int d = 0; d < grid_.nDim(); ++d)
+                {
+                    x[d] = xNew_[d][p];
+                }
+                celli = walls->putBack(announced, x, shift);
+                for (int d = 0; displacement_ && d < grid_.nDim(); ++d)
+                {
+                    (*displacement_)[d][p] += shift[d];
+                }
+            }
             if (celli < 0 || (grid_.locatesAtOnce() && celli >= grid_.nCells()))
             {
                 // Outside the announced cell by rounding only
@@ -202,7 +217,11 @@ void Foam::mpm::materialPointCloud::fromRow
 }
 
 
-void Foam::mpm::materialPointCloud::exchange(DynamicList<cellChange>& cellChanges)
+void Foam::mpm::materialPointCloud::exchange
+(
+    DynamicList<cellChange>& cellChanges,
+    const wallPatches* walls
+)
 {
     if (!Pstream::parRun())
     {
@@ -225,7 +244,7 @@ void Foam::mpm::materialPointCloud::exchange(DynamicList<cellChange>& cellChange
         pack(SubList<cellChange>(cellChanges, cellChanges.size() - first, first));
         first = cellChanges.size();
         sendRows();
-        unpack(cellChanges, round == maxRounds);
+        unpack(cellChanges, walls, round == maxRounds);
 
         more = false;
         if (!grid_.locatesAtOnce())

@@ -77,7 +77,10 @@ void Foam::mpm::contactPart::started()
 void Foam::mpm::contactPart::accepted(const scalar)
 {
     contact_->accept();
-    contact_->update();
+    if (!points_.strainsEarly())
+    {
+        contact_->update();
+    }
 }
 
 

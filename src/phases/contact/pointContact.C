@@ -89,9 +89,8 @@ void Foam::mpm::pointContact::computeImpulses
                 un += du[d]*m.n[d];
             }
             const scalar approach = m.gap > 0 ? m.gap/max(dt, VSMALL) : 0;
-            const bool held =
-                ofStrain && pressed_.size() && pressed_[m.pair].found(m.node);
-            const bool sticks = held && pressed_[m.pair][m.node];
+            const bool held = ofStrain && m.pressed;
+            const bool sticks = ofStrain && m.held;
             const scalar Jn =
                 held
               ? m.Jn - M*un : max(scalar(0), m.Jn - M*(approach + un));
@@ -158,6 +157,7 @@ Foam::mpm::pointContact::pointContact
     reach_(nReach_*grid.nNodes(), -GREAT)
 {
     read(dict);
+    pressed_.setSize(pairs_.size());
     if (nReach_ > 4)
     {
         setBalls();
@@ -237,6 +237,7 @@ void Foam::mpm::pointContact::update()
         sumGradients();
         setNormals();
         setGaps();
+        markPressed();
     }
 }
 
@@ -252,11 +253,7 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
         pair.step = Zero;
         pair.nClosed = pair.pushedGap = pair.push = 0;
     }
-    pressed_.setSize(pairs_.size());
-    for (Map<label>& nodes : pressed_)
-    {
-        nodes.clear();
-    }
+    release();
     if (!any_)
     {
         return 0;
@@ -281,9 +278,11 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
     {
         contactPair& pair = pairs_[m.pair];
         const scalar part = fields_[pair.a].part(m.node);
+        m.pressed = m.closed;
+        m.held = m.closed && m.stuck;
         if (m.closed)
         {
-            pressed_[m.pair].insert(m.node, m.stuck);
+            pressed_[m.pair].append(2*m.node + m.held);
             pair.nClosed += part;
             pair.pushedGap += part*m.Jn*m.gap;
             pair.push += part*m.Jn;
@@ -498,12 +497,11 @@ void Foam::mpm::pointContact::report(const scalar dt) const
         {
             gap = returnReduce(pair.pushedGap, sumOp<scalar>())/push;
         }
-        Info<< "Contact " << pair.how.name << " of " << fields_[pair.a].name();
-        if (pair.b >= 0)
-        {
-            Info<< " on " << fields_[pair.b].name();
-        }
-        Info<< ": force "
+        Info<< "Contact " << pair.how.name << " between "
+            << fields_[pair.a].name() << " and "
+            << (pair.b >= 0 ? "" : "patch ")
+            << (pair.b >= 0 ? fields_[pair.b].name() : pair.patch)
+            << ": force "
             << returnReduce(pair.step, sumOp<vector>())/max(dt, VSMALL)
             << " N, impulse " << returnReduce(pair.sum, sumOp<vector>())
             << " N s, gap ";

@@ -127,6 +127,7 @@ void Foam::mpm::pointContact::addPair
     pair.nClosed = pair.pushedGap = pair.push = 0;
     if (b < 0)
     {
+        pair.patch = grid_.mesh().boundaryMesh()[patchi].name();
         pair.wall = wallNormals(a, patchi);
     }
     else

@@ -11,6 +11,33 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::mpm::pointContact::markPressed()
+{
+    label first = 0;
+    forAll(pairs_, pairi)
+    {
+        label last = first;
+        for (; last < contactNodes_.size() && contactNodes_[last].pair == pairi; ++last)
+        {
+            placeOf_[contactNodes_[last].node] = last;
+        }
+        for (const label entry : pressed_[pairi])
+        {
+            const label place = placeOf_[entry/2];
+            if (place >= 0)
+            {
+                contactNodes_[place].pressed = true;
+                contactNodes_[place].held = entry % 2;
+            }
+        }
+        for (; first < last; ++first)
+        {
+            placeOf_[contactNodes_[first].node] = -1;
+        }
+    }
+}
+
+
 void Foam::mpm::pointContact::findPressed
 (
     const label pairi,
@@ -19,20 +46,30 @@ void Foam::mpm::pointContact::findPressed
 )
 {
     const scalar tol = 1e-8*grid_.mesh().bounds().mag();
-    pressed_.setSize(pairs_.size());
-    for (const contactNode& m : contactNodes_)
+    for (contactNode& m : contactNodes_)
     {
         for (label i = 0; m.pair == pairi && i < places.size(); ++i)
         {
             if (mag(places[i] - position_[m.node]) < tol)
             {
-                pressed_[pairi].insert(m.node, i < stuck.size() && stuck[i]);
+                m.pressed = true;
+                m.held = i < stuck.size() && stuck[i];
+                pressed_[pairi].append(2*m.node + m.held);
             }
         }
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::pointContact::release()
+{
+    for (DynamicList<label>& nodes : pressed_)
+    {
+        nodes.clear();
+    }
+}
+
 
 Foam::dictionary Foam::mpm::pointContact::state() const
 {
@@ -48,13 +85,12 @@ Foam::dictionary Foam::mpm::pointContact::state() const
         // By place: nodes have other numbers on other processors
         DynamicList<point> places;
         DynamicList<label> stuck;
-        for (label i = 0; pressed_.size() && i < contactNodes_.size(); ++i)
+        for (const contactNode& m : contactNodes_)
         {
-            const contactNode& m = contactNodes_[i];
-            if (m.pair == pairi && pressed_[pairi].found(m.node))
+            if (m.pair == pairi && m.pressed)
             {
                 places.append(position_[m.node]);
-                stuck.append(pressed_[pairi][m.node]);
+                stuck.append(m.held);
             }
         }
         List<pointField> allPlaces(Pstream::nProcs());

@@ -36,6 +36,15 @@ void forSums(Budget& b, const Function& f)
 }
 
 
+//- Those that older states do not have
+template<class Budget, class Function>
+void forLaterSums(Budget& b, const Function& f)
+{
+    f("heat", b.heat);
+    f("granular", b.granular);
+}
+
+
 struct adder
 {
     template<class T>
@@ -69,6 +78,17 @@ struct reader
     }
 };
 
+
+struct laterReader
+{
+    const dictionary& from;
+
+    void operator()(const char* name, scalar& value) const
+    {
+        value = from.getOrDefault<scalar>(name, 0);
+    }
+};
+
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -84,6 +104,7 @@ void Foam::mpm::pointLosses::reduceAll()
 void Foam::mpm::gasBudget::reduceAll()
 {
     forSums(*this, adder());
+    forLaterSums(*this, adder());
     reduce(mass, sumOp<scalar>());
     reduce(energy, sumOp<scalar>());
     reduce(momentum, sumOp<vector>());
@@ -94,6 +115,7 @@ Foam::dictionary Foam::mpm::gasBudget::state() const
 {
     dictionary state;
     forSums(*this, writer{state});
+    forLaterSums(*this, writer{state});
     return state;
 }
 
@@ -101,6 +123,7 @@ Foam::dictionary Foam::mpm::gasBudget::state() const
 void Foam::mpm::gasBudget::setState(const dictionary& state)
 {
     forSums(*this, reader{state});
+    forLaterSums(*this, laterReader{state});
 }
 
 // ************************************************************************* //

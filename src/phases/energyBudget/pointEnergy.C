@@ -78,7 +78,13 @@ void Foam::mpm::pointEnergy::noteEnergy
             max(scalar(0), b->transfer())
           + (sourceless_ ? max(scalar(0), b->work.contact) : 0);
         energyGrowth_ =
-            (b->residual() + b->remap() + gain)/max(largestEnergy_, VSMALL);
+            (b->residual() + b->remap() + gain)
+           /max
+            (
+                largestEnergy_ + b->exchanged
+              + mag(b->gas.heat) + mag(b->gas.granular),
+                VSMALL
+            );
     }
     else if (sourceless_)
     {
@@ -223,6 +229,7 @@ void Foam::mpm::pointEnergy::accepted(const scalar)
     forceWork& step = sums_.step;
     step.internal = sums_.all - step.external - step.boundary - step.contact;
     sums_.work += step;
+    sums_.exchanged += mag(step.external) + mag(step.boundary);
 }
 
 
@@ -257,6 +264,7 @@ void Foam::mpm::pointEnergy::addState(dictionary& state) const
     }
     energy.add("contact", sums_.work.contact);
     energy.add("damping", sums_.damping);
+    energy.add("exchanged", sums_.exchanged);
     state.add("energy", energy);
 }
 
@@ -299,6 +307,7 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
     }
     sums_.work.contact = energy.getOrDefault<scalar>("contact", 0);
     sums_.damping = energy.getOrDefault<scalar>("damping", 0);
+    sums_.exchanged = energy.getOrDefault<scalar>("exchanged", 0);
 }
 
 
@@ -343,8 +352,16 @@ void Foam::mpm::pointEnergy::report() const
             Info<< nl << "    gas " << g.energy << ", gained "
                 << g.energy - g.energy0 << ", boundary " << g.boundary
                 << ", external " << g.external << ", rigid " << g.rigid
-                << ", dry " << g.dry << ", fix-ups " << g.fixups << nl
-                << "    last step " << b->lastStep() << ", all";
+                << ", dry " << g.dry << ", fix-ups " << g.fixups;
+            if (points_.coupling()->exchangesHeat())
+            {
+                Info<< ", heat " << g.heat;
+            }
+            if (points_.coupling()->pressesGrains())
+            {
+                Info<< ", granular " << g.granular;
+            }
+            Info<< nl << "    last step " << b->lastStep() << ", all";
         }
         else
         {

@@ -199,7 +199,11 @@ void Foam::mpm::pointErosion::connectDebris()
                 << "The eroded points of " << names[phasei] << " go to "
                 << debris << ", whose own go to " << phases_[to].debris()
                 << "." << nl << "Points may change phase once: " << debris
-                << " may have erosion without to." << exit(FatalIOError);
+                << " may have erosion without to. If it begins with  $"
+                << names[phasei] << ";  it has the erosion of that too (an"
+                << " entry erosion of its own is merged into it): take it out"
+                << " with  #remove erosion  in the next line."
+                << exit(FatalIOError);
         }
         if (debris_.found(to))
         {

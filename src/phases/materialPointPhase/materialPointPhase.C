@@ -288,6 +288,20 @@ void Foam::mpm::materialPointPhase::read
         );
     if (n <= 0 && !rows && !gone && !mayBeEmpty)
     {
+        const Time& time = cloud_.time();
+        if
+        (
+            Pstream::parRun()
+         && isDir(time.globalPath()/time.timeName()/cloud::prefix/name_)
+        )
+        {
+            FatalErrorInFunction
+                << "Phase " << name_ << " has no material points in "
+                << time.path()/time.timeName()/cloud::prefix/name_
+                << ", but the case that was decomposed has them: they were"
+                << " made after it." << nl
+                << "Run  decomposePar -force" << exit(FatalError);
+        }
         FatalErrorInFunction
             << "Phase " << name_ << " has no material points in "
             << cloud_.time().path()/cloud_.time().timeName()

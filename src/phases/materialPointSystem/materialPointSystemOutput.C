@@ -242,6 +242,16 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
 void Foam::mpm::materialPointSystem::report() const
 {
     parts_.report();
+    if (walls_)
+    {
+        scalar deepest = 0;
+        const label n = walls_->count(deepest);
+        if (n)
+        {
+            Info<< "Put back on walls since the last report: " << n
+                << " points, up to " << deepest << " of a cell beyond" << endl;
+        }
+    }
 }
 
 

@@ -14,6 +14,8 @@ License
 #include "rigidBodies.H"
 #include "contactPart.H"
 #include "phaseWatches.H"
+#include "unitHints.H"
+#include "startHints.H"
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
 #include "largestOfAll.H"
@@ -103,6 +105,11 @@ void Foam::mpm::materialPointSystem::readGravity()
         }
         g_ = g.value();
         checkGravity(gHeader.objectPath(), g_, mesh_.geometricD());
+        Info<< "Gravity " << g_ << " m/s2" << nl;
+    }
+    else
+    {
+        Info<< "No gravity: constant/g is missing" << nl;
     }
 }
 
@@ -225,7 +232,16 @@ void Foam::mpm::materialPointSystem::readPoints
     {
         Info<< ", mass " << b->mass() << " kg";
     }
-    Info<< ", velocity field " << phase.velocityField() << nl;
+    Info<< ", velocity field " << phase.velocityField();
+    if (phase.failure())
+    {
+        Info<< ", failure " << phase.failure()->type();
+    }
+    if (phase.erosion())
+    {
+        Info<< ", erosion " << phase.erosion()->type();
+    }
+    Info<< nl;
     checkHalfSizes(phase);
     rate_ = max(rate_, speedRate(phase));
 }
@@ -304,6 +320,42 @@ void Foam::mpm::materialPointSystem::makeParts()
       : nullptr,
         *this
     );
+}
+
+
+void Foam::mpm::materialPointSystem::findWalls()
+{
+    if (!grid_.locator().knowsPatches())
+    {
+        return;
+    }
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    boolList holds(patches.size(), false);
+    for (const polyPatch& patch : patches)
+    {
+        bool all = true;
+        for (const velocityField& field : fields_)
+        {
+            bool held = field.holds(patch.index());
+            for (const entry& e : properties_.subOrEmptyDict("contact"))
+            {
+                held =
+                    held
+                 || (
+                        e.isDict()
+                     && e.dict().found("patch")
+                     && e.dict().get<word>("patch") == patch.name()
+                     && e.dict().get<wordList>("fields").found(field.name())
+                    );
+            }
+            all = all && held;
+        }
+        holds[patch.index()] = all;
+    }
+    if (returnReduce(holds.found(true), orOp<bool>()))
+    {
+        walls_.reset(new wallPatches(grid_, holds));
+    }
 }
 
 
@@ -485,6 +537,7 @@ Foam::mpm::materialPointSystem::materialPointSystem
 
     // Before the points are read: parts may ask for columns
     makeParts();
+    findWalls();
     forAll(phases_, phasei)
     {
         readPoints(phases_[phasei], erosion_->isDebris(phasei));
@@ -518,6 +571,18 @@ Foam::mpm::materialPointSystem::materialPointSystem
     }
     parts_.own(new phaseWatches(*this));
     reportStart();
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (!from_)
+        {
+            warnOfUnits(phase, requiredDict(properties_, phase.name()));
+            warnOfDensity(phase);
+        }
+    }
+    if (!from_)
+    {
+        warnOfNormals(properties_, grid_, phases_);
+    }
     from_ = nullptr;
 }
 

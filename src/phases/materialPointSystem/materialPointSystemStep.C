@@ -137,9 +137,10 @@ void Foam::mpm::materialPointSystem::momentum(const scalar dt)
         field.newTime(dt);
     }
     parts_.within(&stepPart::constrain, dt);
-    for (velocityField& field : fields_)
+    forAll(fields_, fieldi)
     {
-        field.momentumStep(dt, g_);
+        const moveCoefficients c(coefficients(fieldi, dt));
+        fields_[fieldi].momentumStep(dt, g_, c.a0*c.a1 != 0 && c.b1 == 0);
     }
 }
 
@@ -160,6 +161,7 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
     rule.dt = dt;
     rule.energy = energy_->active();
     rule.outflow = outflow_.get();
+    rule.walls = walls_.get();
 
     // Share of the points' velocity that comes from the nodes
     List<moveCoefficients> take(fields_.size());
@@ -245,7 +247,11 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
         const timer t(clock_.sort);
         forAll(phases_, phasei)
         {
-            phases_[phasei].cloud().exchange(cellChanges_[phasei]);
+            phases_[phasei].cloud().exchange
+            (
+                cellChanges_[phasei],
+                phases_[phasei].motion() ? nullptr : walls_.get()
+            );
             checkExtent(phases_[phasei], cellChanges_[phasei]);
             if (phases_[phasei].cloud().sort(cellChanges_[phasei]))
             {

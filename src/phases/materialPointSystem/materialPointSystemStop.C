@@ -122,17 +122,23 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
     if (bad.left)
     {
         vector xNew(x);
+        scalar to[3] = {0, 0, 0};
         for (int d = 0; d < grid_.nDim(); ++d)
         {
             xNew[grid_.direction(d)] = cloud.xNew()[d][pointi];
+            to[d] = cloud.xNew()[d][pointi];
         }
+        const string beyond
+        (
+            walls_ ? walls_->words(cloud.cellOf(pointi), to) : string()
+        );
         FatalErrorInFunction
             << "Material point " << label(cloud.id()[0][pointi]) << " of "
             << phase.name() << " leaves the mesh " << mesh_.bounds()
             << ": from " << x << " with velocity " << cloud.velocity(pointi)
             << " to " << xNew << " in the step of " << dt << " s after time "
             << time.timeName() << "." << nl
-            << written.c_str() << nl << hint.c_str()
+            << beyond.c_str() << written.c_str() << nl << hint.c_str()
             << (hint.empty() ? "M" : "Otherwise m")
             << "ake the mesh larger, or keep points inside by the boundary"
             << " conditions of U." << phase.velocityField()

@@ -212,6 +212,31 @@ void Foam::mpm::slipVelocity::join
 }
 
 
+void Foam::mpm::slipVelocity::findTurn
+(
+    const label node,
+    const std::vector<vector>& faces,
+    const std::vector<surface>& all
+)
+{
+    constexpr scalar least = 1e-4;
+    for (const vector& nf : faces)
+    {
+        scalar apart = GREAT;
+        for (const surface& s : all)
+        {
+            apart = min(apart, mag(normalised(nf) - normalised(s.second())));
+        }
+        if (apart > least)
+        {
+            turns_.setSize(grid_.nNodes(), false);
+            turns_[node] = true;
+            return;
+        }
+    }
+}
+
+
 void Foam::mpm::slipVelocity::hold
 (
     const label node,
@@ -294,6 +319,12 @@ Foam::mpm::slipVelocity::slipVelocity
             surfaces(entry.second),
             ofAll[entry.first.first()]
         );
+    }
+
+    for (const auto& entry : ofNode)
+    {
+        const label n = entry.first.first();
+        findTurn(n, entry.second, ofAll[n]);
     }
 
     DynamicList<label> nodes;

@@ -374,6 +374,19 @@ void shapeTransfer<Shape, DIM, HOOP>::changeCell
     {
         cell = outflowPatches::gone;
     }
+    scalar back[3] = {beyond[0], beyond[1], beyond[2]}, shift[3] = {0, 0, 0};
+    if (cell < 0 && finite && rule.walls)
+    {
+        cell = rule.walls->putBack(celli, back, shift);
+        for (int d = 0; cell >= 0 && d < DIM; ++d)
+        {
+            x[d] = back[d];
+            if (to.displacement[d])
+            {
+                to.displacement[d][point] += shift[d];
+            }
+        }
+    }
     if (cell < 0)
     {
         result.badPoint = point;

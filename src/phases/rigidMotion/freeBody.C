@@ -8,6 +8,7 @@ License
 
 #include "freeBody.H"
 #include "dictionaryTools.H"
+#include "cyclicPolyPatch.H"
 #include "transform.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -117,7 +118,10 @@ void Foam::mpm::freeBody::readConstraints(const dictionary& dict)
     for (int d = 0; d < 3; ++d)
     {
         turns = turns || free_[3 + d];
-        cyclic = cyclic || (d < D && grid_.period(d) > 0);
+    }
+    for (const polyPatch& pp : grid_.mesh().boundaryMesh())
+    {
+        cyclic = cyclic || isA<cyclicPolyPatch>(pp);
     }
     if (turns && cyclic)
     {

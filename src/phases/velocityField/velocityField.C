@@ -262,7 +262,12 @@ void Foam::mpm::velocityField::velocity()
 }
 
 
-void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
+void Foam::mpm::velocityField::momentumStep
+(
+    const scalar dt,
+    const vector& g,
+    const bool turn
+)
 {
     const scalar* __restrict__ mU = mU_.data();
     const scalar* __restrict__ U = U_.data();
@@ -302,6 +307,11 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g)
             dU[stride_*n + d] = UL[stride_*n + d] - U[stride_*n + d];
         }
     }
+    turning_.clear();
+    if (turn && slip_.turns())
+    {
+        turnWithWalls();
+    }
 }
 
 
@@ -325,6 +335,7 @@ Foam::scalar Foam::mpm::velocityField::boundaryWork
 ) const
 {
     scalar w = 0;
+    const labelHashSet turning(turning_);
     const auto add = [&](const label n)
     {
         const scalar m = mU_.data()[stride_*n + nDim_];
@@ -335,7 +346,11 @@ Foam::scalar Foam::mpm::velocityField::boundaryWork
             const scalar J =
                 m*(du - dt*g[grid_.direction(d)])
               - dt*f_.data()[stride_*n + d];
-            w += part*J*(U_.data()[stride_*n + d] + 0.5*du);
+            const scalar u =
+                turning.found(n)
+              ? mU_.data()[stride_*n + d]/m
+              : U_.data()[stride_*n + d];
+            w += part*J*(u + 0.5*du);
         }
     };
     for (const label n : constrained())
@@ -491,16 +506,25 @@ void Foam::mpm::velocityField::needReactions()
 
 void Foam::mpm::velocityField::addProjected(const scalar share)
 {
-    if (reactions_ && share > 0)
+    const auto add = [&](const labelUList& nodes, const scalar part)
     {
         reactions_->addProjected
         (
-            active_,
-            share,
+            nodes,
+            part,
             U_.data(),
             mU_.data(),
             stride_
         );
+    };
+    if (reactions_ && share > 0)
+    {
+        add(active_, share);
+    }
+    if (reactions_)
+    {
+        // All of it where the wall turns the points
+        add(turning_, 1 - share);
     }
 }
 

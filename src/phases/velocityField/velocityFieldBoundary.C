@@ -46,6 +46,28 @@ void Foam::mpm::velocityField::checkBoundary() const
     }
 }
 
+
+void Foam::mpm::velocityField::turnWithWalls()
+{
+    const labelHashSet rigid(rigid_.nodes());
+    DynamicList<label> turning;
+    for (const label n : active_)
+    {
+        const scalar m = mU_.data()[stride_*n + nDim_];
+        if (!slip_.turns(n) || !(m > 0) || rigid.found(n))
+        {
+            continue;
+        }
+        turning.append(n);
+        for (int d = 0; d < nDim_; ++d)
+        {
+            dU_.data()[stride_*n + d] +=
+                U_.data()[stride_*n + d] - mU_.data()[stride_*n + d]/m;
+        }
+    }
+    turning_.transfer(turning);
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::mpm::velocityField::drives() const

@@ -41,7 +41,8 @@ Foam::scalar Foam::mpm::simplexLocator::beyondSimplex
 (
     const label celli,
     const label s,
-    const scalar* x
+    const scalar* x,
+    scalar* normal
 ) const
 {
     const label* corner = cells_.corners(celli) + 3*s;
@@ -65,9 +66,48 @@ Foam::scalar Foam::mpm::simplexLocator::beyondSimplex
         a[2]*b[0] - a[0]*b[2],
         a[0]*b[1] - a[1]*b[0]
     };
-    const scalar d =
-        along(n, p[0], x)/std::sqrt(sqr(n[0]) + sqr(n[1]) + sqr(n[2]));
-    return along(n, p[0], cells_.origin(celli)) < 0 ? d : -d;
+    const scalar size = std::sqrt(sqr(n[0]) + sqr(n[1]) + sqr(n[2]));
+    const scalar d = along(n, p[0], x)/size;
+    const bool outward = along(n, p[0], cells_.origin(celli)) < 0;
+    for (int k = 0; normal && k < 3; ++k)
+    {
+        normal[k] = (outward ? n[k] : -n[k])/size;
+    }
+    return outward ? d : -d;
+}
+
+
+void Foam::mpm::simplexLocator::normal
+(
+    const label celli,
+    const label facei,
+    const scalar* x,
+    scalar* n
+) const
+{
+    if
+    (
+        nDim_ == 3
+     && mesh_.faces()[facei].size() > 3
+     && !cells_.isSimplex(celli)
+    )
+    {
+        beyondSimplex(celli, cells_.simplexOf(celli, x), x, n);
+        return;
+    }
+    const vector& S = mesh_.faceAreas()[facei];
+    scalar size = 0;
+    for (int d = 0; d < nDim_; ++d)
+    {
+        size += sqr(S[axes_.direction(d)]);
+    }
+    size = std::sqrt(max(size, VSMALL));
+    for (int d = 0; d < nDim_; ++d)
+    {
+        n[d] =
+            (mesh_.faceOwner()[facei] == celli ? 1 : -1)
+           *S[axes_.direction(d)]/size;
+    }
 }
 
 
@@ -98,6 +138,11 @@ Foam::label Foam::mpm::simplexLocator::exit
     {
         const label s = cells_.simplexOf(celli, x);
         const label facei = cells_.faceOf(celli, s);
+        if (facei < 0)
+        {
+            // The axis of a wedge
+            return -1;
+        }
         const bool plane = nDim_ < 3 || mesh_.faces()[facei].size() == 3;
         ask
         (
@@ -255,27 +300,46 @@ Foam::label Foam::mpm::simplexLocator::patchOut
     const scalar* x
 ) const
 {
-    label c = celli;
-    for (int step = 0; step < 100 && c >= 0 && c < mesh_.nCells(); ++step)
+    scalar at[3] = {0, 0, 0};
+    std::copy_n(x, nDim_, at);
+    wayOut out;
+    return
+        leaves(celli, at, out)
+      ? mesh_.boundaryMesh().whichPatch(out.face)
+      : -1;
+}
+
+
+bool Foam::mpm::simplexLocator::leaves
+(
+    const label from,
+    scalar* x,
+    wayOut& out
+) const
+{
+    label celli = from;
+    for (int step = 0; step < 100 && celli < mesh_.nCells(); ++step)
     {
-        scalar out;
-        const label facei = exit(c, x, out);
+        const label facei = exit(celli, x, out.beyond);
         if (facei < 0)
         {
-            return -1;
+            return false;
         }
-        const label next = behind(c, facei);
+        const label next = behind(celli, facei);
         if (next < 0)
         {
-            return mesh_.boundaryMesh().whichPatch(facei);
+            out.cell = celli;
+            out.face = facei;
+            normal(celli, facei, x, out.normal);
+            return true;
         }
         if (!mesh_.isInternalFace(facei))
         {
-            return -1;
+            pass(facei, x);
         }
-        c = next;
+        celli = next;
     }
-    return -1;
+    return false;
 }
 
 // ************************************************************************* //

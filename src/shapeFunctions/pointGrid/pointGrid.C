@@ -10,6 +10,7 @@ License
 #include "faceLocator.H"
 #include "hexLocator.H"
 #include "simplexLocator.H"
+#include "coupledPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,6 +20,47 @@ namespace mpm
 {
     defineTypeNameAndDebug(pointGrid, 0);
 }
+}
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Lengths of cyclic directions: of pairs of patches along an axis. Collective
+void setPeriods
+(
+    const polyMesh& mesh,
+    const mpm::gridAxes& axes,
+    scalar (&period)[3]
+)
+{
+    vector length(Zero);
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        const coupledPolyPatch* sides = isA<coupledPolyPatch>(pp);
+        if (sides && sides->separated())
+        {
+            const vector apart(cmptMag(sides->separation()[0]));
+            for (int d = 0; d < axes.nDim(); ++d)
+            {
+                const scalar L = apart[axes.direction(d)];
+                if (L > (1 - 1e-9)*mag(apart))
+                {
+                    length[d] = L;
+                }
+            }
+        }
+    }
+    reduce(length, maxOp<vector>());
+    for (int d = 0; d < axes.nDim(); ++d)
+    {
+        period[d] = length[d];
+    }
+}
+
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -71,6 +113,7 @@ Foam::mpm::pointGrid::pointGrid(const polyMesh& mesh)
             return;
         }
         lattice_.clear();
+        setPeriods(mesh, *this, period_);
         noHexes_ = hexLocator(mesh, *this, *hexes_).folded();
     }
     if (noHexes_.empty())
@@ -81,6 +124,7 @@ Foam::mpm::pointGrid::pointGrid(const polyMesh& mesh)
     }
 
     // Cells of any kind
+    setPeriods(mesh, *this, period_);
     hexes_.clear();
     noLattice_ = noHexes_;
     nodes_.joinPoints();

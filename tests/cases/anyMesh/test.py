@@ -32,8 +32,10 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import plateImpactExact as exact
+import bending
 import features
 import meshes
+import turning
 from cellMesh import boxOfCells
 from foamCase import (FoamCase, RunFailed, VERIFY, controlDict, noSchemes, runParts,
                       velocityFile)
@@ -275,4 +277,4 @@ def impacts(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("anyMesh", translations, falls, impacts, *meshes.PARTS, *features.PARTS,
-                      *(features.LONG if VERIFY else ())))
+                      *bending.PARTS, *turning.PARTS, *(features.LONG if VERIFY else ())))

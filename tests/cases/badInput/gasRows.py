@@ -54,6 +54,11 @@ def gasRows(solve, replace, remove, several, withPoints, line):
         return replace("0/" + name, r"internalField uniform [^;]*",
                        "internalField uniform " + new)
 
+    def totalPressure(entries):
+        return replace("0/p", r"outside \{ type zeroGradient;",
+                       "outside { type totalPressure; p0 uniform 1e5; U U.air; phi phi.air;"
+                       f" {entries} value uniform 1e5;")
+
     rows = [("allowed: points in air", solve, inAir(), None, {"has": "Theta: min"})]
     for name in ("p", "T.air", "U.air"):
         rows.append((f"gas without {name}", solve, inAir(remove("0/" + name)),
@@ -105,6 +110,25 @@ def gasRows(solve, replace, remove, several, withPoints, line):
                        "outside { type waveTransmissive; gamma 1.4; fieldInf 1e5;"
                        " lInf 1; value uniform 1e5;")),
          ["waveTransmissive of patch outside of p", "phi phi.air; psi psi.air;"]),
+        ("gas: misspelt scheme", solve,
+         inAir(replace(schemes, r"\(rho\) upwind", "(rho) vanLer")),
+         [line("fvSchemes"), r"vanLer of reconstruct\(rho\); is vanLeer meant", valid, "MLP",
+          "SuperBee"], {"lacks": "CoBlended|limitWith"}),
+        ("gas: misspelt scheme of U", solve,
+         inAir(replace(schemes, r"\(U\) upwind", "(U) vanLerV")),
+         ["is vanLeerV meant", valid, "MinmodV"]),
+        ("gas: totalPressure with psi of no gas", solve,
+         inAir(totalPressure("psi psi; gamma 1.4;")),
+         ["looks for the field psi, which is called psi.air", "psi psi.air; gamma",
+          "psi none; rho rho.air;", "Fields of the gas: p phi.air U.air psi.air rho.air"]),
+        ("gas: totalPressure without psi and rho", solve, inAir(totalPressure("")),
+         ["looks for the field rho, which is called rho.air", "psi psi.air; gamma"]),
+        ("allowed: totalPressure with psi", solve,
+         inAir(totalPressure("psi psi.air; gamma 1.4;")), None, {"has": "Theta: min"}),
+        ("allowed: totalPressure with rho", solve, inAir(totalPressure("psi none; rho rho.air;")),
+         None, {"has": "Theta: min"}),
+        ("allowed: temperature in degrees Celsius", solve + ["-dry-run"],
+         inAir(value("T.air", "27")), None, {"has": "27 degrees Celsius are 300.15 K"}),
         ("gas: gravity along the empty direction", solve,
          inAir(lambda case: case.write(
              "constant/g", HEAD.format("uniformDimensionedVectorField", "g")
@@ -162,6 +186,19 @@ def gasRows(solve, replace, remove, several, withPoints, line):
                        " libs (mpmFunctionObjects); executeControl timeStep;"
                        " executeInterval 2; } }\nmaxCo")),
          ["executeControl"]),
+    ]
+    # Two warnings are of failure without ambientPressure
+    given = r"stress ambient; pressure 1e5;"
+    rows += [
+        (f"allowed: in a gas with the stress {stress}", ["setMaterialPoints"],
+         several(air, *2*[replace("system/setMaterialPointsDict", given,
+                                  f"stress ({stress} 0 0 {stress} 0 {stress});")]), None,
+         {"warnings": warnings, "has": said})
+        for stress, warnings, said in (
+            ("1e5", 4, "starts with the pressure -100000 Pa (minus a third of the trace"),
+            ("-1e6", 4, "starts with the pressure 1000000 Pa (minus a third of the trace"),
+            ("-1.05e5", 2, "End"))]
+    rows += [
         ("ambient stress without a pressure", ["setMaterialPoints"],
          several(air, replace("system/setMaterialPointsDict", "pressure 1e5;", "")),
          [line("setMaterialPointsDict"), "pressure"]),

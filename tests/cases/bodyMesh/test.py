@@ -12,6 +12,7 @@ gmsh       sphere, torus, a STEP part, two materials made by gmsh: volume and ce
 background the same body on boxes, tetrahedra and prisms
 cut        a sphere and a box in tetrahedra and prisms, cut by samples: volume 0.3 %, centre
            0.5 % of a cell
+parts      pointsPerCell 3 and 4 (parts.py): volume and centroid of each cell 1e-12
 apart      points of elements, half a cell's box apart in tetrahedra, move as one body: no
            warning of numerical fracture; torn to four times the length: a warning
 messages   what is wrong in a file or an entry
@@ -30,6 +31,7 @@ sys.path.insert(0, os.path.join(HERE, "../../lib"))
 sys.path.insert(0, HERE)
 from cellMesh import boxOfCells
 from foamCase import FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile
+import parts
 from mshFiles import KINDS, moments, readMsh22, whole, writeMsh, writeVtk
 from wedge import SECTOR, wedgeConditions, wedgeMesh
 
@@ -352,9 +354,9 @@ def messages(table):
     refused("a surface", ["type surface"], {"file": "body.stl"})
     refused("unknown group", ["group lead", "steel"], {"group": "lead"})
     refused("scale 0", ["scale"], {"scale": 0})
-    refused("pointsPerCell 3", ["pointsPerCell", "centroid"], {"pointsPerCell": 3})
-    refused("too large for the mesh", ["write scale with", "1e-3",
-                                       "body's mesh (file body.msh)"], {"scale": 1000})
+    refused("pointsPerCell (3 3 2)", ["pointsPerCell", "centroid"],
+            {"pointsPerCell": "(3 3 2)"})
+    refused("too large for the mesh", ["scale 1e-3", "body's mesh (file body.msh)"], {"scale": 1000})
     refused("version 1", ["version 1", "gmsh -save"], {},
             lambda t: t.replace("2.2 0 8", "1 0 8"))
     refused("no .msh", ["$MeshFormat"], {}, lambda t: "solid body\n" + t)
@@ -416,4 +418,4 @@ def mutated(table, n=40):
 
 if __name__ == "__main__":
     sys.exit(runParts("bodyMesh", formats, corners, plane, gmshBodies, background, cut,
-                      apart, messages, mutated))
+                      apart, messages, mutated, *parts.PARTS))

@@ -450,7 +450,7 @@ def ledgerError(case):
     worst, least = 0, np.inf
     for i, ground in enumerate(GROUNDS):
         given, mass = gained(f"block{i}", BLOCK)
-        sums = [said(f"^Contact {ground} of ")]
+        sums = [said(f"^Contact {ground} between ")]
         sums += [gained(ground)[0]] if ground in ("soft", "free") else []
         sums += [said(f"^Load on {ground}:")] if GROUNDS[ground] else []
         for taken in sums:

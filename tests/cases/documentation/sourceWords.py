@@ -52,7 +52,9 @@ NOT_ENTRIES = {
     "simulation.C": "gas", "regionTable.C": "gas contact",
     "setMaterialPoints.C": "gas velocity stress pressure",
     "materialPointSystem.C": "outflow", "materialPointSystemStop.C": "adjustTimeStep",
-    "gasCoupling.C": "stick type",
+    "gasCoupling.C": "stick type", "unitHints.C": "constitutiveModel",
+    "functionChecks.C": "functions",
+    "startHints.C": "regions phase density contact normal fields",
 }
 
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//[^\n]*|/\*.*?\*/', re.S)

@@ -20,6 +20,7 @@ The published curves are those of tutorials/houimOran/data.
 """
 
 import os
+import re
 import sys
 
 import numpy as np
@@ -52,6 +53,11 @@ def setVelocity(case, velocity):
     """velocity(x, y): n x 3."""
     x = readField(column(case, "x"))
     writeField(column(case, "U"), velocity(x[:, 0], x[:, 1]))
+
+
+def budgetTerm(case, name):
+    """A term of the energy budget in the log."""
+    return np.array(re.findall(rf"\b{name} ([-+.e\d]+)", case.log()), float)
 
 
 def heatLog(case):
@@ -114,9 +120,13 @@ def push(table):
             "type": "JohnsonJackson", "alphaMin": 0.5, "alphaMax": 0.65})},
         {"dust": {"type": "cylinder", "point1": (0.15, 0.15, -1),
                   "point2": (0.15, 0.15, 1), "radius": 0.08, "volumeFraction": 0.638,
-                  "velocity": U}}, patches={**PERIODIC, **PERIODIC_Y}, control=EVERY)
+                  "velocity": U}}, patches={**PERIODIC, **PERIODIC_Y}, control=EVERY,
+        numerics={"energyBudget": True})
     case.run("materialPointFoam")
     g = gasLog(case)
+    work, residual = budgetTerm(case, "granular"), budgetTerm(case, "residual")
+    table.row("disc under granular pressure: energy residual over the largest work of"
+              " the pressure", 0, np.max(abs(residual))/np.max(abs(work)), 1e-2, "atMost")
     total = (g["momentum"] + g["pointMomentum"])[:, :2]
     gained = g["kinetic"][-1]/(0.5*np.linalg.norm(g["pointMomentum"][0])
                                *np.linalg.norm(U))
@@ -280,7 +290,7 @@ def heat(table):
                 {"dust": {"type": "cells", "volumeFraction": SHARE, "temperature": Ts}},
                 patches=PERIODIC, control={
                     **EVERY, "adjustTimeStep": False, "deltaT": dt,
-                    "writeControl": "runTime"})
+                    "writeControl": "runTime"}, numerics={"energyBudget": True})
             case.change("system/controlDict", r"maxCo .*;", "")
             case.run("materialPointFoam")
             g, Q = gasLog(case), heatLog(case)
@@ -300,6 +310,14 @@ def heat(table):
             table.row(f"{label}: change of gas, dust and heat over the heat exchanged", 0,
                       np.max(abs(total - 8*(Cg*P0/RHO0 + Cs*Ts)))
                       /np.max(abs(Q - 8*Cs*Ts)), 1e-12, "atMost")
+            booked, residual = budgetTerm(case, "heat"), budgetTerm(case, "residual")
+            lost = 8*Cs*Ts - Q
+            table.row(f"{label}: term of the budget less what the dust lost, over it", 0,
+                      np.max(abs(booked - lost))/np.max(abs(lost)), 1e-12, "atMost")
+            table.row(f"{label}: energy residual over the heat exchanged", 0,
+                      np.max(abs(residual))/np.max(abs(lost)), 1e-12, "atMost")
+            table.check(f"{label}: no growth of energy is warned of",
+                        "Energy has grown" not in case.log())
     table.row("heat: error over error of half the step", 2,
               errors[1e4, 1]/errors[1e4, 2], 0.1)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Meshes of gmsh as background and as bodies, and of snappyHexMesh: the tutorials kirsch,
-spallOnTriangles, bracket, pipeBlast, sphereOnSphere, cylinderInChannel and connectingRod, short
-or coarse.
+spallOnTriangles, bracket, pipeBlast, sphereOnSphere, cylinderInChannel, connectingRod
+and hourglass, short or coarse.
 
 kirsch     plate with a hole on triangles that follow it: stress at the rim 3 S within 2 %,
            stress up to 3 a; the same on boxes with GIMP
@@ -20,6 +20,10 @@ rod        a rigid part from a STEP file: mass and centre of the mesh to roundin
            order in its size, flight as Euler's equations, momentum to rounding in the hit
 ball       a ball from a mesh flies through boxes with GIMP and through tetrahedra with
            nodeDual: velocity 1e-13, momentum and mass to rounding
+hourglass  sand through a neck of snappyHexMesh: no point lost, a constant rate 2 %
+kept       sand that spreads on the glass: points that pass it are put back, on 2 processors too
+pendulum   a block slides in a half-pipe of triangles (halfPipe.py), slip and friction: time,
+           speed and energy of the exact pendulum 1 %
 """
 
 import os
@@ -29,6 +33,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+import halfPipe
 from cellMesh import boxOfCells
 from foamCase import PROJECT, VERIFY, FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile
 
@@ -45,8 +50,8 @@ def tutorial(name, *modules):
         sys.path.remove(folder)
 
 
-def copyOf(name):
-    case = FoamCase("gmshMeshes", name)
+def copyOf(name, run=None):
+    case = FoamCase("gmshMeshes", run or name)
     source = os.path.join(PROJECT, "tutorials", name)
     for part in ("constant", "system", "0"):
         shutil.copytree(os.path.join(source, part), case.file(part), ignore=shutil.ignore_patterns(
@@ -268,8 +273,65 @@ def ball(table, h=0.01, n=10, steps=100):
         table.row(f"{label}: way in cells", 3, np.linalg.norm(u)*steps*dt/h, 3, "atLeast")
 
 
+def hourglassMesh(name):
+    """Cells of 5 mm, no finer ones at the neck."""
+    case = copyOf("hourglass", name)
+    case.change("system/snappyHexMeshDict", r"levels  \(\(1 1\)\);", "levels  ((0 0));")
+    case.change("system/snappyHexMeshDict", r"level       \(0 1\);", "level       (0 0);")
+    for command in (("blockMesh",), ("snappyHexMesh", "-overwrite"), ("extrudeMesh",)):
+        case.run(*command)
+    for side in ("front", "back"):
+        case.run("foamDictionary", "-entry", f"entry0.{side}.type", "-set", "empty",
+                 "constant/polyMesh/boundary")
+    return case
+
+
+def hourglass(table):
+    results, = tutorial("hourglass", "results")
+    case = hourglassMesh("hourglass")
+    case.change("system/controlDict", r"^endTime .*", "endTime 0.45;")
+    case.run("setMaterialPoints")
+    case.run("materialPointFoam", limit=200)
+    start, end = (case.points(t, "sand") for t in ("0", case.times("lagrangian")[-1]))
+    table.row("hourglass: points at the end", len(start["m"]), len(end["m"]), 0)
+    table.row("hourglass: mass of the sand", start["m"].sum(), end["m"].sum(), 1e-12, "relative")
+    rate, apart = results.flow(*results.above(case))
+    table.row("hourglass: sand above the neck less a constant rate/sand", 0, apart, 0.02)
+    print(f"hourglass: C {results.coefficient(rate, results.opening(case)):.2f}")
+
+
+def kept(table):
+    """Sand falls on the floor of the same mesh and spreads to the wall: points that pass them
+    are put back, also by two processors."""
+    cases = []
+    for ranks in (1, 2):
+        case = hourglassMesh(f"kept-{ranks}")
+        case.change("system/setMaterialPointsDict", r"min  .*", "min (-1 -0.175 -1);")
+        case.change("system/setMaterialPointsDict", r"max  .*", "max (0.04 -0.12 1);"
+                    " velocity (1 -2 0);")
+        case.change("system/controlDict", r"^endTime .*", "endTime 0.05; reportInterval 1;")
+        case.change("system/controlDict", r"^writeInterval .*", "writeInterval 0.05;")
+        case.run("setMaterialPoints")
+        if ranks > 1:
+            case.decompose((1, 2, 1))
+            case.runParallel(limit=200)
+        else:
+            case.run("materialPointFoam", limit=200)
+        cases.append(case)
+    found = [case.numbers("^Put back on walls since the last report: N") for case in cases]
+    table.check("sand on a floor: points are put back", found[0].sum() > 0, found[0].sum())
+    table.row("sand on a floor: points put back by 2 processors", found[0].sum(),
+              found[1].sum(), 0)
+    table.row("sand on a floor, 1 against 2 processors: points", 0, cases[0].largestDifference(
+        cases[1], "0.05", ["sand"], ("x", "U", "sigma", "V")), 1e-10, "atMost")
+
+
+def pendulum(table):
+    halfPipe.halfPipe(table, mesh)
+
+
 if __name__ == "__main__":
     if not shutil.which("gmsh"):
         sys.exit("gmsh is missing: etc/installOpenFOAM -packages")
     sys.exit(runParts("gmshMeshes", kirsch, spall, bracket, pipe, spheres, cylinder, rod,
-                      ball))
+                      ball, hourglass, kept, pendulum))

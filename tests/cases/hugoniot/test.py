@@ -16,6 +16,9 @@ The energy behind the shock is half the jump: e = u^2/2 in the target, limit 2 %
 where the scheme leaves the dissipation to the bulk viscosity: FLIP. FMPM takes some
 of it from the points' velocities, which nobody gets: its energy is printed.
 
+With contact in place of one velocity field the plates press each other as hard: copper on
+aluminium at 5 km/s, points of two cells on either side, mean of both sides; limit 2 %.
+
 Also with the damage of Johnson and Cook, after release: a restart goes on bit by
 bit and two processors give the same to 1e-11.
 """
@@ -38,6 +41,7 @@ TIMES = (0.3e-6, 0.9e-6)
 #: melting, cp)
 METALS = {
     "Cu": (8960, 3940, 1.489, 2.02, 46e9, (90e6, 292e6, 0.31, 0.025, 1.09, 1356, 383)),
+    "Al6061": (2700, 5386, 1.339, 1.97, 26e9, None),
     "Al2024": (2785, 5328, 1.338, 2.00, 26e9, None),
     "W": (17000, 3980, 1.24, 1.54, 124e9,
           (1506.96e6, 176.64e6, 0.12, 0.016, 1.0, 3695, 134)),
@@ -86,13 +90,15 @@ def law(metal, strength):
 
 
 def prepare(flyer, target, v, strength, numerics, cells, name=None, failure=None,
-            times=TIMES):
+            times=TIMES, contact=False):
+    """contact: a velocity field for each plate, else one for both."""
     h = LENGTH/cells
     case = FoamCase("hugoniot",
                     name or f"{flyer}{target}{v}{strength}{numerics['transfer']}")
     case.write("constant/phaseProperties", {
         "phases": ["target", "flyer"],
-        **{phase: {"velocityField": "plates",
+        **({"contact": {"all": {"type": "frictionless"}}} if contact else {}),
+        **{phase: {"velocityField": phase if contact else "plates",
                    "constitutiveModel": law(metal, strength),
                    **({"failureModel": failure} if failure else {})}
            for phase, metal in (("target", target), ("flyer", flyer))}})
@@ -101,7 +107,8 @@ def prepare(flyer, target, v, strength, numerics, cells, name=None, failure=None
     case.write("system/blockMeshDict", boxMesh(
         (-n*h, 0, 0), (n*h, h, h), (2*n, 1, 1),
         {"ends": ("patch", ("x-", "x+")), "sides": ("empty", ("y-", "y+", "z-", "z+"))}))
-    velocityFile(case, "plates", {"ends": "calculated", "sides": "empty"})
+    for field in ("target", "flyer") if contact else ("plates",):
+        velocityFile(case, field, {"ends": "calculated", "sides": "empty"})
     case.write("system/setMaterialPointsDict", {"regions": {
         "target": {"phase": "target", "type": "box", "min": (0, 0, 0),
                    "max": (LENGTH, h, h), "pointsPerCell": 2},
@@ -121,6 +128,25 @@ def behind(case, time, Us):
     x = case.points("0", "target").byId("x")[:, 0]
     points = case.points(case.timeName(time), "target")
     return x, points, (x > 0.3*Us*time) & (x < 0.8*Us*time)
+
+
+def beside(table):
+    """Pressure where two plates touch, copper on aluminium at 5 km/s."""
+    v, times = 5000, (0.25e-6, 0.5e-6)
+    p = pressure("Al6061", crossing("Cu", "Al6061", v))
+    for numerics in (FLIP, FMPM):
+        label = f"Cu on Al6061, {v} m/s, contact, {numerics['transfer']}"
+        case = prepare("Cu", "Al6061", v, "fluid", numerics, 60,
+                       f"contact{numerics['transfer']}", times=times, contact=True)
+        case.run("materialPointFoam", limit=200)
+        near = []
+        for phase in ("target", "flyer"):
+            x = case.points("0", phase).byId("x")[:, 0]
+            values = case.points(case.timeName(times[-1]), phase).byId("pPoint")
+            near.append(np.mean(values[abs(x) < 2*LENGTH/60]))
+        table.row(f"{label}: pressure beside it [GPa]", p/1e9, np.mean(near)/1e9, 0.02,
+                  "relative")
+        print(f"{label}: target {near[0]/p:.4f}, flyer {near[1]/p:.4f} of the exact")
 
 
 COLUMNS = ("x", "U", "V", "sigma", "elasticStrain", "plasticStrain", "T", "e",
@@ -192,9 +218,10 @@ def main():
         if strength == "fluid" and numerics["transfer"] == "FLIP":
             table.row(f"{label}: energy over u^2/2", 1, energy, 0.02)
     try:
+        beside(table)
         again(table)
     except RunFailed as e:
-        table.check("restart and two processors run", False, e)
+        table.check("contact, restart and two processors run", False, e)
     return table.finish()
 
 

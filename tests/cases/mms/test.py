@@ -31,8 +31,21 @@ Errors of the schemes (h 1/8, 1/16, 1/32, 1/64; 2D in brackets):
             GIMP FLIP               1.4e-2 3.8e-3 3.0e-3 1.3e-2 grows
             linear FLIP             1.6e-2 2.3e-2 4.1e-2 1.0e-1 grows
 
-Limits: order >= 1.8 of nodeDual with FLIP and massFilter 1 at G = 1e-4 in 2D, as on
-any mesh; order >= 1.9 of the best scheme at G = 1e-4 and, in 1D, error
+nodeDual on any cells in 2D (inner points moved; m: massFilter 1; polyhedra with 3 points
+in each part of a cell: with 2 the error stays at 7e-6, that of a uniform stress there):
+
+    G 1e-4  quadrilaterals FLIP     4.0e-5 1.1e-5 2.9e-6        order 1.9 1.9
+            the same, m             1.0e-5 2.6e-6 7.8e-7        order 2.0 1.7
+            triangles FLIP          3.6e-5 1.0e-5 2.6e-6        order 1.9 1.9
+            the same, m             8.9e-6 2.5e-6 8.1e-7        order 1.8 1.6
+            tetrahedra FLIP         3.7e-5 1.6e-5 3.8e-6        order 1.2 2.1
+            the same, m             2.3e-5 5.2e-6 1.1e-6        order 2.2 2.2
+            polyhedra FLIP          3.0e-5 8.4e-6 2.2e-6        order 1.8 2.0
+    G 0.1   tetrahedra, m           2.8e-2 6.4e-3 1.3e-3        order 2.1 2.3
+            polyhedra FLIP          2.9e-2 7.6e-3               order 1.9
+
+Limits: order >= 1.8 of nodeDual at G = 1e-4 in 2D on any mesh, on tetrahedra with
+massFilter 1, >= 1 at G = 0.1 on tetrahedra and polyhedra; order >= 1.9 of the best scheme at G = 1e-4 and, in 1D, error
 not above the published one of MPM at each mesh. At G = 0.1 points cross cells and
 updated-Lagrange MPM stalls (published: no order in 1D): here the runs must end;
 error and order are printed beside the published ones.
@@ -46,6 +59,7 @@ import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from cellMesh import boxOfCells
 from foamCase import (FoamCase, RunFailed, VERIFY, boxMesh, controlDict, noSchemes,
                       velocityFile, writeField)
 from report import Report
@@ -62,6 +76,7 @@ SCHEMES = {f"{shape} {name}": {"shapeFunction": shape, **transfer}
 
 SCHEMES["nodeDual massFilter"] = {"shapeFunction": "nodeDual", "transfer": "FLIP",
                                   "massFilter": 1}
+SCHEMES["nodeDual FLIP"] = {"shapeFunction": "nodeDual", **FLIP}
 
 #: Best at small and at large displacements, from the long series
 BEST, BEST_LARGE = "GIMP FMPM 2", "cubicBSpline FLIP"
@@ -89,30 +104,46 @@ def exact(X, t, G, dim):
             shape*C*np.pi*np.cos(C*np.pi*t + PHASE))
 
 
-def error(lib, dim, G, n, scheme):
+def mesh(case, kind, dim, n):
+    """Of the unit interval or square: boxes, or cells of other kinds, with inner points
+    moved; tetrahedra and their dual polyhedra two boxes deep between slip walls. The
+    conditions of its patches."""
+    sides = ("x-", "x+") if dim == 1 else ("x-", "x+", "y-", "y+")
+    if kind == "boxes":
+        empty = tuple(s for s in ("y-", "y+", "z-", "z+") if s not in sides)
+        case.write("system/blockMeshDict", boxMesh(
+            (0, 0, 0), (1, 1, 1), (n, n if dim == 2 else 1, 1),
+            {"walls": ("patch", sides), "empty": ("empty", empty)}))
+        return {"walls": "slip", "empty": "empty"}
+    deep = kind in ("tets", "polyhedra")
+    boxOfCells(case, "tets" if deep else kind, (0, 0, 0), (1, 1, (1 + deep)/n),
+               (n, n, 1 + deep), {"walls": ("patch", sides),
+                                  "across": ("patch" if deep else "empty", ("z-", "z+"))})
+    return {"walls": "slip", "across": "slip" if deep else "empty"}
+
+
+def error(lib, dim, G, n, scheme, kind="boxes", points=2):
     nu = 0 if dim == 1 else 0.3
     h = 1/n
     dt = 0.2*h/C
     steps = round(END/dt)
-    case = FoamCase("mms", f"{scheme}-{dim}D-{G}-{n}".replace(" ", ""))
+    case = FoamCase("mms", f"{scheme}-{kind}-{dim}D-{G}-{n}".replace(" ", ""))
     case.write("constant/phaseProperties", {"phases": ["bar"], "bar": {
         "constitutiveModel": {"type": "neoHookean", "rho": RHO, "E": E, "nu": nu},
         "bodyForce": {"type": "wave", "G": G, "rho": RHO, "E": E, "nu": nu,
                       "phase": PHASE, "active": [int(d < dim) for d in range(3)]}}})
-    sides = ("x-", "x+") if dim == 1 else ("x-", "x+", "y-", "y+")
-    empty = tuple(s for s in ("y-", "y+", "z-", "z+") if s not in sides)
-    case.write("system/blockMeshDict", boxMesh(
-        (0, 0, 0), (1, 1, 1), (n, n if dim == 2 else 1, 1),
-        {"walls": ("patch", sides), "empty": ("empty", empty)}))
-    velocityFile(case, "bar", {"walls": "slip", "empty": "empty"})
+    velocityFile(case, "bar", mesh(case, kind, dim, n))
     case.write("system/setMaterialPointsDict", {"regions": {"bar": {
-        "phase": "bar", "type": "cells", "pointsPerCell": 2}}})
+        "phase": "bar", "type": "cells", "pointsPerCell": points}}})
     case.write("system/fvSolution", {"materialPoints": SCHEMES[scheme]})
     noSchemes(case)
     control = controlDict(END, steps//40, deltaT=dt)
     control.update({"writeControl": "timeStep", "libs": f'("{lib}")'})
     case.write("system/controlDict", control)
-    case.run("blockMesh")
+    if kind == "boxes":
+        case.run("blockMesh")
+    elif kind == "polyhedra":
+        case.run("polyDualMesh", "60", "-overwrite")
     case.run("setMaterialPoints")
 
     # In the order of the files: points of the start
@@ -134,21 +165,23 @@ def error(lib, dim, G, n, scheme):
     return worst, seconds
 
 
-def series(table, lib, dim, G, meshes, scheme, judge=True, least=1.9):
+def series(table, lib, dim, G, meshes, scheme, judge=True, least=1.9, kind="boxes",
+           points=2):
     """Errors over meshes; rows of the table."""
-    label = f"{dim}D, G {G:g}, {scheme}"
+    any = kind != "boxes"
+    label = f"{dim}D, G {G:g}, {scheme}" + any*f", {kind}"
     previous = None
     published = PUBLISHED.get((dim, G), {})
     for n in meshes:
         try:
-            e, seconds = error(lib, dim, G, n, scheme)
+            e, seconds = error(lib, dim, G, n, scheme, kind, points)
         except RunFailed as reason:
             table.check(f"{label}, h 1/{n} runs", False, reason)
             return
         order = np.log2(previous/e) if previous else np.nan
         print(f"{label}, h 1/{n}: error {e:.4e}, order {order:.3f}, published "
               f"{published.get(n, np.nan):.4e}, {seconds:.1f} s", flush=True)
-        if judge and G < 1e-3:
+        if judge and (G < 1e-3 or any):
             if previous:
                 table.row(f"{label}: order at h 1/{n}", 2, order, least, "atLeast")
             if dim == 1:
@@ -174,6 +207,13 @@ def main():
     series(table, lib, 2, 1e-4, fine2, BEST)
     series(table, lib, 2, 0.1, fine2, BEST_LARGE)
     series(table, lib, 2, 1e-4, (8, 16, 32), "nodeDual massFilter", least=1.8)
+    for kind in ("hexes", "prisms"):
+        series(table, lib, 2, 1e-4, (8, 16, 32), "nodeDual FLIP", least=1.8, kind=kind)
+    for G, least in ((1e-4, 1.8), (0.1, 1)):
+        series(table, lib, 2, G, (8, 16, 32)[:2 + VERIFY], "nodeDual massFilter", least=least,
+               kind="tets")
+        series(table, lib, 2, G, (8, 16, 32)[:2 + VERIFY], "nodeDual FLIP", least=least,
+               kind="polyhedra", points=3)
     if VERIFY:
         series(table, lib, 1, 0.05, fine1, BEST_LARGE)
         series(table, lib, 2, 0.05, fine2, BEST_LARGE)

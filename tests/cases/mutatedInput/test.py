@@ -132,6 +132,8 @@ HARMLESS = [
     ("system/fvSolution", r"materialPoints\.(order|PICfraction)", "deleted",
      "default of the README"),
     (REGIONS, r"regions\.\w+\.velocity", "deleted", "default: at rest"),
+    (DICTS, r".*\.\w+Coeffs", "unknown keyword",
+     "a Function1 of OpenFOAM reads the words that it knows and leaves others", SAME),
     (REGIONS, r"regions\.\w+", "misspelt", "a region's name is free", SAME),
     (REGIONS, r"regions\.\w+", "deleted", "fewer regions, with a warning"),
     ("constant/g", "", "file deleted", "no gravity"),

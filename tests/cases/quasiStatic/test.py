@@ -16,6 +16,7 @@ restart    kinetic damping and a load that grows: bit by bit
 parallel   the same on two processors
 redone     viscous damping where steps are redone
 source     a load is no growth of energy without a source
+pushed     nor is a wall that begins to push a body at rest
 bad input  messages
 """
 
@@ -284,6 +285,27 @@ def source(table):
                 not in case.log() and strain[-1] > 10*strain[0], strain[-1])
 
 
+def pushed(table):
+    """A wall begins to push a body at rest: its energy is nearly zero at first."""
+    case = build("pushed", (10, 10), {"type": "box", "min": (0, 4, 0), "max": (10, 10, 1)},
+                 {}, 0.5)
+    velocityFile(case, "body", {
+        "left": "symmetryPlane", "bottom": "symmetryPlane", "sides": "empty",
+        "outside": {"type": "timeVaryingUniformFixedValue", "value": "uniform (0 0 0)",
+                    "file": '"wall"', "outOfBounds": "clamp"}})
+    with open(case.file("wall"), "w") as f:
+        f.write("((0 (0 0 0)) (0.5 (0 -0.05 0)))\n")
+    case.write("system/fvSolution", {"materialPoints": {
+        "shapeFunction": "GIMP", "transfer": "FMPM", "order": 2, "energyBudget": True}})
+    case.change("system/controlDict", r"functions\s*\{[\s\S]*",
+                "reportInterval 1;")
+    case.run("materialPointFoam")
+    work = [float(w) for w in re.findall(r", boundary (\S+),", case.log())]
+    table.check("a wall that begins to push is no growth without a source",
+                "Energy has grown" not in case.log() and work[-1] > 10*work[0] > 0,
+                work[-1])
+
+
 def badInput(table):
     top = {"pressure": 1.0}
     for what, phase, words in (
@@ -324,6 +346,7 @@ def main():
         lambda: parallel(table),
         lambda: redone(table),
         lambda: source(table),
+        lambda: pushed(table),
         lambda: badInput(table)]
     if VERIFY:
         tests += [lambda: ring(table, 16, 0.02), lambda: hole(table, 10, 0.05)]

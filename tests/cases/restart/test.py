@@ -21,7 +21,7 @@ import time
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import VERIFY, RunFailed
+from foamCase import VERIFY, FoamCase, RunFailed
 from plates import plateCase
 from report import Report
 
@@ -200,6 +200,24 @@ def limits(table):
                 re.findall(r"^Progress: (\S+) %", c.log(), re.M)[-1] == "100")
 
 
+def contactGains(table):
+    """What contact gives at a step beyond the stable one is a growth of energy too."""
+    template = os.path.join(os.path.dirname(__file__), "../../../etc/caseTemplate")
+    for deltaT, warns in ((None, False), (1e-6, True)):
+        c = FoamCase("restart", f"contactGains-{deltaT}", template)
+        c.change("system/controlDict", "endTime .*?;", "endTime 20e-6; maxEnergyGrowth 1;")
+        if deltaT:
+            c.change("system/controlDict", "adjustTimeStep.*?;", "adjustTimeStep no;")
+            c.change("system/controlDict", "deltaT .*?;", f"deltaT {deltaT!r};")
+        for command in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
+            c.run(command)
+        grown = "Energy has grown by" in c.log()
+        table.check(f"template, {'deltaT 6 times the stable' if warns else 'its own step'}: "
+                    f"{'a warning, then the end' if warns else 'no warning of energy'}",
+                    grown == warns and ("more than maxEnergyGrowth" in c.log()) == warns
+                    and (float(c.times()[-1]) < 20e-6) == warns, c.times()[-1])
+
+
 def edited(table):
     """fvSolution that is changed while the run goes on."""
     c = case("edited", "FMPM2", "binary")
@@ -247,7 +265,7 @@ def main():
                 restarts(table, scheme, writeFormat)
             except RunFailed as e:
                 table.check(f"{scheme}, {writeFormat} runs", False, e)
-    for part in (lambda t: killed(t, 20), ended, limits, edited):
+    for part in (lambda t: killed(t, 20), ended, limits, contactGains, edited):
         try:
             part(table)
         except RunFailed as e:

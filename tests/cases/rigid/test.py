@@ -19,7 +19,8 @@ piston     a rigid piston moves into an elastic bar of the same velocity field a
            (3.8 %; 3.1 % with strainFilter 0) and is held to the two bars' error
 parallel   a paddle turns into a block, GIMP and linear: points and impulse on 4
            processors as on one, to 1e-10
-round      a rigid box goes twice through cyclic sides, one and two processors: places
+round      a rigid box goes twice through cyclic sides, one and two processors: places;
+           a free body there must not turn, on triangles either
 """
 
 import os
@@ -29,6 +30,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from cellMesh import boxOfCells
 from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes,
                       velocityFile)
 from report import Report
@@ -348,6 +350,33 @@ def around(table):
                     (x >= 0).all() and (x <= cells).all(), (x.min(), x.max()))
 
 
+def freeOnCyclic(table):
+    """A free body that may turn on cyclic sides of triangles is refused."""
+    case = FoamCase("rigid", "free-cyclic")
+    boxOfCells(case, "prisms", (0, 0, 0), (6, 6, 1), (6, 6, 1), {
+        "left": ("cyclic", ("x-",), "right"), "right": ("cyclic", ("x+",), "left"),
+        "outside": ("patch", ("y-", "y+")), "sides": ("empty", ("z-", "z+"))})
+    velocityFile(case, "box", {"left": "cyclic", "right": "cyclic", "outside": "calculated",
+                               "sides": "empty"})
+    case.write("system/setMaterialPointsDict", {"regions": {"box": {
+        "phase": "box", "pointsPerCell": 2, "type": "box", "min": (2, 2, 0),
+        "max": (4, 4, 1)}}})
+    case.write("system/fvSolution", {"materialPoints": {"transfer": "FLIP"}})
+    noSchemes(case)
+    case.write("system/controlDict", controlDict(1, 1, deltaT=0.5))
+    for constraints in (None, "(rotation)"):
+        motion = {"type": "free", "velocity": (1, 0, 0)}
+        case.write("constant/phaseProperties", {"phases": ["box"], "box": {
+            "type": "rigid", "rho": 1, "motion": {**motion, **(
+                {"constraints": constraints} if constraints else {})}}})
+        case.run("setMaterialPoints", fails=not constraints)
+        log = " ".join(case.log("setMaterialPoints").split())
+        if constraints:
+            case.run("materialPointFoam")
+        table.check(f"free body, cyclic sides of triangles, constraints {constraints}",
+                    ("a free body cannot turn" in log) == (not constraints), log[-80:])
+
+
 def main():
     table = Report("rigid")
     hit = (0.1, -1, 0)
@@ -375,7 +404,7 @@ def main():
         lambda: restart(table),
         lambda: parallel(table, "GIMP"),
         lambda: parallel(table, "linear"),
-        lambda: around(table))
+        lambda: around(table), lambda: freeOnCyclic(table))
     for test in tests:
         try:
             test()

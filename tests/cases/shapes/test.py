@@ -429,7 +429,21 @@ def messages(table):
 
     check("surface in mm beside the mesh", text(
         "mmFar", {"a": surfaceRegion("a.stl")}, before=far, fails=True),
-        "has no points", "times as large as the mesh", "write scale", "1e-3 for mm")
+        "times as large as the mesh: scale 1e-3; (mm)", "It lies in (10 10 0) (50 50 0) m")
+
+    def partly(factor):
+        """A square of 0.04 m from (0.01 0.01) on, of which the mesh sees a corner."""
+        high = 0.04*factor
+        return lambda case: prisms(case, "a.stl", [[(0.01, 0.01), (high, 0.01), (high, high),
+                                                    (0.01, high)]], -1, 1.5)
+
+    check("surface in mm, of which a part is in the mesh", text(
+        "mmPart", {"a": surfaceRegion("a.stl")}, before=partly(1000), fails=True),
+        "Region a: The surface is", "times as large as the mesh: scale 1e-3; (mm) beside its"
+        " file would put it into the mesh", "intersection")
+    check("surface of 40 times the mesh: a warning only", text(
+        "part", {"a": surfaceRegion("a.stl")}, before=partly(100)),
+        "Warning", "times as large as the mesh", "Writing")
 
     def beside(case):
         prisms(case, "a.stl", [[(0.02, 0.02), (0.05, 0.02), (0.05, 0.05), (0.02, 0.05)]], 2, 3)

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "bodyMesh.H"
+#include "simplexParts.H"
 #include "mshReader.H"
 #include "cellModel.H"
 #include "IFstream.H"
@@ -424,12 +425,12 @@ Foam::mpm::bodyMesh::bodyMesh
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::mpm::bodyMesh::mostCorners() const
+Foam::label Foam::mpm::bodyMesh::mostParts(const label pointsPerCell) const
 {
     label most = 0;
-    for (const labelList& e : elements_)
+    forAll(elements_, e)
     {
-        most = max(most, e.size());
+        most = max(most, parts(e, pointsPerCell)->size());
     }
     return most;
 }
@@ -441,6 +442,26 @@ Foam::mpm::cornerRegions Foam::mpm::bodyMesh::regions(const label e) const
         nDim_ == 2
       ? cornerRegions(face(elements_[e]), points_)
       : cornerRegions(elements_[e], faces(elements_[e]), points_);
+}
+
+
+Foam::autoPtr<Foam::mpm::cellParts> Foam::mpm::bodyMesh::parts
+(
+    const label e,
+    const label pointsPerCell
+) const
+{
+    const labelList& corners = elements_[e];
+    if (pointsPerCell < 3)
+    {
+        return autoPtr<cellParts>(new cornerRegions(regions(e)));
+    }
+    return autoPtr<cellParts>
+    (
+        nDim_ == 2
+      ? new simplexParts(face(corners), points_, pointsPerCell)
+      : new simplexParts(corners, faces(corners), points_, pointsPerCell)
+    );
 }
 
 

@@ -34,26 +34,9 @@ Foam::point meanOf
 
 Foam::mpm::cornerRegions::cornerRegions(const labelUList& corners)
 :
-    corners_(corners),
-    volume_(corners.size(), Zero),
-    moment_(corners.size(), Zero)
+    cellParts(corners.size()),
+    corners_(corners)
 {}
-
-
-void Foam::mpm::cornerRegions::add
-(
-    const label corner,
-    const scalar v,
-    const point& mean,
-    const int n,
-    const FixedList<point, 4>& x
-)
-{
-    const label i = corners_.find(corner);
-    volume_[i] += v;
-    moment_[i] += v*mean;
-    simplices_.append(simplex{i, n, x, v});
-}
 
 
 void Foam::mpm::cornerRegions::addFace
@@ -73,7 +56,7 @@ void Foam::mpm::cornerRegions::addFace
             const point& x = points[pointi];
             add
             (
-                pointi,
+                corners_.find(pointi),
                 mag((F - O) & ((E - O) ^ (x - O)))/6,
                 0.25*(O + F + E + x),
                 4,
@@ -81,28 +64,6 @@ void Foam::mpm::cornerRegions::addFace
             );
         }
     }
-}
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::point Foam::mpm::cornerRegions::simplex::sample
-(
-    const label m,
-    label i,
-    scalar& weight
-) const
-{
-    // u from x[0] to x[1], v of that to x[2], w to x[3]
-    point at(x[0]);
-    weight = 1;
-    for (int k = 1; k < n; ++k)
-    {
-        const scalar s = (i % m + 0.5)/m;
-        i /= m;
-        at += s*(x[k] - at);
-        weight *= k*std::pow(1 - s, k - 1);
-    }
-    return at;
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -159,7 +120,7 @@ Foam::mpm::cornerRegions::cornerRegions
             const point& x = points[pointi];
             add
             (
-                pointi,
+                corners_.find(pointi),
                 0.5*mag((E - O) ^ (x - O)),
                 (O + E + x)/3,
                 3,

@@ -19,6 +19,10 @@ const char* const unitAdvice =
     "if its unit is not m, write  scale  with the unit in m beside its file"
     " (1e-3 for mm, 1e-2 for cm, 0.0254 for inches).";
 
+//- Units of drawings
+const struct {const char* text; Foam::scalar metres; const char* name;} lengths[] =
+    {{"1e-3", 1e-3, "mm"}, {"1e-2", 1e-2, "cm"}, {"0.0254", 0.0254, "inches"}};
+
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -233,6 +237,13 @@ void Foam::mpm::pointRegion::checkTemperature(const bool hasTemperature) const
     if (hasTemperature)
     {
         requireKeyword(dict_, "temperature");
+        if (T_ < 100)
+        {
+            IOWarningInFunction(dict_)
+                << "Region " << name_ << " has the temperature " << T_
+                << ": it is in K. " << T_ << " degrees Celsius are "
+                << T_ + 273.15 << " K." << endl;
+        }
     }
     else if (T_ > 0)
     {
@@ -259,20 +270,79 @@ std::string Foam::mpm::pointRegion::bodyName() const
 }
 
 
+Foam::scalar Foam::mpm::pointRegion::sizeRatio() const
+{
+    return
+        bounds().mag()/mag(shape_->computed(grid_.mesh().bounds().span()));
+}
+
+
+Foam::string Foam::mpm::pointRegion::unitThatFits() const
+{
+    const boundBox body(bounds());
+    const boundBox& mesh = grid_.mesh().bounds();
+    for (const auto& unit : lengths)
+    {
+        bool fits = unit.metres*sizeRatio() > 0.01;
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            const int c = grid_.direction(d);
+            const scalar more = 1e-3*mesh.span()[c];
+            fits =
+                fits
+             && unit.metres*body.min()[c] > mesh.min()[c] - more
+             && unit.metres*body.max()[c] < mesh.max()[c] + more;
+        }
+        if (fits)
+        {
+            return
+                "  scale " + string(unit.text) + ";  (" + unit.name + ") beside"
+                " its file would put it into the mesh.";
+        }
+    }
+    return "";
+}
+
+
 Foam::string Foam::mpm::pointRegion::sizeHint() const
 {
     // Drawings are in mm: a thousand times too large or, scaled twice, small
-    const scalar body = bounds().mag();
-    const scalar mesh = mag(shape_->computed(grid_.mesh().bounds().span()));
-    const scalar ratio = body/mesh;
-    if (!fromFile() || (ratio < 20 && ratio > 0.02))
+    const scalar ratio = sizeRatio();
+    if (!fromFile())
     {
         return "";
     }
+    const string fits(unitThatFits());
+    if (ratio < 20 && ratio > 0.02)
+    {
+        const bool large = ratio > 2 && points_.empty() && fits.size();
+        return large ? " Is its unit not m?" + fits : string();
+    }
     return
         " The " + bodyName() + " is " + Foam::name(ratio) + " times as large as the"
-        " mesh: " + (ratio > 1 ? unitAdvice : "look at  scale  beside its file,"
-        " and in blockMeshDict.");
+        " mesh: " + (ratio < 1 ? "look at  scale  beside its file,"
+        " and in blockMeshDict." : fits.size() ? fits.substr(2) : unitAdvice);
+}
+
+
+void Foam::mpm::pointRegion::checkScale() const
+{
+    // A thousand times the mesh, or a hundred times and at home in it in mm
+    const scalar ratio = sizeRatio();
+    const string fits(unitThatFits());
+    if
+    (
+        fromFile()
+     && (ratio >= 1000 || (ratio >= 100 && fits.find("1e-3") != string::npos))
+    )
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Region " << name_ << ":" << sizeHint().c_str() << nl
+            << "It lies in " << bounds() << " m, the mesh in "
+            << grid_.mesh().bounds() << " m. If the mesh is meant to cut a part"
+            << " out of it: a region of type intersection with a box around the"
+            << " part." << exit(FatalIOError);
+    }
 }
 
 
@@ -311,6 +381,7 @@ void Foam::mpm::pointRegion::create(const scalar rho)
 {
     const scalar density =
         dict_.found("density") ? positive(dict_, "density") : rho;
+    checkScale();
 
     if (rows_)
     {

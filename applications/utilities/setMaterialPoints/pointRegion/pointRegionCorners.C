@@ -8,13 +8,14 @@ License
 
 #include "pointRegion.H"
 #include "cornerRegions.H"
+#include "simplexParts.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::pointRegion::cutRegions
 (
     const label celli,
-    const cornerRegions& c,
+    const cellParts& c,
     scalarField& part,
     pointField& x
 ) const
@@ -22,24 +23,24 @@ void Foam::mpm::pointRegion::cutRegions
     // Just inside their vertices first
     constexpr scalar inwards = 1e-6;
 
-    const UList<cornerRegions::simplex>& simplices = c.simplices();
+    const UList<cellParts::simplex>& simplices = c.simplices();
     DynamicList<point> near;
-    for (const cornerRegions::simplex& s : simplices)
+    for (const cellParts::simplex& s : simplices)
     {
         for (int k = 0; k < s.n; ++k)
         {
-            near.append(s.x[k] + inwards*(c.centre(s.region) - s.x[k]));
+            near.append(s.x[k] + inwards*(c.centre(s.part) - s.x[k]));
         }
     }
     const boolList nearIn(shape_->contains(celli, pointField(near)));
     labelList n(c.size(), Zero), nIn(c.size(), Zero);
     label j = 0;
-    for (const cornerRegions::simplex& s : simplices)
+    for (const cellParts::simplex& s : simplices)
     {
         for (int k = 0; k < s.n; ++k)
         {
-            ++n[s.region];
-            nIn[s.region] += nearIn[j++];
+            ++n[s.part];
+            nIn[s.part] += nearIn[j++];
         }
     }
 
@@ -50,9 +51,9 @@ void Foam::mpm::pointRegion::cutRegions
     }
     scalarField volume(c.size(), Zero);
     vectorField moment(c.size(), Zero);
-    for (const cornerRegions::simplex& s : simplices)
+    for (const cellParts::simplex& s : simplices)
     {
-        if (nIn[s.region] == 0 || nIn[s.region] == n[s.region])
+        if (nIn[s.part] == 0 || nIn[s.part] == n[s.part])
         {
             continue;
         }
@@ -68,8 +69,8 @@ void Foam::mpm::pointRegion::cutRegions
         {
             if (inside[i])
             {
-                volume[s.region] += weight[i];
-                moment[s.region] += weight[i]*at[i];
+                volume[s.part] += weight[i];
+                moment[s.part] += weight[i]*at[i];
             }
         }
     }
@@ -86,6 +87,32 @@ void Foam::mpm::pointRegion::cutRegions
             x[i] = moment[i]/volume[i];
         }
     }
+}
+
+
+Foam::autoPtr<Foam::mpm::cellParts> Foam::mpm::pointRegion::partsOf
+(
+    const label celli
+) const
+{
+    const polyMesh& mesh = grid_.mesh();
+    if (bySimplices_)
+    {
+        return autoPtr<cellParts>(new simplexParts(grid_, celli, n_[0]));
+    }
+    if (grid_.nDim() == 3)
+    {
+        return autoPtr<cellParts>(new cornerRegions(mesh, celli));
+    }
+    label side = -1;
+    for (const label facei : mesh.cells()[celli])
+    {
+        side = side < 0 && emptyFaces_.test(facei) ? facei : side;
+    }
+    return autoPtr<cellParts>
+    (
+        new cornerRegions(mesh.faces()[side], mesh.points())
+    );
 }
 
 
@@ -110,20 +137,11 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
         }
     }
 
-    label side = -1;
-    for (const label facei : mesh.cells()[celli])
-    {
-        side = side < 0 && emptyFaces_.test(facei) ? facei : side;
-    }
-    const cornerRegions c
-    (
-        grid_.nDim() == 3
-      ? cornerRegions(mesh, celli)
-      : cornerRegions(mesh.faces()[side], mesh.points())
-    );
+    const autoPtr<cellParts> parts(partsOf(celli));
+    const cellParts& c = *parts;
 
     // Of the cell's volume; of rings the volumes are the sections times their
-    // radius
+    // radius. The simplices of cells with warped faces have their own
     const int radial = grid_.radial();
     const auto rings = [&](const scalarField& section, const pointField& at)
     {
@@ -137,7 +155,10 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
     {
         x[i] = c.centre(i);
     }
-    const scalar whole = sum(rings(c.volume(), x));
+    const scalar whole =
+        bySimplices_ && grid_.nDim() == 3
+      ? mesh.cellVolumes()[celli]
+      : sum(rings(c.volume(), x));
 
     scalarField inside(c.size(), scalar(1));
     if (!inGas_)

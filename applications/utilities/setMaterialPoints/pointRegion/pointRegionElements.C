@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointRegion.H"
+#include "cornerRegions.H"
 #include "meshShape.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -51,7 +52,9 @@ void Foam::mpm::pointRegion::fillElements(const scalar rho)
     label celli = 0;
     for (label e = 0; e < body.size(); ++e)
     {
-        const cornerRegions r(body.regions(e));
+        const autoPtr<cellParts> parts(body.parts(e, n_[0]));
+        const cellParts& r = *parts;
+        const cornerRegions* c = isA<cornerRegions>(r);
         const bool whole = n_[0] == 1;
         for (label i = 0; i < (whole ? 1 : r.size()); ++i)
         {
@@ -77,7 +80,9 @@ void Foam::mpm::pointRegion::fillElements(const scalar rho)
             {
                 l[grid_.direction(d)] = 0.5*std::pow(size, 1.0/nDim);
             }
-            p.halfSize = body.fit(e, whole ? -1 : r.corners()[i], centre, l)*l;
+            const scalar fit =
+                body.fit(e, whole || !c ? -1 : c->corners()[i], centre, l);
+            p.halfSize = (bySimplices_ ? min(fit, scalar(1)) : fit)*l;
 
             celli = find(centre, celli, p.x);
             cellOf.append(celli);

@@ -10,6 +10,7 @@ License
 #include "dictionaryTools.H"
 #include "labelVector.H"
 #include "meshShape.H"
+#include "simplexParts.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -28,13 +29,27 @@ void Foam::mpm::pointRegion::checkEntries() const
 void Foam::mpm::pointRegion::readPointsPerCell()
 {
     const word key("pointsPerCell");
+    requireKeyword(dict_, key);
     const token first(dict_.lookup(key));
-    const labelVector perAxis
+    const vector given
     (
         first.isNumber()
-      ? labelVector::uniform(dict_.get<label>(key))
-      : dict_.get<labelVector>(key)
+      ? vector::uniform(dict_.get<scalar>(key))
+      : dict_.get<vector>(key)
     );
+    labelVector perAxis(Zero);
+    for (int c = 0; c < 3; ++c)
+    {
+        if (mag(given[c]) < labelMax && given[c] == std::floor(given[c]))
+        {
+            perAxis[c] = label(given[c]);
+            continue;
+        }
+        FatalIOErrorInFunction(dict_)
+            << "Entry " << key << " is " << given[c] << " in direction "
+            << "xyz"[c] << "; it must be a whole number, 1 to 16: the points of"
+            << " a cell along this direction." << exit(FatalIOError);
+    }
 
     nSub_ = nSamples_ = 1;
     for (int d = 0; d < grid_.nDim(); ++d)
@@ -50,29 +65,51 @@ void Foam::mpm::pointRegion::readPointsPerCell()
         nSub_ *= n_[d];
         nSamples_ *= m_;
         const bool corners = byElements_ || byCorners_;
-        if (corners && (n_[d] > 2 || n_[d] != n_[0]))
+        if (corners && n_[d] != n_[0])
         {
             FatalIOErrorInFunction(dict_)
                 << "Entry " << key << " is " << perAxis << "; in "
                 << (byElements_ ? "elements of a mesh" : "cells that are no"
                     " hexahedra")
-                << " it must be 1 (a point at the centroid) or 2 (a point for"
-                << " each corner)." << exit(FatalIOError);
+                << " it must be the same in all directions: 1 (a point at the"
+                << " centroid), 2 (a point for each corner) or more (simplices"
+                << " in equal parts)." << exit(FatalIOError);
         }
     }
+    bySimplices_ = (byElements_ || byCorners_) && n_[0] > 2;
     if (byElements_)
     {
         const bodyMesh& body = refCast<const meshShape>(*shape_).body();
-        nSub_ = n_[0] == 2 ? body.mostCorners() : label(1);
+        nSub_ = n_[0] == 1 ? label(1) : body.mostParts(n_[0]);
     }
-    else if (byCorners_ && n_[0] == 2)
+    else if (byCorners_ && n_[0] > 1)
     {
         nSub_ = 0;
         for (label celli = 0; celli < grid_.nCells(); ++celli)
         {
-            nSub_ = max(nSub_, grid_.nodesOf(celli).size());
+            nSub_ = max(nSub_, mostParts(celli));
         }
     }
+}
+
+
+Foam::label Foam::mpm::pointRegion::mostParts(const label celli) const
+{
+    if (!bySimplices_)
+    {
+        return grid_.nodesOf(celli).size();
+    }
+    try
+    {
+        return simplexParts::number(grid_, celli, n_[0]);
+    }
+    catch (const string& reason)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry pointsPerCell is " << n_[0] << ", which cuts cells into"
+            << " simplices: " << reason.c_str() << '.' << exit(FatalIOError);
+    }
+    return 0;
 }
 
 

@@ -150,7 +150,7 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
         if (across >= 0)
         {
             os  << " In a scene of fewer dimensions the sides of the mesh across "
-                << "xyz"[across] << " have type empty.";
+                << "xyz"[across] << " have type empty, of a sector wedge.";
         }
         os  << endl;
     }
@@ -270,14 +270,17 @@ scalarField startPressure(const polyMesh& mesh)
 }
 
 
-//- Warn of points that start with another pressure than the gas around them
+//- Warn of points that start with another pressure than the gas around them;
+//  of grains the stress is not that of the gas
 void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
 {
-    const scalar ambient = r.ambientPressure();
-    if (ambient < 0 || p.empty())
+    const bool given = r.hasStress() && r.ambientPressure() < 0;
+    if (!r.hasStress() || (given && r.granular()) || p.empty())
     {
         return;
     }
+    const scalar ambient =
+        given ? -tr(r.stress())/3 : r.ambientPressure();
     scalar low = GREAT, high = -GREAT;
     for (const label celli : r.cells())
     {
@@ -288,7 +291,9 @@ void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
     {
         WarningInFunction
             << "Region " << r.name() << " starts with the pressure " << ambient
-            << " Pa; the gas in its cells has " << low
+            << (given ? " Pa (minus a third of the trace of its stress, which is"
+                " negative in compression)" : " Pa")
+            << "; the gas in its cells has " << low
             << (high > low ? " to " + Foam::name(high) : std::string()).c_str()
             << " Pa. They are not in equilibrium." << endl;
     }
@@ -438,7 +443,10 @@ void Foam::mpm::printStart
     {
         const pointRegion& r = regions[i];
         const materialPointPhase& phase = phaseOf(r);
-        checkAmbient(r, p);
+        if (!phase.motion())
+        {
+            checkAmbient(r, p);
+        }
         checkOutside(phase.cloud().grid(), r);
         boundBox body(r.bounds());
         for (const pointRegion& other : regions)

@@ -1,0 +1,107 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "functionChecks.H"
+#include "nearWords.H"
+#include "dictionary.H"
+#include "error.H"
+#include "ListOps.H"
+#include "StringStream.H"
+#include "wordList.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The text of a list of libraries, empty: none
+string libraries(const dictionary& dict)
+{
+    string text;
+    for (const word key : {"libs", "functionObjectLibs"})
+    {
+        if (dict.found(key) && !dict.isDict(key))
+        {
+            OStringStream os;
+            const entry& libs = dict.lookupEntry(key, keyType::REGEX);
+            for (const token& t : libs.stream())
+            {
+                os << t << ' ';
+            }
+            text += os.str();
+        }
+    }
+    return text;
+}
+
+}
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::checkFunctions(const dictionary& control)
+{
+    const wordList own
+    ({
+        "materialPointBalance", "materialPointEnergy", "materialPointExtent",
+        "materialPointFields", "materialPointPatchForces",
+        "materialPointProbes", "materialPointSeparation", "materialPointXT"
+    });
+    const word library("mpmFunctionObjects");
+    if (!control.isDict("functions"))
+    {
+        return;
+    }
+    const dictionary& functions = control.subDict("functions");
+    string all(libraries(control));
+    for (const entry& e : functions)
+    {
+        all += e.isDict() ? libraries(e.dict()) : string();
+    }
+    const auto has = [&](const string& text)
+    {
+        return text.find(library) != string::npos;
+    };
+    for (const entry& e : functions)
+    {
+        if (!e.isDict() || !e.dict().found("type"))
+        {
+            continue;
+        }
+        const dictionary& dict = e.dict();
+        const word type(dict.get<word>("type"));
+        const string libs(libraries(dict));
+        const word near(nearWord(type, own));
+        const bool ours =
+            libs.empty()
+          ? bool(near.size())
+          : has(libs) && (near.size() || type.find("materialPoint") == 0);
+        if (!own.found(type) && ours)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown type " << type << " of function object "
+                << e.keyword() << (near.size() ? "; is " : "") << near
+                << (near.size() ? " meant?" : "") << nl << nl
+                << "Valid types of " << library << " are: " << flatOutput(own)
+                << exit(FatalIOError);
+        }
+        const bool none = libs.empty() && libraries(control).empty();
+        const bool wrong = libs.find("mpmFunction") != string::npos;
+        if (own.found(type) && !has(all) && (none || wrong))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Function object " << e.keyword() << " of type " << type
+                << " needs libs (" << library << ");"
+                << (wrong ? " its libs are " : "") << libs.c_str()
+                << exit(FatalIOError);
+        }
+    }
+}
+
+// ************************************************************************* //
