@@ -27,7 +27,8 @@ OPEN = ("zeroGradient", "zeroGradient", "zeroGradient")
 WALL = ("zeroGradient", "zeroGradient", "slip")
 
 DIMENSIONS = {"p": "[1 -1 -2 0 0 0 0]", "T": "[0 0 0 1 0 0 0]",
-              "U": "[0 1 -1 0 0 0 0]", "r": "[1 -3 0 0 0 0 0]"}
+              "U": "[0 1 -1 0 0 0 0]", "r": "[1 -3 0 0 0 0 0]",
+              "a": "[0 0 0 0 0 0 0]"}
 
 
 def schemes(reconstruct, solver="materialPointFoam"):

@@ -2,6 +2,7 @@
 
     water = StiffenedGas(4.4, 6e8)
     exact = Riemann(water, left, right, lowest)      # left = (rho, u, p)
+    exact = Riemann((water, air), left, right, lowest)      # two fluids
     exact.p, exact.u, exact.rhoL, exact.rhoR         # between the waves
     rho, u, p = exact.at(x/t)                        # arrays
 
@@ -152,11 +153,12 @@ class Riemann:
 
     def __init__(self, eos, left, right, lowest):
         self.sides = left, right
-        self.eos = eos
-        self.fans = [_Fan(eos, s, lowest) for s in self.sides]
+        self.eos = eos if isinstance(eos, tuple) else (eos, eos)
+        self.fans = [_Fan(e, s, lowest) for e, s in zip(self.eos, self.sides)]
         low = max(f.p[-1] for f in self.fans)
         rho, _, p = left
-        high = max(p, right[2]) + 1e-3*rho*eos.c(rho, eos.energy(rho, p))**2
+        high = max(p, right[2]) \
+            + 1e-3*rho*self.eos[0].c(rho, self.eos[0].energy(rho, p))**2
         while self._faster(high):
             high += high - low
         for _ in range(100):
@@ -170,7 +172,7 @@ class Riemann:
         """Density and velocity behind the wave into the left (0) or right side."""
         state = self.sides[i]
         if p > state[2]:
-            rho, du = _shock(self.eos, state, p)
+            rho, du = _shock(self.eos[i], state, p)
         else:
             rho, du, _ = self.fans[i].at(p)
         return rho, state[1] + (du if i else -du)

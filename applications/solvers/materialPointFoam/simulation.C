@@ -92,27 +92,55 @@ void Foam::mpm::simulation::makePhases(rows* from)
             new materialPointSystem(*mesh_, from ? &from->points : nullptr)
         );
     }
-    makeGas(from);
+    makeFlow(from);
     if (points_ && gas_)
     {
-        coupling_.reset(new gasCoupling(*points_, *gas_, properties_));
+        coupling_.reset
+        (
+            new gasCoupling(*points_, gasBesidePoints(), properties_)
+        );
     }
 }
 
 
-void Foam::mpm::simulation::makeGas(const rows* from)
+Foam::mpm::eulerianGas& Foam::mpm::simulation::gasBesidePoints()
+{
+    eulerianGas* gas = dynamic_cast<eulerianGas*>(gas_.get());
+    if (!gas)
+    {
+        FatalIOErrorInFunction(properties_)
+            << "Phases of type fluid "
+            << flatOutput(phaseNames(properties_, {"fluid"}))
+            << " run without material points and rigid bodies only; beside"
+            << " these there may be one phase of type gas."
+            << exit(FatalIOError);
+    }
+    return *gas;
+}
+
+
+void Foam::mpm::simulation::makeFlow(const rows* from)
 {
     const wordList names(phaseNames(properties_, {"gas"}));
-    if (names.empty())
+    const wordList fluids(phaseNames(properties_, {"fluid"}));
+    if (names.empty() && fluids.empty())
     {
         return;
+    }
+    if (names.size() && fluids.size())
+    {
+        FatalIOErrorInFunction(properties_)
+            << "There are phases of type gas " << flatOutput(names)
+            << " and of type fluid " << flatOutput(fluids)
+            << ". Those that share cells are all of type fluid."
+            << exit(FatalIOError);
     }
     if (names.size() > 1)
     {
         FatalIOErrorInFunction(properties_)
             << "There are " << names.size() << " phases of type gas "
-            << flatOutput(names) << "; there may be one."
-            << exit(FatalIOError);
+            << flatOutput(names) << "; there may be one. Several that share"
+            << " cells are of type fluid." << exit(FatalIOError);
     }
     vector g(Zero);
     IOobject header
@@ -128,6 +156,17 @@ void Foam::mpm::simulation::makeGas(const rows* from)
     {
         g = uniformDimensionedVectorField(header).value();
         checkGravity(header.objectPath(), g, mesh_->geometricD());
+    }
+    if (fluids.size())
+    {
+        gas_.reset
+        (
+            new eulerianFluids
+            (
+                *mesh_, properties_, fluids, g, from ? &from->gas : nullptr
+            )
+        );
+        return;
     }
     gas_.reset
     (

@@ -161,7 +161,7 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
     {
         reconstruction_.update
         (
-            dt, {thermo_, W_, Wb_, t_, tb_}, rho0_, U_, p_,
+            dt, {&thermo_, W_, Wb_, t_, tb_}, rho0_, U_, p_,
             pores ? &near_ : nullptr
         );
     }

@@ -172,10 +172,12 @@ void Foam::mpm::reconstruction::readSchemes()
 
 void Foam::mpm::reconstruction::gradient
 (
-    const UList<gasState>& W,
-    const UList<gasState>& Wb
+    const phase& of
 )
 {
+    const UList<gasState>& W = of.W;
+    const UList<gasState>& Wb = of.Wb;
+    const scalar* const jump = of.jump ? of.jump->cdata() : nullptr;
     const vectorField& S = mesh_.faceAreas();
     const scalarField& w = mesh_.weights();
     const labelUList& own = mesh_.faceOwner();
@@ -200,13 +202,18 @@ void Foam::mpm::reconstruction::gradient
         gN.rho -= rho;
         gN.p -= p;
         gN.u -= u;
+        if (jump)
+        {
+            gP.p -= (1 - wf)*jump[f]*S[f];
+            gN.p -= wf*jump[f]*S[f];
+        }
     }
     for (const label f : boundary_)
     {
         const gasState& B = Wb[f - nInternal];
         gradients& g = grad_[own[f]];
         g.rho += B.rho*S[f];
-        g.p += B.p*S[f];
+        g.p += (jump ? B.p - jump[f] : B.p)*S[f];
         g.u += S[f]*B.u;
     }
     for (const label f : coupledList_)
@@ -221,6 +228,10 @@ void Foam::mpm::reconstruction::gradient
         g.rho += (wf*P.rho + (1 - wf)*N.rho)*S[f];
         g.p += (wf*P.p + (1 - wf)*N.p)*S[f];
         g.u += S[f]*(wf*P.u + (1 - wf)*N.u);
+        if (jump)
+        {
+            g.p -= (1 - wf)*jump[f]*S[f];
+        }
     }
 
     // Between the sides of a wedge nothing changes
@@ -247,10 +258,12 @@ void Foam::mpm::reconstruction::gradient
 template<template<class> class Limiter, class Scalar, class Vector>
 void Foam::mpm::reconstruction::limited
 (
-    const UList<gasState>& W,
-    const UList<gasState>& Wb
+    const phase& of
 )
 {
+    const UList<gasState>& W = of.W;
+    const UList<gasState>& Wb = of.Wb;
+    const scalar* const jump = of.jump ? of.jump->cdata() : nullptr;
     IStringStream none("");
     const Limiter<Scalar> limit(none);
     const Limiter<Vector> limitV(none);
@@ -268,14 +281,16 @@ void Foam::mpm::reconstruction::limited
         const gasState& N,
         const gradients& g,
         const scalar wf,
-        const vector& d
+        const vector& d,
+        const scalar rest
     ) -> gasState
     {
         gasState r;
         const scalar v = 1 - wf;
         r.rho = P.rho + v*limit.limiter(wf, 1, P.rho, N.rho, g.rho, g.rho, d)
            *(N.rho - P.rho);
-        r.p = P.p + v*limit.limiter(wf, 1, P.p, N.p, g.p, g.p, d)*(N.p - P.p);
+        const scalar p = N.p - rest;
+        r.p = P.p + v*limit.limiter(wf, 1, P.p, p, g.p, g.p, d)*(p - P.p);
         r.u = P.u + v*limitV.limiter(wf, 1, P.u, N.u, g.u, g.u, d)*(N.u - P.u);
         return r;
     };
@@ -284,8 +299,9 @@ void Foam::mpm::reconstruction::limited
     {
         const label P = own[f], N = nei[f];
         const vector d(C[N] - C[P]);
-        faces_[f].own = side(W[P], W[N], grad_[P], w[f], d);
-        faces_[f].nei = side(W[N], W[P], grad_[N], 1 - w[f], -d);
+        const scalar rest = jump ? jump[f] : 0;
+        faces_[f].own = side(W[P], W[N], grad_[P], w[f], d, rest);
+        faces_[f].nei = side(W[N], W[P], grad_[N], 1 - w[f], -d, -rest);
     }
     for (const label f : coupledList_)
     {
@@ -296,7 +312,7 @@ void Foam::mpm::reconstruction::limited
         faces_[f].own = side
         (
             W[P], Wb[f - nInternal], grad_[P], patch.weights()[i],
-            patch.delta()()[i]
+            patch.delta()()[i], jump ? jump[f] : 0
         );
     }
 }
@@ -473,6 +489,21 @@ Foam::string Foam::mpm::reconstruction::description() const
 }
 
 
+void Foam::mpm::reconstruction::checkWeight() const
+{
+    if (!upwind_ && (byCells_ || own_.empty()))
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict())
+            << "Several fluids under gravity need upwind, or on cells whose"
+            << " faces lie between the centres vanLeer, vanAlbada, Minmod or"
+            << " SuperBee for " << key_[0] << ", " << key_[1] << " (with V"
+            << " behind the name) and " << key_[2] << " and gradients by Gauss"
+            << " linear; here these are " << description().c_str()
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::mpm::reconstruction::update
 (
     const scalar dt,
@@ -502,7 +533,7 @@ void Foam::mpm::reconstruction::update
     }
     else if (own_.size())
     {
-        gradient(W, Wb);
+        gradient(of);
     }
 
     if (own_.empty())
@@ -513,19 +544,19 @@ void Foam::mpm::reconstruction::update
     {
         if (own_ == "vanLeer")
         {
-            limited<vanLeerLimiter, NVDTVD, NVDVTVDV>(W, Wb);
+            limited<vanLeerLimiter, NVDTVD, NVDVTVDV>(of);
         }
         else if (own_ == "vanAlbada")
         {
-            limited<vanAlbadaLimiter, NVDTVD, NVDVTVDV>(W, Wb);
+            limited<vanAlbadaLimiter, NVDTVD, NVDVTVDV>(of);
         }
         else if (own_ == "Minmod")
         {
-            limited<MinmodLimiter, NVDTVD, NVDVTVDV>(W, Wb);
+            limited<MinmodLimiter, NVDTVD, NVDVTVDV>(of);
         }
         else
         {
-            limited<SuperBeeLimiter, NVDTVD, NVDVTVDV>(W, Wb);
+            limited<SuperBeeLimiter, NVDTVD, NVDVTVDV>(of);
         }
     }
     if (skew_.size())

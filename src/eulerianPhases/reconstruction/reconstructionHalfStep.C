@@ -106,7 +106,7 @@ void Foam::mpm::reconstruction::changes
     const labelUList& nei = mesh_.faceNeighbour();
     const label nInternal = mesh_.nInternalFaces();
     const UList<gasState>& W = of.W;
-    const scalar gamma = of.thermo.gamma();
+    const scalar gamma = General ? 0 : of.thermo->gamma();
 
     rates_ = rates{0, 0, 0, Zero, Zero};
     const auto add = [&]
@@ -139,6 +139,11 @@ void Foam::mpm::reconstruction::changes
     for (const label f : boundary_)
     {
         add(own[f], of.Wb[f - nInternal], S[f]);
+        if (of.jump)
+        {
+            rates_[own[f]].gradP -= (*of.jump)[f]*S[f];
+            rates_[own[f]].p -= (*of.jump)[f]*(W[own[f]].u & S[f]);
+        }
     }
     for (const label f : wedge_)
     {
@@ -171,7 +176,7 @@ void Foam::mpm::reconstruction::slopeChanges
     const scalarField& V = mesh_.V();
     const vectorField& S = mesh_.faceAreas();
     const labelUList& own = mesh_.faceOwner();
-    const scalar gamma = of.thermo.gamma();
+    const scalar gamma = General ? 0 : of.thermo->gamma();
 
     rates_ = rates{0, 0, 0, Zero, Zero};
     for (const label f : wedge_)
@@ -310,13 +315,13 @@ void Foam::mpm::reconstruction::setTerms(const phase& of)
     };
     const auto set = [&](const label n, const auto& face)
     {
-        of.thermo.terms
+        of.thermo->terms
         (
             n,
             [&](const label i) -> const gasState& { return faces_[face(i)].own; },
             [&](const label i) -> stateTerms& { return terms_[face(i)].own; }
         );
-        of.thermo.terms
+        of.thermo->terms
         (
             n,
             [&](const label i) -> const gasState& { return faces_[face(i)].nei; },
@@ -353,7 +358,7 @@ void Foam::mpm::reconstruction::halfStep
     const boolUList* nearSolid
 )
 {
-    if (of.thermo.isGammaLaw())
+    if (of.thermo && of.thermo->isGammaLaw())
     {
         predict<false>(dt, of, nearSolid);
     }
@@ -361,7 +366,10 @@ void Foam::mpm::reconstruction::halfStep
     {
         terms_.setSize(faces_.size());
         predict<true>(dt, of, nearSolid);
-        setTerms(of);
+        if (of.thermo)
+        {
+            setTerms(of);
+        }
     }
 }
 

@@ -48,6 +48,7 @@ Foam::wordList Foam::mpm::phaseNames
     valid.append("contact");
     valid.append("outflow");
     valid.append("stepParts");
+    valid.append("fluids");
     valid.append("FoamFile");
     for (const entry& e : dict)
     {
@@ -57,7 +58,7 @@ Foam::wordList Foam::mpm::phaseNames
                 << "Dictionary " << e.keyword() << " is not a phase: not in"
                 << " the list phases " << flatOutput(names) << "." << nl
                 << "Add it there, or remove the dictionary; others that may"
-                << " be there are contact, outflow and stepParts."
+                << " be there are contact, fluids, outflow and stepParts."
                 << exit(FatalIOError);
         }
     }
@@ -73,7 +74,7 @@ Foam::wordList Foam::mpm::phaseNames
                 requiredDict(dict, name),
                 "type",
                 "materialPoints",
-                {"materialPoints", "rigid", "gas"}
+                {"materialPoints", "rigid", "gas", "fluid"}
             )
         );
         if (types.found(kind))

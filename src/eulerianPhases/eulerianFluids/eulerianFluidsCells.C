@@ -1,0 +1,433 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianFluids.H"
+#include "noTraps.H"
+#include "wedgePolyPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::eulerianFluids::startShares()
+{
+    const DynamicList<label>& cells = interfaces_->cells();
+    shares_.setSize(n_*cells.size());
+    forAll(cells, s)
+    {
+        const label c = cells[s];
+        for (label k = 0; k < n_; ++k)
+        {
+            const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
+            const scalar rho = m > 0 ? m/theta : 0;
+            shares_[n_*s + k] =
+            {
+                theta,
+                m,
+                m > 0
+              ? theta*fluidMixture::energy(mixture_.at(k, rho), rho, W_[c].p)
+              : 0
+            };
+        }
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const labelList& slot = interfaces_->slot();
+
+    // Shares in the flux of faces between slots, and through coupled ones
+    interfaces_->setTransverse(contents(), phi_);
+    DynamicList<scalar> shares(8*n_*interfaces_->cells().size());
+    faceStart_.setSize(mesh_.nFaces());
+    DynamicList<scalar> receiver(n_);
+    receiver.setSize(n_);
+    const auto of = [&](const label c)
+    {
+        for (label k = 0; k < n_; ++k)
+        {
+            receiver[k] = part_[n_*c + k]/theta_[c];
+        }
+        return receiver.cdata();
+    };
+    const auto add = [&](const label f, const label D, const scalar* to)
+    {
+        const label at = shares.size();
+        faceStart_[f] = at;
+        shares.setSize(at + n_);
+        interfaces_->shares
+        (
+            contents(), f, D, own[f] == D, dt, phi_[f], out_[D], to,
+            shares.begin() + at
+        );
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const label P = own[f], N = nei[f];
+        if (slot[P] >= 0 || slot[N] >= 0)
+        {
+            const bool out = phi_[f] > 0;
+            add(f, out ? P : N, of(out ? N : P));
+        }
+    }
+    for (const label f : faces_.boundary)
+    {
+        const label P = own[f];
+        if (slot[P] >= 0)
+        {
+            const scalar* alpha = alphaB_.cdata() + n_*(f - nInternal);
+            if (phi_[f] > 0)
+            {
+                add(f, P, alpha[0] < 0 ? of(P) : alpha);
+            }
+            else
+            {
+                faceStart_[f] = shares.size();
+                alpha = alpha[0] < 0 ? of(P) : alpha;
+                for (label k = 0; k < n_; ++k)
+                {
+                    shares.append(alpha[k]);
+                }
+            }
+        }
+    }
+    if (!coupled_.empty())
+    {
+        // The donor's side says what leaves
+        List<scalarField> sent(n_);
+        for (label k = 0; k < n_; ++k)
+        {
+            sent[k].setSize(Wb_.size(), 0);
+        }
+        for (const label f : faces_.coupled)
+        {
+            const label P = own[f], i = f - nInternal;
+            faceStart_[f] = -1;
+            if (slot[P] < 0)
+            {
+                for (label k = 0; k < n_; ++k)
+                {
+                    sent[k][i] = k == interfaces_->single()[P];
+                }
+                continue;
+            }
+            if (phi_[f] > 0)
+            {
+                add(f, P, alphaB_.cdata() + n_*i);
+                for (label k = 0; k < n_; ++k)
+                {
+                    sent[k][i] = shares[faceStart_[f] + k];
+                }
+            }
+        }
+        for (label k = 0; k < n_; ++k)
+        {
+            coupled_.swap(sent[k]);
+        }
+        for (const label f : faces_.coupled)
+        {
+            if (slot[own[f]] >= 0 && faceStart_[f] < 0)
+            {
+                faceStart_[f] = shares.size();
+                for (label k = 0; k < n_; ++k)
+                {
+                    shares.append(sent[k][f - nInternal]);
+                }
+            }
+        }
+    }
+    faceShares_.transfer(shares);
+}
+
+
+void Foam::mpm::eulerianFluids::addFluids
+(
+    const label f,
+    const label P,
+    const label N,
+    const scalar dt
+)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const bool out = phi_[f] > 0;
+    const bool behind = f >= nInternal && !out;
+    const label D = out ? P : N, i = f - nInternal;
+    const bool first =
+        reconstruction_.upwind()
+     || (
+            interfaces_->near()[P]
+         || interfaces_->near()[f < nInternal ? N : mesh_.nCells() + i]
+        );
+    const gasState& w0 = behind ? Wb_[i] : W_[D];
+    const gasState& w =
+        first ? w0
+      : out ? reconstruction_.faces()[f].own : reconstruction_.faces()[f].nei;
+    const scalar* alpha = faceShares_.cdata() + faceStart_[f];
+
+    // With reconstructed states all fluids are as much denser
+    const scalar denser = w.rho/w0.rho;
+    sums& s = face_;
+    s = sums{0, Zero, 0};
+    const label a = interfaces_->slot()[P];
+    const label b = f < nInternal ? interfaces_->slot()[N] : -1;
+    for (label k = 0; k < n_; ++k)
+    {
+        if (!(alpha[k] > 0))
+        {
+            continue;
+        }
+        const bool ofCell = behind && alphaB_[n_*i] < 0;
+        const scalar rho =
+            denser
+           *(
+                ofCell ? mass_[n_*P + k]/part_[n_*P + k]
+              : behind ? rhoB_[n_*i + k]
+              : mass_[n_*D + k]/part_[n_*D + k]
+            );
+        const scalar volume = phi_[f]*alpha[k];
+        const scalar m = volume*rho;
+        const scalar e =
+            volume*fluidMixture::energy(mixture_.at(k, rho), rho, w.p);
+        s.rho += m;
+        s.rhoE += e;
+        const auto add = [&](const label slot, const label c, const scalar sign)
+        {
+            fluidMixture::share& to = shares_[n_*slot + k];
+            const scalar h = sign*dt/mesh_.V()[c];
+            to.A -= h*volume;
+            to.m -= h*m;
+            to.e0 -= h*e;
+        };
+        if (a >= 0)
+        {
+            add(a, P, 1);
+        }
+        if (b >= 0)
+        {
+            add(b, N, -1);
+        }
+    }
+    s.rhoU = s.rho*w.u;
+    s.rhoE += 0.5*s.rho*magSqr(w.u) + pStar_[f]*phi_[f];
+}
+
+
+void Foam::mpm::eulerianFluids::sumFaces(const scalar dt)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const vectorField& S = mesh_.faceAreas();
+    const labelList& slot = interfaces_->slot();
+    const boolList& near = interfaces_->near();
+    const bool upwind = reconstruction_.upwind();
+    const bool heavy = jump_.size();
+    const List<reconstruction::sides>& sides = reconstruction_.faces();
+    const List<reconstruction::sideTerms>& terms = reconstruction_.terms();
+    sums_ = sums{0, Zero, 0};
+
+    // One fluid: that of the donor
+    const auto alone =
+        [&](const label f, const gasState& w, const scalar rhoE)
+    {
+        face_.rho = phi_[f]*w.rho;
+        face_.rhoU = face_.rho*w.u;
+        face_.rhoE =
+            phi_[f]*rhoE + 0.5*face_.rho*magSqr(w.u) + pStar_[f]*phi_[f];
+    };
+    const auto add = [&](const label c, const scalar sign, const label f)
+    {
+        sums& to = sums_[c];
+        to.rho += sign*face_.rho;
+        to.rhoU +=
+            sign*(face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f))*S[f]);
+        to.rhoE += sign*face_.rhoE;
+        if (heavy)
+        {
+            to.rhoE -=
+                sign*face_.rho
+               *(g_ & (mesh_.faceCentres()[f] - mesh_.cellCentres()[c]));
+        }
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const label P = own[f], N = nei[f];
+        if (slot[P] >= 0 || slot[N] >= 0)
+        {
+            addFluids(f, P, N, dt);
+        }
+        else
+        {
+            const bool out = phi_[f] > 0;
+            const label D = out ? P : N;
+            if (upwind || near[P] || near[N])
+            {
+                alone(f, W_[D], t_[D].rhoE);
+            }
+            else
+            {
+                alone
+                (
+                    f,
+                    out ? sides[f].own : sides[f].nei,
+                    out ? terms[f].own.rhoE : terms[f].nei.rhoE
+                );
+            }
+        }
+        add(P, 1, f);
+        add(N, -1, f);
+    }
+    for (const labelList* list : {&faces_.coupled, &faces_.boundary})
+    {
+        const bool coupled = list == &faces_.coupled;
+        for (const label f : *list)
+        {
+            const label P = own[f], i = f - nInternal;
+            const bool out = phi_[f] > 0;
+            if (slot[P] >= 0)
+            {
+                addFluids(f, P, P, dt);
+            }
+            else if (out || coupled)
+            {
+                const bool first =
+                    upwind || near[P] || near[mesh_.nCells() + i];
+                const gasState& w =
+                    out ? (first ? W_[P] : sides[f].own)
+                  : first ? Wb_[i] : sides[f].nei;
+                alone(f, w, rhoEOf(interfaces_->single()[P], w));
+            }
+            else
+            {
+                alone(f, Wb_[i], rhoEOf(interfaces_->single()[P], Wb_[i]));
+            }
+            add(P, 1, f);
+        }
+    }
+
+    // Sides of a wedge
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        const label n = !upwind && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
+        for (label f = pp.start(); f < pp.start() + n; ++f)
+        {
+            const label P = own[f];
+            if (!near[P])
+            {
+                sums_[P].rhoU += (sides[f].own.p - W_[P].p)*S[f];
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::newStates(const scalar dt)
+{
+    const scalarField& V = mesh_.V();
+    const labelList& slot = interfaces_->slot();
+    const labelList& single = interfaces_->single();
+    forAll(sums_, c)
+    {
+        const scalar h = dt/V[c];
+        const sums& s = sums_[c];
+        rhoU_[c] -= h*s.rhoU;
+        rhoE_[c] -= h*s.rhoE;
+        if (slot[c] < 0)
+        {
+            mass_[n_*c + single[c]] -= h*s.rho;
+        }
+    }
+    forAll(interfaces_->cells(), s)
+    {
+        relaxCell(s);
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::relaxCell(const label s)
+{
+    const label c = interfaces_->cells()[s];
+    fluidMixture::share* share = shares_.begin() + n_*s;
+    scalar* part = part_.begin() + n_*c;
+    scalar* mass = mass_.begin() + n_*c;
+    label only = -1, several = 0;
+    bool gas = false;
+    FixedList<scalar, 16> rho, theta;
+    for (label k = 0; k < n_; ++k)
+    {
+        fluidMixture::share& of = share[k];
+        const scalar before = mass[k] > 0 ? mass[k]/part[k] : 0;
+        const bool rounding =
+            of.A < 1e-20 || of.m <= 0
+         || (
+                of.A < 1e-12 && before > 0
+             && (of.m > 10*before*of.A || of.m < 0.1*before*of.A)
+            );
+        if (rounding)
+        {
+            if (of.A < -1e-10*theta_[c] && badCell_ < 0)
+            {
+                badCell_ = c;
+                whyBad_ =
+                    "Fluid " + mixture_.name(k) + " has flown out of a cell"
+                    " that has none left; a smaller maxCoGas helps.";
+            }
+            fixups_.dropped += of.m*mesh_.V()[c];
+            of = {0, 0, 0};
+        }
+        else
+        {
+            only = k;
+            ++several;
+            gas = gas || isGas(k);
+            rho[k] = before > 0 ? before : of.m/of.A;
+        }
+    }
+    if (several <= 1)
+    {
+        for (label k = 0; k < n_; ++k)
+        {
+            part[k] = k == only ? theta_[c] : 0;
+            mass[k] = share[k].m;
+        }
+        return;
+    }
+    const scalar P =
+        mixture_.relax(share, theta_[c], W_[c].p, rho.begin(), theta.begin());
+    scalar total = 0;
+    for (label k = 0; k < n_; ++k)
+    {
+        part[k] = theta[k];
+        mass[k] = share[k].m;
+        total += mass[k];
+    }
+    const scalar kinetic = 0.5*magSqr(rhoU_[c])/total;
+    const scalar p = mixture_.pressure(part, mass, rhoE_[c] - kinetic);
+    if (gas && !(p >= 0.3*P))
+    {
+        const scalar E = mixture_.at(part, mass, P).energy + kinetic;
+        fixups_.energy += (E - rhoE_[c])*mesh_.V()[c];
+        ++fixups_.relaxed;
+        rhoE_[c] = E;
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces*)
+{
+    const noTraps guard;
+    startShares();
+    setComposition(dt);
+    sumFaces(dt);
+    newStates(dt);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,461 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianFluids.H"
+#include "noTraps.H"
+#include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::eulerianFluids::updateFields()
+{
+    forAll(theta_, c)
+    {
+        psi_[c] = W_[c].rho/t_[c].K;
+        for (label k = 0; k < n_; ++k)
+        {
+            const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
+            alpha_[k][c] = theta;
+            if (m > 0)
+            {
+                const scalar rho = m/theta;
+                state_[k][c] =
+                    isGas(k) ? mixture_.thermo(k).T(rho, W_[c].p) : rho;
+            }
+        }
+    }
+    for (fvPatchScalarField& psi : psi_.boundaryFieldRef())
+    {
+        forAll(psi, i)
+        {
+            psi[i] = psi_[psi.patch().faceCells()[i]];
+        }
+    }
+    U_.correctBoundaryConditions();
+    p_.correctBoundaryConditions();
+    for (label k = 0; k < n_; ++k)
+    {
+        alpha_[k].correctBoundaryConditions();
+        state_[k].correctBoundaryConditions();
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::updateBoundaryStates()
+{
+    const noTraps guard;
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    forAll(patches, patchi)
+    {
+        const polyPatch& pp = patches[patchi];
+        const label start = pp.start() - nInternal;
+        if (isA<emptyPolyPatch>(pp))
+        {
+            continue;
+        }
+        const fvPatchScalarField& p = p_.boundaryField()[patchi];
+        const fvPatchVectorField& U = U_.boundaryField()[patchi];
+        const bool ofCell =
+            isA<zeroGradientFvPatchScalarField>
+            (
+                alpha_[0].boundaryField()[patchi]
+            );
+        for (label i = 0; i < pp.size(); ++i)
+        {
+            const label b = start + i, P = own[pp.start() + i];
+            gasState& w = Wb_[b];
+            w = W_[P];
+            zB_[b] = z_[P];
+            scalar* alpha = alphaB_.begin() + n_*b;
+            scalar* rho = rhoB_.begin() + n_*b;
+            for (label k = 0; k < n_; ++k)
+            {
+                const scalar theta = part_[n_*P + k];
+                alpha[k] = theta/theta_[P];
+                rho[k] = theta > 0 ? mass_[n_*P + k]/theta : 0;
+            }
+            if (pp.coupled() || isA<wedgePolyPatch>(pp))
+            {
+                continue;
+            }
+            w.p = p[i];
+            w.u = U[i];
+            if (ofCell)
+            {
+                alpha[0] = -1;
+                continue;
+            }
+            scalar sum = 0;
+            w.rho = 0;
+            for (label k = 0; k < n_; ++k)
+            {
+                alpha[k] = max(alpha_[k].boundaryField()[patchi][i], scalar(0));
+                sum += alpha[k];
+            }
+            for (label k = 0; k < n_; ++k)
+            {
+                alpha[k] /= max(sum, VSMALL);
+                rho[k] =
+                    density(k, state_[k].boundaryField()[patchi][i], p[i]);
+                w.rho += alpha[k]*rho[k];
+            }
+        }
+    }
+    if (coupled_.empty())
+    {
+        return;
+    }
+    coupled_.swap(Wb_);
+    coupled_.swap(zB_);
+    scalarField one(Wb_.size(), 0);
+    for (scalarList* list : {&alphaB_, &rhoB_})
+    {
+        for (label k = 0; k < n_; ++k)
+        {
+            forAll(one, i)
+            {
+                one[i] = (*list)[n_*i + k];
+            }
+            coupled_.swap(one);
+            for (const label f : faces_.coupled)
+            {
+                const label i = f - nInternal;
+                (*list)[n_*i + k] = one[i];
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::setJumps()
+{
+    if (jump_.empty())
+    {
+        return;
+    }
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    for (label f = 0; f < nInternal; ++f)
+    {
+        jump_[f] = weight(own[f], f) - weight(mesh_.faceNeighbour()[f], f);
+    }
+    for (const label f : faces_.boundary)
+    {
+        jump_[f] = faces_.wall[f - nInternal] ? 0 : weight(own[f], f);
+    }
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (!patch.coupled())
+        {
+            continue;
+        }
+        const vectorField delta(patch.delta());
+        forAll(delta, i)
+        {
+            const label f = patch.start() + i, P = own[f];
+            const vector d
+            (
+                mesh_.faceCentres()[f] - mesh_.cellCentres()[P] - delta[i]
+            );
+            jump_[f] = weight(P, f) - Wb_[f - nInternal].rho*(g_ & d);
+        }
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::sideTerms()
+{
+    // Sides away from interfaces are of one fluid but for traces, which their
+    // cells' terms stand for
+    List<reconstruction::sideTerms>& terms = reconstruction_.ownTerms();
+    const List<reconstruction::sides>& sides = reconstruction_.faces();
+    terms.setSize(sides.size());
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const label nInternal = mesh_.nInternalFaces();
+    const labelList& single = interfaces_->single();
+
+    constexpr label room = gasThermo::room;
+    struct run
+    {
+        label n = 0;
+        gasState* w[room];
+        stateTerms* to[room];
+        label cell[room];
+    };
+    List<run> runs(n_);
+    scalar rho[room], p[room], K[room], rhoE[room], strength[room];
+    const auto flush = [&](const label k)
+    {
+        run& r = runs[k];
+        for (label i = 0; i < r.n; ++i)
+        {
+            rho[i] = r.w[i]->rho;
+            p[i] = r.w[i]->p;
+        }
+        mixture_.states(k, r.n, rho, p, K, rhoE, strength);
+        for (label i = 0; i < r.n; ++i)
+        {
+            if (K[i] > 0.01*t_[r.cell[i]].K)
+            {
+                *r.to[i] = stateTerms{K[i], rhoE[i], strength[i]};
+            }
+            else
+            {
+                *r.w[i] = W_[r.cell[i]];
+                *r.to[i] = t_[r.cell[i]];
+            }
+        }
+        r.n = 0;
+    };
+    const auto add = [&](const label c, const gasState& w, stateTerms& to)
+    {
+        const label k = single[c];
+        if (k < 0)
+        {
+            to = t_[c];
+            return;
+        }
+        run& r = runs[k];
+        r.w[r.n] = const_cast<gasState*>(&w);
+        r.to[r.n] = &to;
+        r.cell[r.n++] = c;
+        if (r.n == room)
+        {
+            flush(k);
+        }
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        add(own[f], sides[f].own, terms[f].own);
+        add(nei[f], sides[f].nei, terms[f].nei);
+    }
+    for (const labelList* list : {&faces_.boundary, &faces_.coupled})
+    {
+        for (const label f : *list)
+        {
+            add(own[f], sides[f].own, terms[f].own);
+        }
+    }
+    for (label k = 0; k < n_; ++k)
+    {
+        flush(k);
+    }
+
+    // Of the other sides of processors: by the fluid there
+    const label nCells = mesh_.nCells();
+    for (const label f : faces_.coupled)
+    {
+        const label k = single[nCells + f - nInternal];
+        const gasState& w = sides[f].nei;
+        if (k >= 0)
+        {
+            mixture_.states
+            (
+                k, 1, &w.rho, &w.p,
+                &terms[f].nei.K, &terms[f].nei.rhoE, &terms[f].nei.strength
+            );
+        }
+        else
+        {
+            terms[f].nei.K = sqr(zB_[f - nInternal])/w.rho;
+        }
+    }
+}
+
+
+inline void Foam::mpm::eulerianFluids::face
+(
+    const label f,
+    const gasState& L,
+    const gasState& R,
+    const scalar zL,
+    const scalar zR
+)
+{
+    const vector& S = mesh_.faceAreas()[f];
+    const scalar magS = faces_.magS[f];
+    const scalar uL = (L.u & S)/magS, uR = (R.u & S)/magS;
+    const scalar sum = zL + zR;
+    scalar mu = zL*zR/sum;
+    if (lowMach_)
+    {
+        mu *= min
+        (
+            scalar(1),
+            max(mag(L.u)*L.rho/zL, mag(R.u)*R.rho/zR)
+        );
+    }
+    phi_[f] = magS*(zL*uL + zR*uR + (L.p - R.p))/sum;
+    pStar_[f] = (zR*L.p + zL*R.p)/sum + mu*(uL - uR);
+}
+
+
+void Foam::mpm::eulerianFluids::insideFaces()
+{
+    const label nInternal = mesh_.nInternalFaces(), nCells = mesh_.nCells();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const labelList& single = interfaces_->single();
+    const boolList& near = interfaces_->near();
+    const bool upwind = reconstruction_.upwind();
+    const List<reconstruction::sides>& sides = reconstruction_.faces();
+    const List<reconstruction::sideTerms>& terms = reconstruction_.terms();
+    const bool heavy = jump_.size();
+
+    const auto one =
+        [&](const label f, const label P, const label N, const gasState& WN,
+            const scalar zN)
+    {
+        const bool first = upwind || near[P] || near[N];
+        gasState L(first ? W_[P] : sides[f].own);
+        gasState R(first ? WN : sides[f].nei);
+        scalar zL = z_[P], zR = zN;
+        if (!first && single[P] >= 0)
+        {
+            zL = std::sqrt(L.rho*terms[f].own.K);
+        }
+        if (!first && single[N] >= 0)
+        {
+            zR = std::sqrt(R.rho*terms[f].nei.K);
+        }
+        if (single[P] >= 0 && single[P] == single[N])
+        {
+            zL = zR = max(zL, zR);
+        }
+        if (heavy)
+        {
+            const scalar wP = weight(P, f);
+            L.p += wP;
+            R.p += wP - jump_[f];
+        }
+        face(f, L, R, zL, zR);
+        out_[P] += max(phi_[f], scalar(0));
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        one(f, own[f], nei[f], W_[nei[f]], z_[nei[f]]);
+        out_[nei[f]] -= min(phi_[f], scalar(0));
+    }
+    for (const label f : faces_.coupled)
+    {
+        const label i = f - nInternal;
+        one(f, own[f], nCells + i, Wb_[i], zB_[i]);
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::boundaryFaces()
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const bool upwind = reconstruction_.upwind();
+    for (const label f : faces_.boundary)
+    {
+        const label P = mesh_.faceOwner()[f], i = f - nInternal;
+        const vector& S = mesh_.faceAreas()[f];
+        const bool first = upwind || interfaces_->near()[P];
+        const gasState& L = first ? W_[P] : reconstruction_.faces()[f].own;
+        const gasState& B = Wb_[i];
+        phi_[f] = B.u & S;
+        pStar_[f] = B.p;
+        if (faces_.wall[i])
+        {
+            const scalar z =
+                first || interfaces_->single()[P] < 0
+              ? z_[P]
+              : std::sqrt(L.rho*reconstruction_.terms()[f].own.K);
+            pStar_[f] =
+                L.p + weight(P, f) + z*((L.u & S) - phi_[f])/faces_.magS[f];
+        }
+        out_[P] += max(phi_[f], scalar(0));
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::limitOutflow(const scalar dt)
+{
+    const scalarField& V = mesh_.V();
+    bool limits = false;
+    forAll(out_, c)
+    {
+        limits = limits || dt*out_[c] > 0.9*theta_[c]*V[c];
+    }
+    reduce(limits, orOp<bool>());
+    if (!limits)
+    {
+        return;
+    }
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    scalarField factor(out_.size(), 1), behind(Wb_.size(), 1);
+    forAll(out_, c)
+    {
+        const scalar most = 0.9*theta_[c]*V[c]/dt;
+        if (out_[c] > most)
+        {
+            factor[c] = most/out_[c];
+            out_[c] = most;
+            ++fixups_.limited;
+        }
+    }
+    for (const label f : faces_.coupled)
+    {
+        behind[f - nInternal] = factor[own[f]];
+    }
+    coupled_.swap(behind);
+    const auto limit = [&](const label f, const scalar there)
+    {
+        const scalar by = phi_[f] > 0 ? factor[own[f]] : there;
+        if (phi_[f] > 0)
+        {
+            fixups_.heldBack += dt*(1 - by)*phi_[f]*W_[own[f]].rho;
+        }
+        phi_[f] *= by;
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        limit(f, factor[mesh_.faceNeighbour()[f]]);
+    }
+    for (const labelList* list : {&faces_.coupled, &faces_.boundary})
+    {
+        for (const label f : *list)
+        {
+            limit(f, behind[f - nInternal]);
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::eulerianFluids::faceFlux(const scalar dt, const solidOnFaces*)
+{
+    const noTraps guard;
+    interfaces_->update(contents());
+    setJumps();
+    if (!reconstruction_.upwind())
+    {
+        reconstruction_.update
+        (
+            dt,
+            {nullptr, W_, Wb_, t_, tb_, jump_.size() ? &jump_ : nullptr},
+            rho0_, U_, p_, n_ > 1 ? &interfaces_->near() : nullptr
+        );
+        sideTerms();
+    }
+    out_ = 0;
+    insideFaces();
+    boundaryFaces();
+    limitOutflow(dt);
+}
+
+// ************************************************************************* //

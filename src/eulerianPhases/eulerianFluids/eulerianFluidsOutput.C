@@ -1,0 +1,184 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "eulerianFluids.H"
+#include "dictionaryTools.H"
+#include "fullPrecision.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::eulerianFluids::stop(const label celli)
+{
+    const label teller = returnReduce
+    (
+        celli < 0 ? Pstream::nProcs() : Pstream::myProcNo(),
+        minOp<label>()
+    );
+    OStringStream os;
+    if (teller == Pstream::myProcNo())
+    {
+        const gasState& w = W_[celli];
+        os  << whyBad_.c_str() << (whyBad_.size() ? "\n" : "")
+            << "The fluids have density " << w.rho << " kg/m3, pressure "
+            << w.p << " Pa and rho c^2 " << t_[celli].K
+            << " Pa; density and rho c^2 must be positive, in cell " << celli
+            << " at " << mesh_.cellCentres()[celli] << ", time "
+            << mesh_.time().timeName() << " (velocity " << w.u << "; shares";
+        for (label k = 0; k < n_; ++k)
+        {
+            os  << ' ' << mixture_.name(k) << ' ' << part_[n_*celli + k];
+        }
+        os  << ")." << nl
+            << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.*, 0/rho.* and"
+            << " constant/phaseProperties. Later: a smaller maxCoGas in"
+            << " system/controlDict or upwind for reconstruct(...) in"
+            << " system/fvSchemes often helps.";
+    }
+    string text(os.str());
+    List<string> texts(Pstream::nProcs());
+    texts[Pstream::myProcNo()] = text;
+    Pstream::gatherList(texts);
+    Pstream::scatterList(texts);
+    FatalErrorInFunction << texts[teller].c_str() << exit(FatalError);
+}
+
+
+template<class Function>
+void Foam::mpm::eulerianFluids::forState(const Function& f)
+{
+    const auto object = [&](const word& name, const label k)
+    {
+        IOobject io(header(name, IOobject::NO_READ, k));
+        io.instance() = mesh_.time().timeName();
+        return io;
+    };
+    f(p_);
+    f(U_);
+    f(rho0_);
+    scalarField m(mesh_.nCells());
+    for (label k = 0; k < n_; ++k)
+    {
+        f(alpha_[k]);
+        f(state_[k]);
+        forAll(m, c)
+        {
+            m[c] = mass_[n_*c + k];
+        }
+        volScalarField::Internal mass
+        (
+            object("thetaRho", k), mesh_, dimDensity, m
+        );
+        f(mass);
+    }
+    volVectorField::Internal rhoU
+    (
+        object("thetaRhoU", -1), mesh_, dimDensity*dimVelocity, rhoU_
+    );
+    f(rhoU);
+    volScalarField::Internal rhoE
+    (
+        object("thetaRhoE", -1), mesh_, dimPressure, rhoE_
+    );
+    f(rhoE);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::eulerianFluids::report() const
+{
+    const scalarField& V = mesh_.V();
+    scalar pMin = GREAT, pMax = -GREAT, energy = 0;
+    scalarField mass(n_, 0);
+    vector momentum(Zero);
+    forAll(W_, c)
+    {
+        pMin = min(pMin, W_[c].p);
+        pMax = max(pMax, W_[c].p);
+        energy += V[c]*rhoE_[c];
+        momentum += V[c]*rhoU_[c];
+        for (label k = 0; k < n_; ++k)
+        {
+            mass[k] += V[c]*mass_[n_*c + k];
+        }
+    }
+    Info<< "Fluids: mass";
+    for (label k = 0; k < n_; ++k)
+    {
+        Info<< ' ' << mixture_.name(k) << ' '
+            << returnReduce(mass[k], sumOp<scalar>());
+    }
+    const label shared = returnReduce(interfaces_->cells().size(), sumOp<label>());
+    Info<< ", momentum " << returnReduce(momentum, sumOp<vector>())
+        << ", energy " << returnReduce(energy, sumOp<scalar>()) << nl
+        << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
+        << returnReduce(pMax, maxOp<scalar>()) << ", cells at interfaces "
+        << shared << ", outflow limited "
+        << returnReduce(fixups_.limited, sumOp<label>())
+        << ", pressure of relaxation kept "
+        << returnReduce(fixups_.relaxed, sumOp<label>()) << " (energy "
+        << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
+        << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back)"
+        << endl;
+}
+
+
+void Foam::mpm::eulerianFluids::writeFields()
+{
+    const fullPrecision allDigits;
+    forState
+    (
+        [&](auto& field)
+        {
+            field.instance() = mesh_.time().timeName();
+            field.write();
+        }
+    );
+}
+
+
+Foam::mpm::fieldStates Foam::mpm::eulerianFluids::takeDown()
+{
+    fieldStates states;
+    forState
+    (
+        [&](const auto& field)
+        {
+            states.set(field.name(), fieldDictionary(field));
+        }
+    );
+    return states;
+}
+
+
+Foam::dictionary Foam::mpm::eulerianFluids::state() const
+{
+    dictionary state;
+    state.add("limited", returnReduce(fixups_.limited, sumOp<label>()));
+    state.add("relaxed", returnReduce(fixups_.relaxed, sumOp<label>()));
+    state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
+    state.add("heldBack", returnReduce(fixups_.heldBack, sumOp<scalar>()));
+    state.add("dropped", returnReduce(fixups_.dropped, sumOp<scalar>()));
+    return state;
+}
+
+
+void Foam::mpm::eulerianFluids::setState(const dictionary& state)
+{
+    fixups_ = fixups();
+    if (Pstream::master())
+    {
+        fixups_.limited = required<label>(state, "limited");
+        fixups_.relaxed = required<label>(state, "relaxed");
+        fixups_.energy = required<scalar>(state, "energy");
+        fixups_.heldBack = required<scalar>(state, "heldBack");
+        fixups_.dropped = required<scalar>(state, "dropped");
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,80 @@
+"""Cases of several fluids alone, in a box.
+
+    case = fluidCase("fluidsAlone", "tube", (200, 1, 1), (1, 0.1, 0.1),
+                     {"water": WATER, "air": AIR}, initial, endTime)
+    initial(x, y, z) -> (alphas, rhos, u, p): lists in the order of the fluids, arrays
+    of the cells or numbers; u: n x 3 or n along x
+
+WATER, AIR: entries of the phases. AIR has R = 1 J/kg/K, so that T = p/rho.
+"""
+
+import numpy as np
+
+from foamCase import FoamCase, boxMesh, controlDict
+from gasCases import OPEN, VAN_LEER, WALL, boxCentres, schemes, volField, writeVolField
+
+WATER = {"rho": 1000, "equationOfState": {"type": "stiffenedGas", "gamma": 4.4, "pInf": 6e8,
+                                          "p0": 1e5}}
+AIR = {"thermo": "perfectGas", "R": 1, "gamma": 1.4}
+
+
+def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0), ends=OPEN,
+              sides=None, reconstruct=VAN_LEER, maxCoGas=0.4, writeInterval=None, control=None,
+              patches=None, gravity=None, settings=None, mesh=None):
+    """ends, sides: conditions of p, T (and rho, alpha), U, as of gasCases.gasCase."""
+    case = FoamCase(folder, name)
+    nDim = sum(n > 1 for n in cells)
+    if patches is None:
+        patches = {"ends": ("patch", ("x-", "x+"))}
+        if nDim > 1:
+            patches["sides"] = ("patch", ("y-", "y+") if nDim == 2
+                                else ("y-", "y+", "z-", "z+"))
+    patches = dict(patches)
+    empty = [s for d, s in enumerate(("x", "y", "z")) if d >= nDim for s in (s + "-", s + "+")]
+    if empty:
+        patches["frontAndBack"] = ("empty", empty)
+    case.write("system/blockMeshDict", boxMesh(low, high, cells, patches))
+    given = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3}
+
+    def conditionsOf(i):
+        return {n: given[n][i] if n in given else kind for n, (kind, _) in patches.items()}
+
+    x, y, z = boxCentres(low, high, cells)
+    alphas, rhos, u, p = initial(x, y, z)
+    one = np.ones_like(x)
+    u = np.asarray(u, float)*(one if np.ndim(u) < 2 else 1)
+    if u.ndim == 1:
+        u = np.column_stack([u, 0*u, 0*u])
+    p = p*one
+    writeVolField(case, "p", p, conditionsOf(0))
+    writeVolField(case, "U", u, conditionsOf(2))
+    for (fluid, entries), alpha, rho in zip(fluids.items(), alphas, rhos):
+        writeVolField(case, "alpha." + fluid, alpha*one, conditionsOf(1))
+        if entries.get("thermo") == "perfectGas":
+            writeVolField(case, "T." + fluid, p/(rho*one)/entries["R"], conditionsOf(1))
+        else:
+            writeVolField(case, "rho." + fluid, rho*one, conditionsOf(1))
+    case.write("system/fvSchemes", schemes(reconstruct))
+    case.write("system/fvSolution", {})
+    entries = controlDict(endTime, writeInterval or endTime, maxCo=maxCoGas,
+                          writeFormat="binary")
+    entries["application"] = "materialPointFoam"
+    entries["deltaT"] = endTime*1e-6
+    entries["maxCoGas"] = entries.pop("maxCo")
+    entries.update(control or {})
+    case.write("system/controlDict", entries)
+    properties = {"phases": list(fluids)}
+    for fluid, values in fluids.items():
+        properties[fluid] = {"type": "fluid", **values}
+    if settings:
+        properties["fluids"] = settings
+    case.write("constant/phaseProperties", properties)
+    if gravity is not None:
+        case.write("constant/g", {"dimensions": "[0 1 -2 0 0 0 0]", "value": tuple(gravity)},
+                   "uniformDimensionedVectorField")
+    case.run("blockMesh")
+    return case
+
+
+def fluidField(case, end, name):
+    return volField(case, case.timeName(end), name)
