@@ -37,7 +37,7 @@ def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0)
     given = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3}
 
     def conditionsOf(i):
-        return {n: given[n][i] if n in given else kind for n, (kind, _) in patches.items()}
+        return {n: given[n][i] if n in given else kind for n, (kind, *_) in patches.items()}
 
     x, y, z = boxCentres(low, high, cells)
     alphas, rhos, u, p = initial(x, y, z)

@@ -95,13 +95,15 @@ _SIDES = {"x-": (0, 4, 7, 3), "x+": (1, 2, 6, 5), "y-": (0, 1, 5, 4),
 
 def boxMesh(low, high, cells, patches):
     """blockMeshDict of a box along the axes; patches: name: (type, sides), e.g.
-    {"walls": ("patch", ("y-", "y+")), "sides": ("empty", ("z-", "z+"))}."""
+    {"walls": ("patch", ("y-", "y+")), "sides": ("empty", ("z-", "z+"))}; of cyclic
+    ones (type, sides, neighbour)."""
     (x0, y0, z0), (x1, y1, z1) = low, high
     vertices = [(x0, y0, z0), (x1, y0, z0), (x1, y1, z0), (x0, y1, z0),
                 (x0, y0, z1), (x1, y0, z1), (x1, y1, z1), (x0, y1, z1)]
     boundary = "(" + " ".join(
-        f"{name} {{ type {kind}; faces {foamText([_SIDES[s] for s in sides])}; }}"
-        for name, (kind, sides) in patches.items()) + ")"
+        f"{name} {{ type {kind}; faces {foamText([_SIDES[s] for s in sides])};"
+        + "".join(f" neighbourPatch {n};" for n in neighbour) + " }"
+        for name, (kind, sides, *neighbour) in patches.items()) + ")"
     return {"scale": 1, "vertices": vertices,
             "blocks": f"(hex (0 1 2 3 4 5 6 7) {foamText(cells)} simpleGrading (1 1 1))",
             "boundary": boundary}

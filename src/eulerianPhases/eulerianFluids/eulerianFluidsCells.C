@@ -171,7 +171,8 @@ void Foam::mpm::eulerianFluids::addFluids
       : out ? reconstruction_.faces()[f].own : reconstruction_.faces()[f].nei;
     const scalar* alpha = faceShares_.cdata() + faceStart_[f];
 
-    // With reconstructed states all fluids are as much denser
+    // The largest fluid has the reconstructed state, of others there is no
+    // more than in the cell
     const scalar denser = w.rho/w0.rho;
     sums& s = face_;
     s = sums{0, Zero, 0};
@@ -184,17 +185,21 @@ void Foam::mpm::eulerianFluids::addFluids
             continue;
         }
         const bool ofCell = behind && alphaB_[n_*i] < 0;
+        const label c = ofCell ? P : D;
+        const scalar share =
+            behind && !ofCell ? alphaB_[n_*i + k] : part_[n_*c + k]/theta_[c];
+        const bool large = share > 0.5;
+        const scalar p = large ? w.p : w0.p;
         const scalar rho =
-            denser
+            (large ? denser : 1)
            *(
-                ofCell ? mass_[n_*P + k]/part_[n_*P + k]
-              : behind ? rhoB_[n_*i + k]
-              : mass_[n_*D + k]/part_[n_*D + k]
+                behind && !ofCell
+              ? rhoB_[n_*i + k] : mass_[n_*c + k]/part_[n_*c + k]
             );
         const scalar volume = phi_[f]*alpha[k];
         const scalar m = volume*rho;
         const scalar e =
-            volume*fluidMixture::energy(mixture_.at(k, rho), rho, w.p);
+            volume*fluidMixture::energy(mixture_.at(k, rho), rho, p);
         s.rho += m;
         s.rhoE += e;
         const auto add = [&](const label slot, const label c, const scalar sign)

@@ -123,7 +123,8 @@ void Foam::mpm::eulerianFluids::report() const
         << ", pressure of relaxation kept "
         << returnReduce(fixups_.relaxed, sumOp<label>()) << " (energy "
         << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
-        << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back)"
+        << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back, "
+        << returnReduce(fixups_.dropped, sumOp<scalar>()) << " dropped)"
         << endl;
 }
 
