@@ -10,6 +10,7 @@ WATER, AIR: entries of the phases. AIR has R = 1 J/kg/K, so that T = p/rho.
 
 import numpy as np
 
+from coupledCases import addPoints
 from foamCase import FoamCase, boxMesh, controlDict
 from gasCases import OPEN, VAN_LEER, WALL, boxCentres, schemes, volField, writeVolField
 
@@ -74,6 +75,12 @@ def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0)
                    "uniformDimensionedVectorField")
     case.run("blockMesh")
     return case
+
+
+def besidePoints(case, fluids, phases, regions, settings=None, **options):
+    """Points in a case of fluidCase(); options of coupledCases.addPoints()."""
+    addPoints(case, {**{n: {"type": "fluid", **e} for n, e in fluids.items()},
+                     "fluids": settings or {}}, phases, regions, **options)
 
 
 def fluidField(case, end, name):
