@@ -273,7 +273,10 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
             header(name, IOobject::MUST_READ, k), mesh_, states
         ).field();
     };
-    theta_ = 0;
+    theta_ = fileOrState<volScalarField>
+    (
+        header("theta", IOobject::MUST_READ), mesh_, states
+    ).primitiveField();
     rho_ = 0;
     for (label k = 0; k < n_; ++k)
     {
@@ -282,18 +285,10 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
         {
             part_[n_*c + k] = alpha_[k][c];
             mass_[n_*c + k] = m[c];
-            theta_[c] += alpha_[k][c];
             rho_[c] += m[c];
         }
     }
-    porous_ = returnReduce
-    (
-        min(theta_) < 1 - 1e-12 || max(theta_) > 1 + 1e-12, orOp<bool>()
-    );
-    if (!porous_)
-    {
-        theta_ = 1;
-    }
+    porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
     rhoU_ = fileOrState<volVectorField::Internal>
     (
         header("thetaRhoU", IOobject::MUST_READ), mesh_, states

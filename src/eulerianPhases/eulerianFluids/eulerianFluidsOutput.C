@@ -47,6 +47,14 @@ void Foam::mpm::eulerianFluids::forState(const Function& f)
     f(p_);
     f(U_);
     f(rho0_);
+    volScalarField theta
+    (
+        object("theta", -1), mesh_, dimensionedScalar(dimless, Zero),
+        "zeroGradient"
+    );
+    theta.primitiveFieldRef() = theta_;
+    theta.correctBoundaryConditions();
+    f(theta);
     scalarField m(mesh_.nCells());
     for (label k = 0; k < n_; ++k)
     {
