@@ -1,0 +1,138 @@
+"""Figures of the pages of doc/guide.
+
+A comment of the page gives the origin of all figures of the text above it, up to the comment
+or heading before:
+
+    <!-- figures
+    shapes | disc, R = 5 h, rolls: velocity / a t - 1 [%] | -2.1
+    contact | …: stress [MPa] | within 0.3 = 100*(m/r - 1)
+    tutorials/hertz/README.md | 3.5
+    tests/Allverify spinningDisk | 1.05 1.65
+    given | 0.4 5
+    -->
+
+- a test: words of its row, … for anything, and the figure: a number, "within x" (the largest
+  of the rows, its size) or "below x" (larger than all of them; than a third of it not, unless
+  it is rounding, 1e-9 or less). After = the value in terms of m, measured, and r, reference:
+  without it m; with within and below m - r;
+- a page of the project, which has the figure too, with the command that makes it;
+- a command, for what a test does not print by rows;
+- given: no result, but an input, a limit, a definition.
+
+A figure is a number with a point, an exponent or "%". In code it is none.
+"""
+
+import glob
+import os
+import re
+
+from figures import agrees, fitting, results
+from foamCase import PROJECT, TESTS
+
+_BLOCK = re.compile(r"<!-- figures\n(.*?)-->", re.S)
+_N = r"[-+]?\d+(?:\.\d+)?(?:e-?\d+)?"
+#: Numbers before one "%": "7.9 / 5.3 %", "1.4, 2 and 3 %", "0.8 to 1.4 %"
+_PERCENT = re.compile(rf"(?<![\w.^])({_N}(?:(?: to | / |, | and | or ){_N})*) %")
+_PLAIN = re.compile(r"(?<![\w.^])[-+]?(?:\d+\.\d+(?:e-?\d+)?|\d+e-?\d+)(?![\w.]*\w)")
+
+
+def withoutCode(text):
+    text = re.sub(r"^```.*?^```", "", text, flags=re.S | re.M)
+    text = re.sub(r"`[^`]*`", "", text)
+    text = re.sub(r"\]\([^)\s]+\)", "]", text)
+    return "\n".join(line for line in text.split("\n") if not line.startswith("    "))
+
+
+def numbers(text):
+    """Figures in a text without code, without signs."""
+    text = re.sub(r"\s+", " ", text)
+    found = {n for run in _PERCENT.findall(text) for n in re.findall(_N, run)}
+    return {n.lstrip("+-") for n in found | set(_PLAIN.findall(text))}
+
+
+def units(text):
+    """(text, lines of its comment) of a page, one after the other."""
+    text = withoutCode(text)
+    parts = re.split(r"^#+ .*$", text, flags=re.M)
+    for part in parts:
+        pieces = _BLOCK.split(part)
+        for text, block in zip(pieces[::2], pieces[1::2] + [""]):
+            yield text, [line.strip() for line in block.split("\n") if line.strip()]
+
+
+def value(expression, reference, measured):
+    if not re.fullmatch(r"(?:abs|[mr\d\s.e()+*/-])+", expression):
+        raise ValueError(expression)
+    return eval(expression, {"__builtins__": {}, "abs": abs},       # noqa: S307
+                {"m": measured, "r": reference})
+
+
+def ofRows(words, claim, rows):
+    """(figure, what is wrong) of a claim about rows of a test."""
+    claim, _, expression = (c.strip() for c in claim.partition("="))
+    kind, _, figure = claim.rpartition(" ")
+    found = fitting(words, rows)
+    if not found:
+        return figure, "there is no such row"
+    if not kind and len(found) > 1:
+        return figure, f"{len(found)} rows fit"
+    values = [value(expression or ("m - r" if kind else "m"), r, m) for r, m in found]
+    largest = max(map(abs, values))
+    if kind == "below":
+        limit = float(figure)
+        good = largest < limit and (limit <= 1e-9 or largest > limit/3)
+    else:
+        good = agrees(figure, largest if kind else values[0])
+    return figure, "" if good else f"{largest if kind else values[0]:g} in the results"
+
+
+def figureOf(line):
+    return line.rpartition(" | ")[2].partition("=")[0].strip().rpartition(" ")[2]
+
+
+def check(table):
+    """The part "guide" of the test."""
+    compared, skipped, wrong, nFigures = 0, set(), [], 0
+    for path in sorted(glob.glob(os.path.join(PROJECT, "doc/guide/*.md"))):
+        name = os.path.basename(path)
+        with open(path, encoding="utf-8") as f:
+            page = f.read()
+        for text, lines in units(page):
+            there = numbers(text)
+            nFigures += len(there)
+            known = set()
+            for line in lines:
+                origin, _, rest = line.partition(" | ")
+                if os.path.isfile(os.path.join(TESTS, "cases", origin, "test.py")):
+                    words, _, claim = rest.rpartition(" | ")
+                    known.add(figureOf(line).lstrip("+-"))
+                    rows = results(origin)
+                    if rows is None:
+                        skipped.add(origin)
+                        continue
+                    compared += 1
+                    figure, says = ofRows(words, claim, rows)
+                    if says:
+                        wrong.append(f"{name}: {origin}: {words}: {figure}, {says}")
+                    continue
+                figures = rest.split()
+                known |= {n.lstrip("+-") for n in figures}
+                program = origin.split()[0] if origin else ""
+                if origin.endswith(".md"):
+                    with open(os.path.join(PROJECT, origin), encoding="utf-8") as f:
+                        source = f.read()
+                    wrong += [f"{name}: {n} is not in {origin}" for n in figures if not re.search(
+                        rf"(?<![\d.]){re.escape(n.lstrip('+-'))}(?!\d|\.\d)", source)]
+                elif origin != "given" and not os.path.exists(os.path.join(PROJECT, program)):
+                    wrong.append(f"{name}: no test, page or command: {origin}")
+            wrong += [f"{name}: {n} has no origin" for n in sorted(there - known)]
+            plain = re.sub(r"\s+", " ", text)
+            wrong += [f"{name}: {n} is not in the text" for n in sorted(known) if not re.search(
+                rf"(?<![\d.]){re.escape(n)}(?!\d|\.\d)", plain)]
+    for line in wrong:
+        table.check(f"guide: {line}", False)
+    print(f"guide: {nFigures} figures, {compared} of rows compared"
+          + "".join(f"; {t} has not run" for t in sorted(skipped)))
+    table.row("guide: figures that are wrong or have no origin", 0, len(wrong), 0)
+    if os.environ.get("MPM_ALL_TESTS", "") == "1":
+        table.check("guide: all its tests have run", not skipped, " ".join(sorted(skipped)))
