@@ -33,7 +33,7 @@ _BLOCK = re.compile(r"<!-- figures\n(.*?)-->", re.S)
 _N = r"[-+]?\d+(?:\.\d+)?(?:e-?\d+)?"
 #: Numbers before one "%": "7.9 / 5.3 %", "1.4, 2 and 3 %", "0.8 to 1.4 %"
 _PERCENT = re.compile(rf"(?<![\w.^])({_N}(?:(?: to | / |, | and | or ){_N})*) %")
-_PLAIN = re.compile(r"(?<![\w.^])[-+]?(?:\d+\.\d+(?:e-?\d+)?|\d+e-?\d+)(?![\w.]*\w)")
+_PLAIN = re.compile(r"(?<![\w.^])[-+]?(?:\d+\.\d+(?:e-?\d+)?|\d+e-\d+)(?![\w.]*\w)")
 
 
 def withoutCode(text):
@@ -72,6 +72,8 @@ def ofRows(words, claim, rows):
     claim, _, expression = (c.strip() for c in claim.partition("="))
     kind, _, figure = claim.rpartition(" ")
     found = fitting(words, rows)
+    if not re.fullmatch(_N, figure):
+        return figure, "is no number"
     if not found:
         return figure, "there is no such row"
     if not kind and len(found) > 1:
