@@ -10,7 +10,7 @@
     guide     each figure of doc/guide is that of a row, stands in a page that has its command,
               has a command of its own, or is given (guide.py)
 
-    test.py -update      writes the figures of the last results into the page
+    test.py -update      writes the figures of the last results into the pages
 
 A row of the page: `test` | words of the test's row, … for anything | reference | figure. The
 figure is a number (of one row); "within x": the largest difference from the reference, of all
@@ -145,5 +145,6 @@ def update():
 if __name__ == "__main__":
     if sys.argv[1:] == ["-update"]:
         update()
+        pagesOfGuide.update()
         sys.exit(0)
     sys.exit(runParts("validation", page, figures, tutorials, guide))
