@@ -8,7 +8,9 @@ License
 
 #include <doctest/doctest.h>
 #include "fluidMixture.H"
+#include "IFstream.H"
 #include "IStringStream.H"
+#include "OSspecific.H"
 #include <cmath>
 #include <random>
 #include <string>
@@ -271,4 +273,44 @@ TEST_CASE("fluidMixture: relaxation of all pairs and triples to one pressure")
         << " stiffened gas: " << gentleLooks/others << " per fluid where volumes"
         << " are 0.1 % off"
     );
+}
+
+
+TEST_CASE("fluids of etc/materials: states of the start, alone and together")
+{
+    const wordList names({"TNT", "C4", "PETN", "water", "air"});
+    dictionary all;
+    for (const word& name : names)
+    {
+        IFstream is(getEnv("MPM_PROJECT_DIR")/"etc/materials"/name);
+        all.add(name, dictionary(is));
+    }
+    const fluidMixture f(all, names);
+    std::vector<fluidMixture::share> s;
+    for (label k = 0; k < f.size(); ++k)
+    {
+        const bool isAir = names[k] == "air";
+        const scalar rho = isAir ? 1.2 : f.rho0(k);
+        const auto t(f.at(k, rho));
+        const scalar e =
+            isAir ? 1e5/t.B : f.thermo(k).equation().e0();
+        const scalar p = t.A + t.B*e;
+        s.push_back({0.2, 0.2*rho, 0.2*rho*e});
+
+        // c of water and air as known, of products at constant volume 5 km/s
+        const scalar c = std::sqrt(fluidMixture::c2(t, rho, p));
+        CHECK
+        (
+            c
+         == doctest::Approx(isAir ? 341.6 : names[k] == "water" ? 1625 : 5000)
+                .epsilon(isAir || names[k] == "water" ? 1e-3 : 0.25)
+        );
+    }
+    std::vector<scalar> thetas(f.size());
+    const scalar p = f.relax(s.data(), 1, thetas.data());
+    CHECK(p > 1e5);
+    for (const scalar theta : thetas)
+    {
+        CHECK(theta > 0);
+    }
 }

@@ -92,7 +92,7 @@ def vanDerWaals(table):
                              ("u", fluidField(case, end, "U")[:, 0])):
         points = np.loadtxt(os.path.join(os.path.dirname(__file__), f"zheng2011_{quantity}.csv"),
                             delimiter=",")
-        # The shock is 0.010 behind theirs (the exact one 0.010): no point between
+        # Their shock is 0.010 ahead of the exact one: no points there
         points = points[abs(points[:, 0] - 0.855) > 0.012]
         table.row(f"{label}: {quantity} against Zheng et al. (2011), mean difference over the "
                   "range", 0, np.mean(abs(np.interp(points[:, 0], x, values) - points[:, 1]))
