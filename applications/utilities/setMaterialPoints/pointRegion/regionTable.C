@@ -403,7 +403,7 @@ void Foam::mpm::printStart
     const PtrList<pointRegion>& regions
 )
 {
-    const wordList gases(phaseNames(phaseProperties, {"gas"}));
+    const wordList gases(phaseNames(phaseProperties, {"gas", "fluid"}));
     const bool contact = phaseProperties.found("contact");
 
     wordList names(phases.size());
