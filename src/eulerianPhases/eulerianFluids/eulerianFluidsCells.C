@@ -452,7 +452,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
     scalar* mass = mass_.begin() + n_*c;
     label only = -1, several = 0;
     bool gas = false;
-    FixedList<scalar, 16> rho, theta;
+    FixedList<scalar, 16> theta;
     for (label k = 0; k < n_; ++k)
     {
         fluidMixture::share& of = share[k];
@@ -480,7 +480,6 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
             only = k;
             ++several;
             gas = gas || isGas(k);
-            rho[k] = before > 0 ? before : of.m/of.A;
         }
     }
     if (several <= 1)
@@ -493,8 +492,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         rho_[c] = only < 0 ? 0 : mass[only];
         return;
     }
-    const scalar P =
-        mixture_.relax(share, theta_[c], W_[c].p, rho.begin(), theta.begin());
+    const scalar P = mixture_.relax(share, theta_[c], theta.begin());
     scalar total = 0;
     for (label k = 0; k < n_; ++k)
     {
