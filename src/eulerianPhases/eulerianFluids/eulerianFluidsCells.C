@@ -223,134 +223,139 @@ void Foam::mpm::eulerianFluids::addFluids
 }
 
 
-void Foam::mpm::eulerianFluids::sumFaces
+void Foam::mpm::eulerianFluids::addAlone
+(
+    const label f,
+    const gasState& w,
+    const scalar rhoE
+)
+{
+    const scalar phi = phiLimited()[f];
+    face_.rho = phi*w.rho;
+    face_.rhoU = face_.rho*w.u;
+    face_.rhoE = phi*rhoE + 0.5*face_.rho*magSqr(w.u) + pStar_[f]*phi_[f];
+}
+
+
+void Foam::mpm::eulerianFluids::addFace
+(
+    const label c,
+    const scalar sign,
+    const label f,
+    const scalar dt,
+    const solidOnFaces* pores
+)
+{
+    // The pressure acts on what the solid leaves of the face
+    sums& to = sums_[c];
+    vector open(mesh_.faceAreas()[f]);
+    if (pores)
+    {
+        open *= 1 - pores->thetaS0[f];
+        if (pores->area0)
+        {
+            open -= pores->area0[f];
+        }
+        volumes& v = volumes_[c];
+        v.phi += sign*phi_[f];
+        v.limited += sign*phiLimited()[f];
+        v.solid += sign*pores->phiS[f];
+    }
+    to.rho += sign*face_.rho;
+    to.rhoU += sign*(face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f))*open);
+    to.rhoE += sign*face_.rhoE;
+    if (jump_.size())
+    {
+        const vector d(mesh_.faceCentres()[f] - mesh_.cellCentres()[c]);
+        const scalar work = face_.rho*(g_ & d);
+        to.rhoE -= sign*work;
+        if (flows_)
+        {
+            flows_->gravityWork += sign*dt*work;
+            flows_->gravityImpulse += sign*dt*weight(c, f)*open;
+        }
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::sumInside
 (
     const scalar dt,
     const solidOnFaces* pores
 )
 {
-    const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
-    const vectorField& S = mesh_.faceAreas();
     const labelList& slot = interfaces_->slot();
     const bool upwind = reconstruction_.upwind();
-    const bool heavy = jump_.size();
     const List<reconstruction::sides>& sides = reconstruction_.faces();
     const List<reconstruction::sideTerms>& terms = reconstruction_.terms();
     const scalarField& limited = phiLimited();
-    sums_ = sums{0, Zero, 0};
-    if (pores)
-    {
-        volumes_.setSize(mesh_.nCells());
-        volumes_ = volumes{0, 0, 0};
-    }
-
-    // One fluid: that of the donor
-    const auto alone =
-        [&](const label f, const gasState& w, const scalar rhoE)
-    {
-        face_.rho = limited[f]*w.rho;
-        face_.rhoU = face_.rho*w.u;
-        face_.rhoE =
-            limited[f]*rhoE + 0.5*face_.rho*magSqr(w.u) + pStar_[f]*phi_[f];
-    };
-
-    // To one side. With an area that the solid blocks the pressure acts on the
-    // rest of the face
-    const auto add = [&](const label c, const scalar sign, const label f)
-    {
-        sums& to = sums_[c];
-        vector open(S[f]);
-        if (pores)
-        {
-            open *= 1 - pores->thetaS0[f];
-            if (pores->area0)
-            {
-                open -= pores->area0[f];
-            }
-            volumes& v = volumes_[c];
-            v.phi += sign*phi_[f];
-            v.limited += sign*limited[f];
-            v.solid += sign*pores->phiS[f];
-        }
-        to.rho += sign*face_.rho;
-        to.rhoU +=
-            sign*(face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f))*open);
-        to.rhoE += sign*face_.rhoE;
-        if (heavy)
-        {
-            const scalar work =
-                face_.rho
-               *(g_ & (mesh_.faceCentres()[f] - mesh_.cellCentres()[c]));
-            to.rhoE -= sign*work;
-            if (flows_)
-            {
-                flows_->gravityWork += sign*dt*work;
-                flows_->gravityImpulse += sign*dt*weight(c, f)*open;
-            }
-        }
-    };
-    for (label f = 0; f < nInternal; ++f)
+    for (label f = 0; f < mesh_.nInternalFaces(); ++f)
     {
         const label P = own[f], N = nei[f];
+        const bool out = limited[f] > 0;
         if (slot[P] >= 0 || slot[N] >= 0)
         {
             addFluids(f, P, N, dt);
         }
+        else if (upwind || first_[P] || first_[N])
+        {
+            const label D = out ? P : N;
+            addAlone(f, W_[D], t_[D].rhoE);
+        }
+        else if (out)
+        {
+            addAlone(f, sides[f].own, terms[f].own.rhoE);
+        }
         else
         {
-            const bool out = limited[f] > 0;
-            const label D = out ? P : N;
-            if (upwind || first_[P] || first_[N])
-            {
-                alone(f, W_[D], t_[D].rhoE);
-            }
-            else
-            {
-                alone
-                (
-                    f,
-                    out ? sides[f].own : sides[f].nei,
-                    out ? terms[f].own.rhoE : terms[f].nei.rhoE
-                );
-            }
+            addAlone(f, sides[f].nei, terms[f].nei.rhoE);
         }
-        add(P, 1, f);
-        add(N, -1, f);
+        addFace(P, 1, f, dt, pores);
+        addFace(N, -1, f, dt, pores);
     }
+}
+
+
+void Foam::mpm::eulerianFluids::sumBoundary
+(
+    const scalar dt,
+    const solidOnFaces* pores
+)
+{
+    const vectorField& S = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+    const labelList& slot = interfaces_->slot();
+    const bool upwind = reconstruction_.upwind();
+    const List<reconstruction::sides>& sides = reconstruction_.faces();
     for (const labelList* list : {&faces_.coupled, &faces_.boundary})
     {
         const bool coupled = list == &faces_.coupled;
-        const bool books = flows_ && !coupled;
         for (const label f : *list)
         {
-            const label P = own[f], i = f - nInternal;
+            const label P = own[f], i = f - mesh_.nInternalFaces();
+            const bool first =
+                upwind || first_[P]
+             || (coupled && first_[mesh_.nCells() + i]);
             if (slot[P] >= 0)
             {
                 addFluids(f, P, P, dt);
             }
             else
             {
-                const bool first =
-                    upwind || first_[P]
-                 || (coupled && first_[mesh_.nCells() + i]);
                 const gasState& w =
-                    limited[f] > 0 ? (first ? W_[P] : sides[f].own)
+                    phiLimited()[f] > 0 ? (first ? W_[P] : sides[f].own)
                   : first || !coupled ? Wb_[i] : sides[f].nei;
-                alone(f, w, rhoEOf(interfaces_->single()[P], w));
+                addAlone(f, w, rhoEOf(interfaces_->single()[P], w));
             }
-            add(P, 1, f);
-            if (books)
+            addFace(P, 1, f, dt, pores);
+            if (flows_ && !coupled)
             {
                 const scalar theta = pores ? 1 - pores->thetaS0[f] : 1;
+                const scalar p = theta*pStar_[f] + (1 - theta)*W_[P].p;
                 flows_->mass -= dt*face_.rho;
-                flows_->impulse -=
-                    dt
-                   *(
-                        face_.rhoU
-                      + (theta*pStar_[f] + (1 - theta)*W_[P].p)*S[f]
-                    );
+                flows_->impulse -= dt*(face_.rhoU + p*S[f]);
                 flows_->energy -= dt*face_.rhoE;
             }
         }
@@ -518,7 +523,14 @@ void Foam::mpm::eulerianFluids::advance
     const noTraps guard;
     startShares();
     setComposition(dt);
-    sumFaces(dt, pores);
+    sums_ = sums{0, Zero, 0};
+    if (pores)
+    {
+        volumes_.setSize(mesh_.nCells());
+        volumes_ = volumes{0, 0, 0};
+    }
+    sumInside(dt, pores);
+    sumBoundary(dt, pores);
     newStates(dt, pores);
 }
 
