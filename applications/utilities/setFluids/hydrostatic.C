@@ -62,7 +62,7 @@ Foam::scalarField Foam::mpm::hydrostatic::change
     const scalarField& start
 ) const
 {
-    constexpr scalar wanted = 1e-8;
+    constexpr scalar wanted = 1e-4;
 
     const label n = start.size();
     scalarField r(start), x(n, Zero), D(n, VSMALL), z(n), s(n, Zero), As(n);
@@ -91,7 +91,12 @@ Foam::scalarField Foam::mpm::hydrostatic::change
             As[l.P] += flux;
             As[l.N] -= flux;
         }
-        const scalar length = now/sumProd(s, As);
+        const scalar across = sumProd(s, As);
+        if (!(across > 0))
+        {
+            break;
+        }
+        const scalar length = now/across;
         x += length*s;
         r -= length*As;
     }
