@@ -10,6 +10,9 @@ sections   discs, boxes and surfaces in 2D and on a wedge, whose volume is the s
 states     order of regions, mass, energy and momentum of cells that regions share
 rest       what lies in layers stays at rest, also as cells of any size; a column of
            water beside air starts without sound
+damBreak   the tutorial on wider cells: the tip against Koshizuka and Oka's computation (Nucl.
+           Sci. Eng. 123 (1996) 421-434)
+processors the same on two processors, one without an interface
 wrong      one message each, with the valid words
 """
 
@@ -21,7 +24,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from cellMesh import boxOfCells
 from fluidCases import WATER
-from foamCase import FoamCase, RunFailed, boxMesh, controlDict, runParts
+from foamCase import PROJECT, FoamCase, RunFailed, boxMesh, controlDict, runParts
 from gasCases import VAN_LEER, schemes, volField
 from surfaces import prisms, surfaceRegion, writeTriangles
 from wedge import SECTOR, wedgeMesh
@@ -346,6 +349,62 @@ def rest(table):
                   (p[0] - first[0])/full, 0.1)
 
 
+# --- dam break ---------------------------------------------------------------
+
+#: t sqrt(2 g/a), x/a, computed by Koshizuka and Oka
+TIP = np.array([(0.591, 1.205), (1.095, 1.637), (1.536, 2.1), (2.043, 2.707), (2.451, 3.251),
+                (2.752, 3.7)])
+
+
+def dam(name, nx, ny, end):
+    """The tutorial on other cells and to another time, with its mesh and fields."""
+    case = FoamCase("setFluids", name, template=os.path.join(PROJECT, "tutorials", "damBreak"))
+    for file, old, new in (("system/blockMeshDict", "nx      64", f"nx {nx}"),
+                           ("system/blockMeshDict", "ny      48", f"ny {ny}"),
+                           ("system/controlDict", "endTime         0.28", f"endTime {end}")):
+        with open(case.file(file)) as f:
+            text = f.read()
+        if old not in text:
+            raise RunFailed(f"{file} has no '{old}'")
+        with open(case.file(file), "w") as f:
+            f.write(text.replace(old, new))
+    case.run("blockMesh")
+    case.run("setFluids")
+    return case
+
+
+def damBreak(table):
+    nx, ny = 48, 36
+    case = dam("damBreak", nx, ny, 0.25)
+    case.run("materialPointFoam")
+    a, h = 0.146, 0.584/nx
+    times = case.times()
+    x = []
+    for time in times:
+        row = (volField(case, time, "alpha.water")*np.ones(nx*ny))[:nx]
+        i = np.max(np.nonzero(row > 0.5)[0])
+        x.append((i + 0.5 + (row[i] - 0.5)/(row[i] - row[i + 1]))*h/a)
+    T = np.array(times, float)*np.sqrt(2*9.81/a)
+    off = np.interp(TIP[:, 0], T, x)/TIP[:, 1] - 1
+    table.row("dam break, 12 cells over the column's width: tip, largest relative difference", 0,
+              np.max(abs(off)), 0.1)
+    table.row("dam break: mass of water [kg]", 426.32e-3, np.sum(
+        volField(case, times[-1], "thetaRho.water"))*h*h*0.01, 1e-12, "relative")
+
+
+def processors(table):
+    """The right half is air alone: its processors have no interface."""
+    one = dam("processors-1", 32, 24, 0.02)
+    one.run("materialPointFoam")
+    other = dam("processors-2", 32, 24, 0.02)
+    other.decompose((2, 1, 1))
+    other.runParallel()
+    time = one.times()[-1]
+    worst = max(np.max(abs(volField(one, time, f) - volField(other, time, f)))
+                / np.max(abs(volField(one, time, f))) for f in ("p", "U", "alpha.water"))
+    table.row("dam break, 2 processors: largest difference", 0, worst, 1e-10)
+
+
 # --- wrong input -------------------------------------------------------------
 
 def wrong(table):
@@ -392,4 +451,5 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("setFluids", volumes, shares, sections, states, rest, wrong))
+    sys.exit(runParts("setFluids", volumes, shares, sections, states, rest, damBreak,
+                      processors, wrong))
