@@ -178,7 +178,7 @@ void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
             std::fill_n(sum, width, 0.0);
             for (const label c : mesh.pointCells()[p])
             {
-                const scalar w = 1/mag(mesh.points()[p] - mesh.C()[c]);
+                const scalar w = 1/mag(mesh.points()[p] - mesh.cellCentres()[c]);
                 sum[nShares_] += w;
                 for (label k = 0; k < nShares_; ++k)
                 {

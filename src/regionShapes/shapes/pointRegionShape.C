@@ -146,6 +146,12 @@ Foam::boolList Foam::mpm::pointRegionShape::contains
 }
 
 
+bool Foam::mpm::pointRegionShape::formula(shapeFormula& f) const
+{
+    return f.body(*this);
+}
+
+
 bool Foam::mpm::pointRegionShape::insideMesh() const
 {
     const polyMesh& mesh = grid_.mesh();

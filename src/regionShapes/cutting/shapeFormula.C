@@ -8,7 +8,18 @@ License
 
 #include "shapeFormula.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::shapeFormula::body(const pointRegionShape& shape)
+{
+    if (withBodies_)
+    {
+        tokens_.append({'b', bodies_.size()});
+        bodies_.append(&shape);
+    }
+    return withBodies_;
+}
+
 
 int Foam::mpm::shapeFormula::evaluate
 (
@@ -24,6 +35,9 @@ int Foam::mpm::shapeFormula::evaluate
         {
             case 's':
                 stack[n++] = inside[t.index];
+                break;
+            case 'b':
+                stack[n++] = inside[surfaces_.size() + t.index];
                 break;
             case 'c':
                 stack[n++] = cells_[t.index](celli) ? 1 : 0;
@@ -45,7 +59,6 @@ int Foam::mpm::shapeFormula::evaluate
     return stack[0];
 }
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::mpm::shapeFormula::surface(const quadratic& f)
 {
