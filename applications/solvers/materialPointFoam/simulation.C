@@ -127,7 +127,10 @@ void Foam::mpm::simulation::makeGas(const rows* from)
     if (header.typeHeaderOk<uniformDimensionedVectorField>(true))
     {
         g = uniformDimensionedVectorField(header).value();
-        checkGravity(header.objectPath(), g, mesh_->geometricD());
+        if (!points_)
+        {
+            checkGravity(header.objectPath(), g, mesh_->geometricD());
+        }
     }
     gas_.reset
     (

@@ -81,7 +81,7 @@ void Foam::mpm::timeStepControl::announceSteps() const
     {
         return;
     }
-    Info<< "About " << label(std::ceil(n)) << " steps of "
+    Info<< "About " << label(std::ceil(n)) << (n > 1 ? " steps of " : " step of ")
         << time_.deltaTValue() << " s to endTime "
         << time_.endTime().value() << " s" << nl;
     if (n > 1e7)

@@ -54,6 +54,7 @@ void Foam::mpm::pointEnergy::noteEnergy
     const scalar size = max(mag(kinetic), mag(strain));
     if (!(largestEnergy_ > 0))
     {
+        const scalar size0 = b ? max(mag(b->kinetic0), mag(b->strain0)) : 0;
         // Energies below this are rounding
         scalar least = 0;
         for (const materialPointPhase& phase : points_.phases())
@@ -63,7 +64,7 @@ void Foam::mpm::pointEnergy::noteEnergy
                 least += 1e-12*phase.mass()*sqr(phase.law().waveSpeed());
             }
         }
-        largestEnergy_ = max(max(least, largestRead_), size);
+        largestEnergy_ = max(max(least, largestRead_), b ? size0 : size);
         startEnergy_ = energy;
         sourceless_ = !hasSources();
     }
