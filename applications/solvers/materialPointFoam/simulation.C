@@ -136,7 +136,10 @@ void Foam::mpm::simulation::makeFlow(const rows* from)
     if (header.typeHeaderOk<uniformDimensionedVectorField>(true))
     {
         g = uniformDimensionedVectorField(header).value();
-        checkGravity(header.objectPath(), g, mesh_->geometricD());
+        if (!points_)
+        {
+            checkGravity(header.objectPath(), g, mesh_->geometricD());
+        }
     }
     if (fluids.size())
     {

@@ -141,6 +141,22 @@ void warnOfCelsius(const volScalarField& T, const volScalarField& p)
 }
 
 
+//- Warn of a pressure that is probably one in bar: below 100 Pa everywhere, at
+//  the temperature of a scene in SI units
+void warnOfBar(const volScalarField& T, const volScalarField& p)
+{
+    const scalar high = gMax(p.primitiveField());
+    const scalar low = gMin(T.primitiveField());
+    if (high < 100 && low > 200)
+    {
+        WarningInFunction
+            << "The gas starts with a pressure of " << high << " Pa ("
+            << p.objectPath() << ") at " << low << " K: that is a vacuum."
+            << " 1 bar is 1e5 Pa." << endl;
+    }
+}
+
+
 template<class Field>
 void checkDimensions(const Field& field, const dimensionSet& dimensions)
 {
@@ -319,6 +335,7 @@ Foam::mpm::eulerianGas::eulerianGas
     if (T_ && !restarted_ && thermo_.isGammaLaw())
     {
         warnOfCelsius(*T_, p_);
+        warnOfBar(*T_, p_);
     }
 
     Info<< "Gas " << name_ << ": " << thermo_.description().c_str();
