@@ -17,8 +17,9 @@ Best of three of each; run on an idle machine.
     rates.py -processors 2      the block and the spall tutorial on 1 and 2
     rates.py -laws              the block at rest with other laws than linearElastic
     rates.py -cells             nodeDual on cells of all kinds beside linear on boxes,
-                                at rest and moving: processor time, parts of the step,
-                                what finding the points' cells takes; the best of five
+                                at rest, moving along x and obliquely: processor time,
+                                parts of the step, what finding the points' cells and
+                                sorting take, moving along x; the best of five
                                 runs, alternating, at real-time priority on one core
                                 where the user may have it
 """
@@ -191,6 +192,10 @@ def laws():
         csv.writer(f).writerows(rows)
 
 
+#: Motions of the block: 0.1 of the boxes of the block a step, along x and obliquely
+MOTIONS = {"rest": None, "moving": "12.5 0 0", "oblique": "8.9 6.7 5.7"}
+
+
 def cells():
     """Rates of nodeDual on cells of all kinds over that of linear on boxes."""
     first = ["chrt", "-r", "1", "taskset", "-c", str(max(os.sched_getaffinity(0)))]
@@ -202,13 +207,13 @@ def cells():
     print(f"machine, one core: triad {triad} GB/s, FMA {fma} GFlop/s; compiler flags"
           f" {os.environ.get('MPM_CXXFLAGS', '?')}; {' '.join(first) or 'no'} priority\n")
     runs = [("block", "linear"), ("block", "nodeDual")] + [(k, "nodeDual") for k in CELLS]
-    cases = {(k, v): prepare(f"cells-{k}-{'moving' if v else 'rest'}", k, v)
-             for k in dict(runs) for v in (None, "12.5 0 0")}
+    cases = {(k, v): prepare(f"cells-{k}-{v}", k, MOTIONS[v])
+             for k in dict(runs) for v in MOTIONS}
     best = {}
     for _ in range(5):
         for kind, shape in runs:
-            for velocity in (None, "12.5 0 0"):
-                case = cases[kind, velocity]
+            for motion in MOTIONS:
+                case = cases[kind, motion]
                 set_text(os.path.join(case, "system/fvSolution"),
                          r"materialPoints\s*\{[^}]*\}",
                          f"materialPoints {{ shapeFunction {shape}; transfer FLIP;"
@@ -218,22 +223,23 @@ def cells():
                 ns = number(out, "ns per point and step")
                 parts = {p: number(out.split("[%]:")[1], p)*ns/100
                          for p in ("nodes", "move", "sort", "project", "force")}
-                key = kind, shape, velocity
+                key = kind, shape, motion
                 # Parts are those of the clock on the wall
                 least, of, _ = best.get(key, (ns, parts, 0))
                 best[key] = (min(ns, least), {p: min(parts[p], of[p]) for p in of},
                              number(out, "points"))
-    rows = [["cells", "shape", "points", "ns at rest", "over linear", "ns moving",
-             "over linear", "finding cells", "sorting"]]
+    rows = [["cells", "shape", "points", "ns at rest", "over linear", "ns along x",
+             "over linear", "ns oblique", "over linear", "finding cells", "sorting"]]
     for kind, shape in runs:
-        rest, moving = (best[kind, shape, v] for v in (None, "12.5 0 0"))
-        over = [best[kind, shape, v][0]/best["block", "linear", v][0]
-                for v in (None, "12.5 0 0")]
-        rows.append([kind, shape, f"{rest[2]:.0f}", f"{rest[0]:.1f}", f"{over[0]:.2f}",
-                     f"{moving[0]:.1f}", f"{over[1]:.2f}",
-                     *(f"{moving[1][p] - rest[1][p]:.1f}" for p in ("move", "sort"))])
-        print(kind, shape, {v: {k: round(x, 1) for k, x in best[kind, shape, v][1].items()}
-                            for v in (None, "12.5 0 0")})
+        of = {v: best[kind, shape, v] for v in MOTIONS}
+        rows.append([kind, shape, f"{of['rest'][2]:.0f}",
+                     *(text for v in MOTIONS
+                       for text in (f"{of[v][0]:.1f}",
+                                    f"{of[v][0]/best['block', 'linear', v][0]:.2f}")),
+                     *(f"{of['moving'][1][p] - of['rest'][1][p]:.1f}"
+                       for p in ("move", "sort"))])
+        print(kind, shape, {v: {k: round(x, 1) for k, x in of[v][1].items()}
+                            for v in MOTIONS})
     widths = [max(len(r[i]) for r in rows) for i in range(len(rows[0]))]
     for r in rows:
         print("  ".join(v.ljust(w) for v, w in zip(r, widths)))

@@ -29,8 +29,15 @@ def coupledCase(folder, name, cells, high, initial, endTime, phases, regions, ga
                    thermo={"thermo": "perfectGas", "R": 1, "gamma": 1.4, **(gas or {})},
                    control={"maxCo": maxCo, **(control or {})}, **options)
     air = {"type": "gas", "thermo": "perfectGas", "R": 1, "gamma": 1.4, **(gas or {})}
+    addPoints(case, {"air": air}, phases, regions, pointConditions, numerics, ppc, prepare)
+    return case
+
+
+def addPoints(case, flow, phases, regions, pointConditions="slip", numerics=None, ppc=2,
+              prepare=None):
+    """Points beside the phases of flow: their files, and setMaterialPoints."""
     case.write("constant/phaseProperties", {
-        "phases": ["air", *phases], "air": air,
+        "phases": [*(n for n in flow if n != "fluids"), *phases], **flow,
         **{p: {"velocityField": "solids", **e} for p, e in phases.items()}})
     with open(case.file("constant/polyMesh/boundary")) as f:
         kinds = re.findall(r"(\w+)\s*\{\s*type\s+(\w+);", f.read())
@@ -43,7 +50,6 @@ def coupledCase(folder, name, cells, high, initial, endTime, phases, regions, ga
     if prepare:
         prepare(case)
     case.run("setMaterialPoints")
-    return case
 
 
 def ambient(p):

@@ -8,9 +8,13 @@
 WATER, AIR: entries of the phases. AIR has R = 1 J/kg/K, so that T = p/rho.
 """
 
+import os
+
 import numpy as np
 
-from foamCase import FoamCase, boxMesh, controlDict
+from cellMesh import boxOfCells
+from coupledCases import addPoints
+from foamCase import FoamCase, boxMesh, controlDict, readInternal
 from gasCases import OPEN, VAN_LEER, WALL, boxCentres, schemes, volField, writeVolField
 
 WATER = {"rho": 1000, "equationOfState": {"type": "stiffenedGas", "gamma": 4.4, "pInf": 6e8,
@@ -20,8 +24,9 @@ AIR = {"thermo": "perfectGas", "R": 1, "gamma": 1.4}
 
 def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0), ends=OPEN,
               sides=None, reconstruct=VAN_LEER, maxCoGas=0.4, writeInterval=None, control=None,
-              patches=None, gravity=None, settings=None, mesh=None):
-    """ends, sides: conditions of p, T (and rho, alpha), U, as of gasCases.gasCase."""
+              patches=None, gravity=None, settings=None, kind=None, moved=0.2):
+    """ends, sides: conditions of p, T (and rho, alpha), U, as of gasCases.gasCase; kind: cells
+    of cellMesh.boxOfCells in place of boxes."""
     case = FoamCase(folder, name)
     nDim = sum(n > 1 for n in cells)
     if patches is None:
@@ -33,27 +38,6 @@ def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0)
     empty = [s for d, s in enumerate(("x", "y", "z")) if d >= nDim for s in (s + "-", s + "+")]
     if empty:
         patches["frontAndBack"] = ("empty", empty)
-    case.write("system/blockMeshDict", boxMesh(low, high, cells, patches))
-    given = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3}
-
-    def conditionsOf(i):
-        return {n: given[n][i] if n in given else kind for n, (kind, *_) in patches.items()}
-
-    x, y, z = boxCentres(low, high, cells)
-    alphas, rhos, u, p = initial(x, y, z)
-    one = np.ones_like(x)
-    u = np.asarray(u, float)*(one if np.ndim(u) < 2 else 1)
-    if u.ndim == 1:
-        u = np.column_stack([u, 0*u, 0*u])
-    p = p*one
-    writeVolField(case, "p", p, conditionsOf(0))
-    writeVolField(case, "U", u, conditionsOf(2))
-    for (fluid, entries), alpha, rho in zip(fluids.items(), alphas, rhos):
-        writeVolField(case, "alpha." + fluid, alpha*one, conditionsOf(1))
-        if entries.get("thermo") == "perfectGas":
-            writeVolField(case, "T." + fluid, p/(rho*one)/entries["R"], conditionsOf(1))
-        else:
-            writeVolField(case, "rho." + fluid, rho*one, conditionsOf(1))
     case.write("system/fvSchemes", schemes(reconstruct))
     case.write("system/fvSolution", {})
     entries = controlDict(endTime, writeInterval or endTime, maxCo=maxCoGas,
@@ -63,6 +47,36 @@ def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0)
     entries["maxCoGas"] = entries.pop("maxCo")
     entries.update(control or {})
     case.write("system/controlDict", entries)
+    if kind:
+        boxOfCells(case, kind, low, high, cells, patches, moved=moved)
+        os.makedirs(case.file("0"), exist_ok=True)
+        case.run("postProcess", "-func", "writeCellCentres", "-time", "0")
+        x, y, z = readInternal(case.file("0", "C")).T
+        for f in ("C", "Cx", "Cy", "Cz"):
+            os.remove(case.file("0", f))
+    else:
+        case.write("system/blockMeshDict", boxMesh(low, high, cells, patches))
+        case.run("blockMesh")
+        x, y, z = boxCentres(low, high, cells)
+    given = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3}
+
+    def conditionsOf(i):
+        return {n: given[n][i] if n in given else t for n, (t, *_) in patches.items()}
+
+    alphas, rhos, u, p = initial(x, y, z)
+    one = np.ones_like(x)
+    u = np.asarray(u, float)*(one if np.ndim(u) < 2 else 1)
+    if u.ndim == 1:
+        u = np.column_stack([u, 0*u, 0*u])
+    p = p*one
+    writeVolField(case, "p", p, conditionsOf(0))
+    writeVolField(case, "U", u, conditionsOf(2))
+    for (fluid, values), alpha, rho in zip(fluids.items(), alphas, rhos):
+        writeVolField(case, "alpha." + fluid, alpha*one, conditionsOf(1))
+        if values.get("thermo") == "perfectGas":
+            writeVolField(case, "T." + fluid, p/(rho*one)/values["R"], conditionsOf(1))
+        else:
+            writeVolField(case, "rho." + fluid, rho*one, conditionsOf(1))
     properties = {"phases": list(fluids)}
     for fluid, values in fluids.items():
         properties[fluid] = {"type": "fluid", **values}
@@ -72,8 +86,13 @@ def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0)
     if gravity is not None:
         case.write("constant/g", {"dimensions": "[0 1 -2 0 0 0 0]", "value": tuple(gravity)},
                    "uniformDimensionedVectorField")
-    case.run("blockMesh")
     return case
+
+
+def besidePoints(case, fluids, phases, regions, settings=None, **options):
+    """Points in a case of fluidCase(); options of coupledCases.addPoints()."""
+    addPoints(case, {**{n: {"type": "fluid", **e} for n, e in fluids.items()},
+                     "fluids": settings or {}}, phases, regions, **options)
 
 
 def fluidField(case, end, name):

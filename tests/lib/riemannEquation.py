@@ -94,6 +94,41 @@ class JWL(Equation):
         return a, w*rho, da, w
 
 
+class CochranChan(Equation):
+    """Energy from the cold curve: e_c is the integral of p_c drho/rho^2 from rho0."""
+
+    def __init__(self, A, B, E1, E2, Gamma0, rho0):
+        self.terms, self.Gamma0, self.rho0 = ((A, E1), (-B, E2)), Gamma0, rho0
+
+    def of(self, rho):
+        x, g, a, da = rho/self.rho0, self.Gamma0, 0.0, 0.0
+        for k, n in self.terms:
+            e = k/self.rho0*(x**(n - 1) - 1)/(n - 1)
+            a += k*x**n - g*rho*e
+            da += (k*n*x**n - g*k*x**n)/rho - g*e
+        return a, g*rho, da, g
+
+
+class VanDerWaals(Equation):
+    def __init__(self, gamma, a, b):
+        self.gamma, self.a, self.b = gamma, a, b
+
+    def of(self, rho):
+        g, a, b = self.gamma - 1, self.a, self.b
+        v = 1 - b*rho
+        return (g*a*rho**2/v - a*rho**2, g*rho/v,
+                g*a*rho*(2 - b*rho)/v**2 - 2*a*rho, g/v**2)
+
+
+class NobleAbelStiffenedGas(Equation):
+    def __init__(self, gamma, pInf, b, q):
+        self.gamma, self.pInf, self.b, self.q = gamma, pInf, b, q
+
+    def of(self, rho):
+        g, v = self.gamma - 1, 1 - self.b*rho
+        return (-self.gamma*self.pInf - g*rho*self.q/v, g*rho/v, -g*self.q/v**2, g/v**2)
+
+
 class _Fan:
     """Isentrope from a state downwards; u is that of a wave to the right."""
 

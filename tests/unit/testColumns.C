@@ -15,6 +15,7 @@ Description
 #include "materialPointCloud.H"
 #include "IOField.H"
 #include "OSspecific.H"
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -313,4 +314,33 @@ TEST_CASE("a column of one line is written and read bit by bit, by its rules")
         }
     }
     rmDir(m().time().path());
+}
+
+
+TEST_CASE("a column in another order: few points and many, from one on")
+{
+    std::mt19937 gen(4);
+    for (const label n : {7, 519, 520, 521, 528, 1501})
+    {
+        for (const label first : {0, 5})
+        {
+            column c("of", column::vectors, 2);
+            c.reserve(n, 0);
+            alignedArray scratch(n + column::padding);
+            labelList from(identity(n));
+            std::shuffle(from.begin() + first, from.end(), gen);
+            for (label p = 0; p < n; ++p)
+            {
+                c[0][p] = p;
+                c[1][p] = -p;
+            }
+            c.permute(from.cdata(), first, n, scratch);
+            label nWrong = 0;
+            for (label p = 0; p < n; ++p)
+            {
+                nWrong += c[0][p] != from[p] || c[1][p] != -from[p];
+            }
+            CHECK(nWrong == 0);
+        }
+    }
 }

@@ -9,7 +9,9 @@ License
 #include <doctest/doctest.h>
 #include "equationOfState.H"
 #include "laneMath.H"
+#include "IFstream.H"
 #include "IStringStream.H"
+#include "OSspecific.H"
 #include <cmath>
 #include <string>
 #include <vector>
@@ -26,6 +28,13 @@ autoPtr<equationOfState> equation(const std::string& text, const scalar rho0)
     return equationOfState::New(dictionary(is), rho0);
 }
 
+//- A file of etc/materials
+dictionary material(const std::string& name)
+{
+    IFstream is(getEnv("MPM_PROJECT_DIR")/"etc/materials"/name);
+    return dictionary(is);
+}
+
 const char* const all[] =
 {
     "type linear; K 140e9;",
@@ -34,7 +43,10 @@ const char* const all[] =
     "type stiffenedGas; gamma 4.4; pInf 6e8; p0 1e5;",
     "type MieGrueneisen; C0 3940; S 1.489; Gamma0 2.02;",
     "type MieGrueneisen; C0 3940; S 1.489; Gamma0 0;",
-    "type JWL; A 371.2e9; B 3.231e9; R1 4.15; R2 0.95; omega 0.3; E0 7e9;"
+    "type JWL; A 371.2e9; B 3.231e9; R1 4.15; R2 0.95; omega 0.3; E0 7e9;",
+    "type CochranChan; A 12.87e9; B 13.42e9; E1 4.1; E2 3.1; Gamma0 0.93; p0 1e5;",
+    "type vanDerWaals; gamma 1.4; a 5; b 1e-4; p0 1e8;",
+    "type nobleAbelStiffenedGas; gamma 1.19; pInf 7.028e8; b 3e-4; q -1177788; p0 1e5;"
 };
 
 }
@@ -175,18 +187,120 @@ TEST_CASE("perfectGas and Tait: closed forms")
 }
 
 
-TEST_CASE("JWL: TNT at the Chapman-Jouguet point")
+TEST_CASE("JWL: explosives of etc/materials at the Chapman-Jouguet point")
 {
-    // rho0 1630, D 6930 m/s, p 21 GPa with the published constants: V from
-    // the Rayleigh line, e from the jump of the energy
-    const scalar rho0 = 1630, D = 6930, p = 21e9;
-    const auto eos(equation(all[6], rho0));
-    const scalar V = 1 - p/(rho0*D*D);
-    const scalar e = eos->e0() + 0.5*p*(1 - V)/rho0;
-    CHECK(eos->p(rho0/V, e) == doctest::Approx(p).epsilon(0.005));
+    // Density, speed of detonation, pressure as published with the constants:
+    // V from the Rayleigh line, e from the jump of the energy
+    struct charge { const char* name; scalar rho0, D, p; };
+    for (const charge& c :
+    {
+        charge{"TNT", 1630, 6930, 21e9}, charge{"C4", 1601, 8193, 28e9},
+        charge{"PETN", 1770, 8300, 33.5e9}
+    })
+    {
+        const dictionary dict(material(c.name));
+        CHECK(dict.get<scalar>("rho") == c.rho0);
+        const auto eos
+        (
+            equationOfState::New(dict.subDict("equationOfState"), c.rho0)
+        );
+        const scalar V = 1 - c.p/(c.rho0*c.D*c.D);
+        const scalar e = eos->e0() + 0.5*c.p*(1 - V)/c.rho0;
+        CHECK(eos->p(c.rho0/V, e) == doctest::Approx(c.p).epsilon(1e-3));
 
-    // There the products' flow is sonic: c = D V
-    CHECK(eos->c(rho0/V, e) == doctest::Approx(D*V).epsilon(0.02));
+        // There the products' flow is sonic: c = D V
+        CHECK(eos->c(c.rho0/V, e) == doctest::Approx(c.D*V).epsilon(1e-3));
+    }
+}
+
+
+TEST_CASE("CochranChan: energy of the start is that of the published Cv at 298 K")
+{
+    struct solid { const char* text; scalar rho0, Cv; };
+    for (const solid& s :
+    {
+        solid{"type CochranChan; A 145.67e9; B 147.75e9; E1 2.99; E2 1.99;"
+            " Gamma0 2; p0 1e5;", 8900, 393},
+        solid{all[7], 1840, 1087}
+    })
+    {
+        const auto eos(equation(s.text, s.rho0));
+        CHECK(eos->e0()/s.Cv == doctest::Approx(298).epsilon(0.01));
+        CHECK(eos->coldEnergy(s.rho0) == 0);
+        CHECK(eos->p(s.rho0, eos->e0()) == doctest::Approx(1e5).epsilon(1e-4));
+    }
+
+    // Copper's speed of sound: sqrt(K/rho) of 140 GPa within 5 %
+    const auto copper
+    (
+        equation("type CochranChan; A 145.67e9; B 147.75e9; E1 2.99; E2 1.99;"
+            " Gamma0 2; p0 1e5;", 8900)
+    );
+    CHECK(copper->c(8900, copper->e0()) == doctest::Approx(3966).epsilon(0.05));
+}
+
+
+TEST_CASE("vanDerWaals, nobleAbelStiffenedGas: closed forms, limits, the pole")
+{
+    // Speeds of sound of the headers; p of the law with temperature
+    const auto gas(equation("type vanDerWaals; gamma 1.4; a 5; b 1e-3; p0 1e5;", 50));
+    const auto water(equation("type nobleAbelStiffenedGas; gamma 1.19; pInf 7.028e8;"
+        " b 6.61e-4; q -1177788; p0 1e5;", 1050));
+    for (const scalar p : {1e5, 1e7, 1e9})
+    {
+        const scalar rho = 60, v = 1 - 1e-3*rho, e = gas->e(rho, p);
+        const scalar K = 1.4*(p + 5*rho*rho)/v - 2*5*rho*rho;
+        CHECK(rho*gas->c2(rho, e) == doctest::Approx(K).epsilon(1e-12));
+        const scalar thermal = e - gas->coldEnergy(rho);
+        CHECK
+        (
+            0.4*thermal/(1/rho - 1e-3) - 5*rho*rho
+         == doctest::Approx(p).epsilon(1e-12)
+        );
+
+        const scalar r = 1050, w = 1 - 6.61e-4*r, f = water->e(r, p);
+        CHECK
+        (
+            water->c2(r, f)
+         == doctest::Approx(1.19*(p + 7.028e8)/(r*w)).epsilon(1e-12)
+        );
+
+        // v = b + (gamma - 1) Cv T/(p + pInf), Cv 3610 J/kg/K
+        const scalar T = (f - water->coldEnergy(r))/3610;
+        CHECK
+        (
+            1/r
+         == doctest::Approx(6.61e-4 + 0.19*3610*T/(p + 7.028e8)).epsilon(1e-10)
+        );
+    }
+
+    // Without a, b, q: perfectGas, stiffenedGas
+    const auto thin(equation("type vanDerWaals; gamma 1.4; a 0; b 0; p0 1e5;", 1.2));
+    const auto air(equation("type perfectGas; gamma 1.4; p0 1e5;", 1.2));
+    CHECK(thin->p(2, 3e5) == air->p(2, 3e5));
+    CHECK(thin->c(2, 3e5) == doctest::Approx(air->c(2, 3e5)).epsilon(1e-14));
+    const auto plain(equation("type nobleAbelStiffenedGas; gamma 4.4; pInf 6e8; b 0; q 0;"
+        " p0 1e5;", 1000));
+    const auto stiff(equation(all[3], 1000));
+    CHECK(plain->p(1100, plain->e0()) == stiff->p(1100, stiff->e0()));
+    scalar gamma = 0, pInf = 0;
+    CHECK(plain->isStiffened(gamma, pInf));
+    CHECK(gamma == 4.4);
+    CHECK(!water->isStiffened(gamma, pInf));
+
+    // Pressure rises up to the pole and beyond
+    for (const auto* eos : {&gas, &water})
+    {
+        scalar last = -GREAT;
+        const scalar e = (*eos)->e0();
+        for (scalar rho = 900; rho < 4000; rho *= 1.01)
+        {
+            const scalar p = (*eos)->p(rho, e);
+            CHECK(p > last);
+            CHECK((*eos)->c2(rho, e) > 0);
+            last = p;
+        }
+    }
 }
 
 
@@ -291,7 +405,16 @@ TEST_CASE("equations of state: input errors")
         "type stiffenedGas; gamma 4.4; p0 0;",
         "type MieGrueneisen; C0 3940; S -1; Gamma0 2;",
         "type MieGrueneisen; S 1; Gamma0 2;",
-        "type JWL; A 1; B 1; R1 4; R2 1; omega 0.3; E0 -1;"
+        "type JWL; A 1; B 1; R1 4; R2 1; omega 0.3; E0 -1;",
+        "type CochranChan; A 1; B 1; E1 1; E2 2; Gamma0 1; p0 0;",
+        "type CochranChan; A 1; B 1; E1 2; E2 2; Gamma0 1; p0 -1;",
+        "type CochranChan; A 1; B 1; R1 2; R2 2; Gamma0 1; p0 0;",
+        "type vanDerWaals; gamma 1.4; a 1; b 1; p0 1;",
+        "type vanDerWaals; gamma 1.4; a 1; b 0; p0 0.1;",
+        "type vanDerWaals; gamma 1.4; b 0; p0 1;",
+        "type nobleAbelStiffenedGas; gamma 1.19; pInf 1; b 1; q 0; p0 0;",
+        "type nobleAbelStiffenedGas; gamma 1.19; pInf -1; b 0; q 0; p0 0;",
+        "type nobleAbelStiffenedGas; gamma 1.19; pInf 1; b 0; p0 0;"
     })
     {
         CHECK_THROWS_AS(equation(text, 1), Foam::IOerror);

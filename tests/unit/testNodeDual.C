@@ -406,6 +406,64 @@ void foundByCells(const pointGrid& g)
     CHECK(g.find(beyond) == -1);
 }
 
+
+//- Points that are located together have the cells of each alone: inside,
+//  outside, in vertices, on faces and all but on them
+void locatedTogether(const pointGrid& g)
+{
+    g.simplices();
+    const polyMesh& mesh = g.mesh();
+    std::mt19937 gen(5);
+    std::uniform_int_distribution<label> some(0, g.nCells() - 1);
+    std::uniform_real_distribution<scalar> u(-0.2, 1.2);
+    DynamicList<label> cells, from;
+    DynamicList<scalar> x;
+    const auto add = [&](const label celli, const point& p)
+    {
+        from.append(celli);
+        for (int d = 0; d < 3; ++d)
+        {
+            x.append(d < g.nDim() ? p[g.direction(d)] : 0);
+        }
+    };
+    for (label i = 0; i < 2000; ++i)
+    {
+        add(some(gen), point(u(gen), u(gen), u(gen)));
+    }
+    forAll(mesh.faces(), facei)
+    {
+        const label own = mesh.faceOwner()[facei];
+        const point& c = mesh.faceCentres()[facei];
+        const point& inside = mesh.cellCentres()[own];
+        for (const scalar part : {0.0, 1e-15, -1e-15, 1e-10, -1e-10, 1e-3, -1e-3})
+        {
+            add(own, c + part*(inside - c));
+            add(some(gen), c + part*(inside - c));
+        }
+    }
+    for (const point& p : mesh.points())
+    {
+        add(some(gen), p);
+    }
+    scalarList together(x), alone(x);
+    labelList found(from);
+    g.locateAll(found.size(), found.begin(), together.begin());
+    label wrong = 0, moved = 0, nInside = 0;
+    forAll(from, i)
+    {
+        wrong += found[i] != g.locate(from[i], alone.begin() + 3*i);
+        nInside += found[i] >= 0;
+    }
+    forAll(x, i)
+    {
+        moved += together[i] != alone[i];
+    }
+    CHECK(wrong == 0);
+    CHECK(moved == 0);
+    CHECK(nInside > found.size()/2);
+    CHECK(nInside < found.size());
+}
+
 }
 
 
@@ -461,6 +519,19 @@ TEST_CASE("node-dual functions: passes in two levels are sums over the functions
         explicitSums<2>(testMesh(90, 6, 0, cube).grid(), 9, inner);
         explicitSums<1>(testMesh(80, 0, 0, cube).grid(), 10, inner);
     }
+}
+
+
+TEST_CASE("node-dual cells: points located together are where each alone is")
+{
+    for (const auto kind : {cellMesh::tets, cellMesh::prisms, cellMesh::hexes,
+            cellMesh::polyhedra})
+    {
+        CAPTURE(int(kind));
+        locatedTogether(cellMesh(kind, 4).grid());
+        locatedTogether(cellMesh(kind, 4, false, true).grid());
+    }
+    locatedTogether(testMesh(5, 4, 3, graded).grid());
 }
 
 // ************************************************************************* //

@@ -44,6 +44,78 @@ TEST_CASE("perfectGas as a fluid: isentropic compression, second order")
 }
 
 
+TEST_CASE("vanDerWaals, nobleAbelStiffenedGas, CochranChan as fluids: isentropes")
+{
+    // (p + a rho^2)(1/rho - b)^gamma, (p + pInf)(1/rho - b)^gamma and
+    // (p - p_c)/rho^(1 + Gamma0) stay
+    struct fluid
+    {
+        const char* text;
+        scalar rho0, scale;
+        scalar (*p)(const scalar);
+    };
+    for (const fluid& f :
+    {
+        fluid
+        {
+            "vanDerWaals; gamma 1.4; a 5; b 1e-3; p0 1e5;", 50, 1e5,
+            [](const scalar r)
+            {
+                const scalar v = (1/r - 1e-3)/(1/50.0 - 1e-3);
+                return (1e5 + 5*2500)*std::pow(v, -1.4) - 5*r*r;
+            }
+        },
+        fluid
+        {
+            "nobleAbelStiffenedGas; gamma 1.19; pInf 7.028e8; b 6.61e-4;"
+            " q -1177788; p0 1e5;", 1050, 7e8,
+            [](const scalar r)
+            {
+                const scalar v = (1/r - 6.61e-4)/(1/1050.0 - 6.61e-4);
+                return (1e5 + 7.028e8)*std::pow(v, -1.19) - 7.028e8;
+            }
+        },
+        fluid
+        {
+            "CochranChan; A 12.87e9; B 13.42e9; E1 4.1; E2 3.1; Gamma0 0.93;"
+            " p0 1e5;", 1840, 1e10,
+            [](const scalar r)
+            {
+                const scalar x = r/1840;
+                return
+                    12.87e9*std::pow(x, 4.1) - 13.42e9*std::pow(x, 3.1)
+                  + (1e5 + 0.55e9)*std::pow(x, 1.93);
+            }
+        }
+    })
+    {
+        const std::string rho = std::to_string(f.rho0);
+        const auto law
+        (
+            lawOf
+            (
+                "type NewtonianFluid; rho " + rho + "; mu 0;"
+                " equationOfState { type " + f.text + " }"
+            )
+        );
+        scalar last = 0;
+        for (const int n : {20, 40})
+        {
+            points p(3, 9, f.rho0);
+            law->start(*std::make_unique<pointBlock>(p.block()));
+            std::vector<scalar> L(9, 0);
+            L[0] = L[4] = L[8] = -0.05;
+            walk(p, *law, L, n);
+            const scalar error =
+                (-p.stress[0][8] - f.p(f.rho0*std::exp(0.15)))/f.scale;
+            CHECK(std::abs(error) < 1e-3);
+            if (n == 40) CHECK(std::abs(error) < 0.3*std::abs(last));
+            last = error;
+        }
+    }
+}
+
+
 TEST_CASE("NewtonianFluid: shear flow, heat, pMin")
 {
     const scalar mu = 0.3, rate = 20, dt = 1e-5;

@@ -95,27 +95,8 @@ void Foam::mpm::simulation::makePhases(rows* from)
     makeFlow(from);
     if (points_ && gas_)
     {
-        coupling_.reset
-        (
-            new gasCoupling(*points_, gasBesidePoints(), properties_)
-        );
+        coupling_.reset(new gasCoupling(*points_, *gas_, properties_));
     }
-}
-
-
-Foam::mpm::eulerianGas& Foam::mpm::simulation::gasBesidePoints()
-{
-    eulerianGas* gas = dynamic_cast<eulerianGas*>(gas_.get());
-    if (!gas)
-    {
-        FatalIOErrorInFunction(properties_)
-            << "Phases of type fluid "
-            << flatOutput(phaseNames(properties_, {"fluid"}))
-            << " run without material points and rigid bodies only; beside"
-            << " these there may be one phase of type gas."
-            << exit(FatalIOError);
-    }
-    return *gas;
 }
 
 
@@ -155,10 +136,17 @@ void Foam::mpm::simulation::makeFlow(const rows* from)
     if (header.typeHeaderOk<uniformDimensionedVectorField>(true))
     {
         g = uniformDimensionedVectorField(header).value();
-        checkGravity(header.objectPath(), g, mesh_->geometricD());
+        if (!points_)
+        {
+            checkGravity(header.objectPath(), g, mesh_->geometricD());
+        }
     }
     if (fluids.size())
     {
+        if (!properties_.found("fluids"))
+        {
+            properties_.add("fluids", dictionary());
+        }
         gas_.reset
         (
             new eulerianFluids

@@ -227,7 +227,8 @@ bool Foam::mpm::timeStepControl::dryRun(const argList& args) const
 {
     if (args.found("dry-run") || args.found("dry-run-write"))
     {
-        Info<< "Dry run: the case is complete. End\n" << endl;
+        Info<< "Dry run: the case is complete (maxCo and functions of"
+            << " controlDict are not read). End\n" << endl;
         return true;
     }
     return false;
@@ -409,7 +410,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
     const scalar Co = max(CoPoints, CoGas);
     if (!nSteps_ || reports())
     {
-        Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
+        Info<< "Courant Number max: " << Co << nl;
         if (points() && gas())
         {
             Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
@@ -589,7 +590,7 @@ void Foam::mpm::timeStepControl::end() const
             << " the time to endTime " << time_.endTime().value() << "."
             << exit(FatalIOError);
     }
-    Info<< "Steps: " << nSteps_ << nl << "End\n" << endl;
+    Info<< "Steps: " << nSteps_ << " of this run" << nl << "End\n" << endl;
 }
 
 // ************************************************************************* //

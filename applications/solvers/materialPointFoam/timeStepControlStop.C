@@ -81,7 +81,7 @@ void Foam::mpm::timeStepControl::announceSteps() const
     {
         return;
     }
-    Info<< "About " << label(std::ceil(n)) << " steps of "
+    Info<< "About " << label(std::ceil(n)) << (n > 1 ? " steps of " : " step of ")
         << time_.deltaTValue() << " s to endTime "
         << time_.endTime().value() << " s" << nl;
     if (n > 1e7)
@@ -198,16 +198,16 @@ void Foam::mpm::timeStepControl::watchEnergy()
     {
         grown_ = true;
         WarningInFunction
-            << "Energy has grown by " << 100*growth << " % of the largest"
-            << " energy of the points without a source, at time "
-            << time_.timeName()
+            << "Energy has grown by " << 100*growth << " % without a source, at"
+            << " time " << time_.timeName()
             << (
                    points()->energy().active()
-                 ? " (work of boundaries, gravity and loads, heat and granular"
-                   " counted with that energy): remap, residual and what"
-                   " transfer and contact gain in the energy budget, whose"
-                   " other terms may have taken more of the total."
-                 : ": the total, since the first report."
+                 ? ": transfer + remap + residual + contact of the energy"
+                   " budget, less the work of prescribed bodies, has risen"
+                   " above its least value by this share of the largest energy"
+                   " of the points, or of what sources have exchanged if that"
+                   " is more."
+                 : ": the total of the points, since the first report."
                )
             << nl << "A smaller maxCo or deltaT keeps a run stable, in place of"
             << " FLIP and APIC also a transfer that dissipates (FMPM,"

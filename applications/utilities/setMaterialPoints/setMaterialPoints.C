@@ -496,7 +496,7 @@ int main(int argc, char *argv[])
     const IOdictionary dict(dictIO);
     requireClosed(dict.objectPath());
     PtrList<pointRegion> regions;
-    const bool inGas = phaseNames(phaseProperties, {"gas"}).size();
+    const bool inGas = phaseNames(phaseProperties, {"gas", "fluid"}).size();
     readRegions(grid, dict, phases, inGas, regions);
 
     printTable(namesOf(phases), regions);

@@ -11,7 +11,7 @@ import numpy as np
 
 from mpm import pictures, views
 from mpm.case import Case
-from mpm.pictures import (GAS, RIGID, colourBar, drawPoints, frame, plt, polygons,
+from mpm.pictures import (GAS, RIGID, colourBar, drawPoints, frame, layOut, plt, polygons,
                           saveAnimation)
 
 
@@ -69,6 +69,7 @@ class Drawing:
                 colourBar(self.figure, pictures.ScalarMappable(norm(layer), colours(layer)),
                           self.ax, layer["label"], shrink=0.9 if height > 0.6 else 1,
                           aspect=22, extend="both" if layer.get("log") else "neither")
+        layOut(self.figure)
         self.pixels = [n*3//4 for n in pictures._pixels(self.ax, self.box)]
         # Laid out once, for all frames
         self.figure.set_layout_engine("none")

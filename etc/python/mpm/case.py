@@ -119,7 +119,7 @@ class Case:
     def nSteps(self):
         """Steps of a run that has ended, of another those that its log has."""
         log = self.log()
-        end = re.search(r"^Steps: (\d+)$", log, flags=re.M)
+        end = re.search(r"^Steps: (\d+)", log, flags=re.M)
         return int(end[1]) if end else len(re.findall(r"^Time = ", log, flags=re.M))
 
     def solverSeconds(self):

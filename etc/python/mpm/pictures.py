@@ -205,8 +205,15 @@ def colourBar(figure, image, axes, label, **options):
     return bar
 
 
+def layOut(figure):
+    """Room for all labels: with a colour bar beside equal units it takes some passes."""
+    for _ in range(3):
+        figure.draw_without_rendering()
+
+
 def save(figure, name, dpi=None):
     """A PNG; one that is large in 256 colours, a third of the size."""
+    layOut(figure)
     buffer = io.BytesIO()
     figure.savefig(buffer, dpi=dpi)
     with open(name, "wb") as f:

@@ -213,6 +213,13 @@ void Foam::mpm::checkGravity
                 << exit(FatalError);
         }
     }
+    if (mag(g) > 100)
+    {
+        WarningInFunction
+            << "Gravity in " << file << " is " << g << " m/s2, "
+            << mag(g)/9.81 << " times that of the earth: it is in m/s2, whatever"
+            << " the unit of the mesh's drawing." << endl;
+    }
 }
 
 

@@ -402,7 +402,7 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
 Foam::mpm::dragExchange::dragExchange
 (
     materialPointSystem& points,
-    eulerianGas& gas,
+    eulerianFlow& gas,
     solidFraction& fraction,
     const dictionary& phaseProperties
 )

@@ -76,7 +76,7 @@ Foam::string Foam::mpm::fractionWatch::advice(const label celli) const
 Foam::mpm::fractionWatch::fractionWatch
 (
     materialPointSystem& points,
-    eulerianGas& gas,
+    eulerianFlow& gas,
     const solidFraction& fraction,
     const granularForce& grains
 )

@@ -16,7 +16,7 @@ License
 Foam::mpm::gasCoupling::gasCoupling
 (
     materialPointSystem& points,
-    eulerianGas& gas,
+    eulerianFlow& gas,
     const dictionary& properties
 )
 :
@@ -33,7 +33,7 @@ Foam::mpm::gasCoupling::gasCoupling
     watch_(points, gas, *fraction_, grains_),
     books_(false)
 {
-    if (!gas_.thermo().isGammaLaw())
+    if (gas_.oneThermo() && !gas_.oneThermo()->isGammaLaw())
     {
         FatalIOErrorInFunction(requiredDict(properties, gas_.name()))
             << "Gas " << gas_.name() << " has an equationOfState; beside"
@@ -126,7 +126,7 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
 
 void Foam::mpm::gasCoupling::needEnergy() const
 {
-    if (!gas_.thermo().hasEnergy())
+    if (!gas_.hasEnergy())
     {
         FatalErrorInFunction
             << "An energy budget needs a gas with an energy: the thermo of "
@@ -151,7 +151,7 @@ void Foam::mpm::gasCoupling::startBudget()
 Foam::mpm::gasBudget Foam::mpm::gasCoupling::balance() const
 {
     gasBudget b(budget_);
-    const eulerianGas::flows& gained = gas_.gained();
+    const eulerianFlow::flows& gained = gas_.gained();
     b.mass = gas_.mass();
     b.momentum = gas_.momentum();
     b.energy = gas_.energy();

@@ -19,11 +19,18 @@ void Foam::mpm::heatExchange::read
 {
     const dictionary& heatDict = requiredDict(dict, "heatTransfer");
     models_.set(phasei, heatTransferModel::New(heatDict).ptr());
-    if (!gas_.thermo().hasTemperature())
+    if (!gas_.oneThermo())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Heat is exchanged with one gas: beside several fluids "
+            << points_.phases()[phasei].name() << " can have no heatTransfer."
+            << exit(FatalIOError);
+    }
+    if (!gas_.oneThermo()->hasTemperature())
     {
         FatalIOErrorInFunction(heatDict)
             << "The gas " << gas_.name() << " ("
-            << gas_.thermo().description().c_str()
+            << gas_.oneThermo()->description().c_str()
             << ") has no temperature and exchanges no heat. Use thermo"
             << " perfectGas." << exit(FatalIOError);
     }
@@ -40,7 +47,7 @@ void Foam::mpm::heatExchange::read
 
 void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
 {
-    const gasThermo& thermo = gas_.thermo();
+    const gasThermo& thermo = *gas_.oneThermo();
     const scalar Cv = thermo.Cv();
     const scalar CvS = points_.phases()[phasei].Cv();
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
@@ -104,7 +111,7 @@ void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
 Foam::mpm::heatExchange::heatExchange
 (
     materialPointSystem& points,
-    eulerianGas& gas,
+    eulerianFlow& gas,
     const solidFraction& fraction,
     const dictionary& phaseProperties
 )

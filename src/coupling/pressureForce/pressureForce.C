@@ -140,7 +140,7 @@ void Foam::mpm::pressureForce::dryPressure(const label phasei)
 Foam::mpm::pressureForce::pressureForce
 (
     materialPointSystem& points,
-    const eulerianGas& gas,
+    const eulerianFlow& gas,
     solidFraction& fraction
 )
 :

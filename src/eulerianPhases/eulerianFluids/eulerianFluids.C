@@ -15,6 +15,22 @@ License
 #include "wedgePolyPatch.H"
 #include "Time.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- What stands for all fluids
+const dictionary& settings(const dictionary& properties)
+{
+    const dictionary* found = properties.findDict("fluids");
+    return found ? *found : dictionary::null;
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::IOobject Foam::mpm::eulerianFluids::header
@@ -192,64 +208,6 @@ void Foam::mpm::eulerianFluids::checkShares()
 }
 
 
-void Foam::mpm::eulerianFluids::sortFaces()
-{
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const label nInternal = mesh_.nInternalFaces();
-    DynamicList<label> boundary, coupled;
-    faces_.wall.setSize(mesh_.nFaces() - nInternal, false);
-    forAll(patches, patchi)
-    {
-        const polyPatch& pp = patches[patchi];
-        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
-        {
-            continue;
-        }
-        const fvPatchVectorField& Ub = U_.boundaryField()[patchi];
-        const bool wall =
-            (
-                Ub.fixesValue()
-             || isA<basicSymmetryFvPatchVectorField>(Ub)
-            )
-         && !p_.boundaryField()[patchi].fixesValue();
-        for (label f = pp.start(); f < pp.start() + pp.size(); ++f)
-        {
-            (pp.coupled() ? coupled : boundary).append(f);
-            faces_.wall[f - nInternal] = wall;
-        }
-    }
-    faces_.boundary.transfer(boundary);
-    faces_.coupled.transfer(coupled);
-
-    faceRates_.directions.setSize(mesh_.nCells(), Zero);
-    faceRates_.all.setSize(mesh_.nCells(), 0);
-    const auto add = [&](const label f, const label c)
-    {
-        const vector& S = mesh_.faceAreas()[f];
-        const scalar h = 0.5/mesh_.V()[c];
-        faceRates_.directions[c] += h*cmptMag(S);
-        faceRates_.all[c] += h*mag(S);
-    };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        add(f, mesh_.faceOwner()[f]);
-        add(f, mesh_.faceNeighbour()[f]);
-    }
-    for (const labelList* list : {&faces_.boundary, &faces_.coupled})
-    {
-        for (const label f : *list)
-        {
-            add(f, mesh_.faceOwner()[f]);
-        }
-    }
-    faces_.magS.setSize(mesh_.nFaces());
-    forAll(faces_.magS, f)
-    {
-        faces_.magS[f] = mag(mesh_.faceAreas()[f]);
-    }
-}
-
-
 Foam::scalar Foam::mpm::eulerianFluids::density
 (
     const label k,
@@ -269,7 +227,7 @@ void Foam::mpm::eulerianFluids::conserve()
         scalar rho = 0, energy = 0;
         for (label k = 0; k < n_; ++k)
         {
-            const scalar theta = alpha_[k][c];
+            const scalar theta = theta_[c]*alpha_[k][c];
             part_[n_*c + k] = theta;
             mass_[n_*c + k] = 0;
             if (theta > 0)
@@ -282,6 +240,7 @@ void Foam::mpm::eulerianFluids::conserve()
                    *fluidMixture::energy(mixture_.at(k, rhoK), rhoK, p_[c]);
             }
         }
+        rho_[c] = rho;
         rhoU_[c] = rho*U_[c];
         rhoE_[c] = energy + 0.5*rho*magSqr(U_[c]);
     }
@@ -314,6 +273,11 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
             header(name, IOobject::MUST_READ, k), mesh_, states
         ).field();
     };
+    theta_ = fileOrState<volScalarField>
+    (
+        header("theta", IOobject::MUST_READ), mesh_, states
+    ).primitiveField();
+    rho_ = 0;
     for (label k = 0; k < n_; ++k)
     {
         const scalarField m(read("thetaRho", k));
@@ -321,8 +285,10 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
         {
             part_[n_*c + k] = alpha_[k][c];
             mass_[n_*c + k] = m[c];
+            rho_[c] += m[c];
         }
     }
+    porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
     rhoU_ = fileOrState<volVectorField::Internal>
     (
         header("thetaRhoU", IOobject::MUST_READ), mesh_, states
@@ -457,24 +423,15 @@ Foam::mpm::eulerianFluids::eulerianFluids
     const fieldStates* states
 )
 :
-    mesh_(mesh),
+    eulerianFlow(mesh, "fluids", g),
     mixture_(properties, names),
     n_(names.size()),
-    g_(g),
-    lowMach_
-    (
-        properties.subOrEmptyDict("fluids").getOrDefault<bool>("lowMach", false)
-    ),
-    faces_{mesh, {}, {}, {}, {}, {}},
-    coupled_(mesh),
+    lowMach_(settings(properties).getOrDefault<bool>("lowMach", false)),
+    chi_(boundedOrDefault(settings(properties), "drainage", 0.1, 0, 1)),
     reconstruction_(mesh, coupled_, faces_.boundary, faces_.coupled),
-    theta_(mesh.nCells(), 1),
+    porousFlux_(settings(properties), faces_),
     part_(n_*mesh.nCells(), Zero),
     mass_(n_*mesh.nCells(), Zero),
-    rhoU_(mesh.nCells()),
-    rhoE_(mesh.nCells()),
-    W_(mesh.nCells()),
-    Wb_(mesh.nFaces() - mesh.nInternalFaces(), gasState{1, Zero, 1}),
     t_(W_.size()),
     tb_(Wb_.size(), stateTerms{1, 0, 1}),
     z_(W_.size()),
@@ -501,13 +458,9 @@ Foam::mpm::eulerianFluids::eulerianFluids
         mesh,
         dimensionedScalar(dimVolume/dimTime, Zero)
     ),
-    phi_(mesh.nFaces(), 0),
-    pStar_(mesh.nFaces(), 0),
-    out_(mesh.nCells()),
-    sums_(mesh.nCells()),
-    rate_(0),
-    restarted_(false),
-    badCell_(-1)
+    first_(W_.size() + Wb_.size(), false),
+    dropped_(0),
+    relaxed_(0)
 {
     for (const word& name : names)
     {
@@ -516,13 +469,22 @@ Foam::mpm::eulerianFluids::eulerianFluids
         valid.append("type");
         checkKeywords(dict, valid);
     }
-    checkKeywords(properties.subOrEmptyDict("fluids"), {"lowMach"});
+    checkKeywords
+    (
+        settings(properties),
+        {
+            "lowMach", "drainage", "mu", "Pr", "poreFloor", "faceDrag",
+            "solidFraction"
+        }
+    );
+    setEnergy(true);
     makeFields(states);
-    sortFaces();
+    setFaces(U_, p_);
     interfaces_.reset(new fluidInterfaces(faces_, coupled_, n_));
     if (mag(g_) > 0)
     {
         jump_.setSize(mesh.nFaces(), 0);
+        weight_.setSize(mesh.nFaces(), 0);
         reconstruction_.checkWeight();
     }
     readState(states);
@@ -536,6 +498,41 @@ Foam::mpm::eulerianFluids::eulerianFluids
     }
     Info<< "    reconstruction: " << reconstruction_.description().c_str()
         << nl << endl;
+}
+
+
+bool Foam::mpm::eulerianFluids::setTheta(const UList<scalar>& theta)
+{
+    porous_ = true;
+    if (restarted_)
+    {
+        return true;
+    }
+
+    // The fields have shares of the cell
+    forAll(theta_, c)
+    {
+        for (label k = 0; k < n_; ++k)
+        {
+            alpha_[k][c] /= theta_[c];
+        }
+        theta_[c] = theta[c];
+    }
+    conserve();
+    primitives();
+    updateFields();
+    updateBoundaryStates();
+    return false;
+}
+
+
+void Foam::mpm::eulerianFluids::velocityChanged(const labelUList& cells)
+{
+    for (const label c : cells)
+    {
+        U_[c] = W_[c].u;
+    }
+    updateBoundaryStates();
 }
 
 

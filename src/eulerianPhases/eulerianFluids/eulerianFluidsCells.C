@@ -42,9 +42,10 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
     const labelList& slot = interfaces_->slot();
+    const scalarField& phi = phiLimited();
 
     // Shares in the flux of faces between slots, and through coupled ones
-    interfaces_->setTransverse(contents(), phi_);
+    interfaces_->setTransverse(contents(), phi);
     DynamicList<scalar> shares(8*n_*interfaces_->cells().size());
     faceStart_.setSize(mesh_.nFaces());
     DynamicList<scalar> receiver(n_);
@@ -64,7 +65,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
         shares.setSize(at + n_);
         interfaces_->shares
         (
-            contents(), f, D, own[f] == D, dt, phi_[f], out_[D], to,
+            contents(), f, D, own[f] == D, dt, phi[f], outflow_[D], to,
             shares.begin() + at
         );
     };
@@ -73,7 +74,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
         const label P = own[f], N = nei[f];
         if (slot[P] >= 0 || slot[N] >= 0)
         {
-            const bool out = phi_[f] > 0;
+            const bool out = phi[f] > 0;
             add(f, out ? P : N, of(out ? N : P));
         }
     }
@@ -83,7 +84,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
         if (slot[P] >= 0)
         {
             const scalar* alpha = alphaB_.cdata() + n_*(f - nInternal);
-            if (phi_[f] > 0)
+            if (phi[f] > 0)
             {
                 add(f, P, alpha[0] < 0 ? of(P) : alpha);
             }
@@ -118,7 +119,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
                 }
                 continue;
             }
-            if (phi_[f] > 0)
+            if (phi[f] > 0)
             {
                 add(f, P, alphaB_.cdata() + n_*i);
                 for (label k = 0; k < n_; ++k)
@@ -156,15 +157,13 @@ void Foam::mpm::eulerianFluids::addFluids
 )
 {
     const label nInternal = mesh_.nInternalFaces();
-    const bool out = phi_[f] > 0;
+    const scalar phi = phiLimited()[f];
+    const bool out = phi > 0;
     const bool behind = f >= nInternal && !out;
     const label D = out ? P : N, i = f - nInternal;
     const bool first =
-        reconstruction_.upwind()
-     || (
-            interfaces_->near()[P]
-         || interfaces_->near()[f < nInternal ? N : mesh_.nCells() + i]
-        );
+        reconstruction_.upwind() || first_[P]
+     || first_[f < nInternal ? N : mesh_.nCells() + i];
     const gasState& w0 = behind ? Wb_[i] : W_[D];
     const gasState& w =
         first ? w0
@@ -196,7 +195,7 @@ void Foam::mpm::eulerianFluids::addFluids
                 behind && !ofCell
               ? rhoB_[n_*i + k] : mass_[n_*c + k]/part_[n_*c + k]
             );
-        const scalar volume = phi_[f]*alpha[k];
+        const scalar volume = phi*alpha[k];
         const scalar m = volume*rho;
         const scalar e =
             volume*fluidMixture::energy(mixture_.at(k, rho), rho, p);
@@ -224,96 +223,141 @@ void Foam::mpm::eulerianFluids::addFluids
 }
 
 
-void Foam::mpm::eulerianFluids::sumFaces(const scalar dt)
+void Foam::mpm::eulerianFluids::addAlone
+(
+    const label f,
+    const gasState& w,
+    const scalar rhoE
+)
 {
-    const label nInternal = mesh_.nInternalFaces();
+    const scalar phi = phiLimited()[f];
+    face_.rho = phi*w.rho;
+    face_.rhoU = face_.rho*w.u;
+    face_.rhoE = phi*rhoE + 0.5*face_.rho*magSqr(w.u) + pStar_[f]*phi_[f];
+}
+
+
+void Foam::mpm::eulerianFluids::addFace
+(
+    const label c,
+    const scalar sign,
+    const label f,
+    const scalar dt,
+    const solidOnFaces* pores
+)
+{
+    // The pressure acts on what the solid leaves of the face
+    sums& to = sums_[c];
+    vector open(mesh_.faceAreas()[f]);
+    if (pores)
+    {
+        open *= 1 - pores->thetaS0[f];
+        if (pores->area0)
+        {
+            open -= pores->area0[f];
+        }
+        volumes& v = volumes_[c];
+        v.phi += sign*phi_[f];
+        v.limited += sign*phiLimited()[f];
+        v.solid += sign*pores->phiS[f];
+    }
+    to.rho += sign*face_.rho;
+    to.rhoU += sign*(face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f))*open);
+    to.rhoE += sign*face_.rhoE;
+    if (jump_.size())
+    {
+        const vector d(mesh_.faceCentres()[f] - mesh_.cellCentres()[c]);
+        const scalar work = face_.rho*(g_ & d);
+        to.rhoE -= sign*work;
+        if (flows_)
+        {
+            flows_->gravityWork += sign*dt*work;
+            flows_->gravityImpulse += sign*dt*weight(c, f)*open;
+        }
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::sumInside
+(
+    const scalar dt,
+    const solidOnFaces* pores
+)
+{
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
-    const vectorField& S = mesh_.faceAreas();
     const labelList& slot = interfaces_->slot();
-    const boolList& near = interfaces_->near();
     const bool upwind = reconstruction_.upwind();
-    const bool heavy = jump_.size();
     const List<reconstruction::sides>& sides = reconstruction_.faces();
     const List<reconstruction::sideTerms>& terms = reconstruction_.terms();
-    sums_ = sums{0, Zero, 0};
-
-    // One fluid: that of the donor
-    const auto alone =
-        [&](const label f, const gasState& w, const scalar rhoE)
-    {
-        face_.rho = phi_[f]*w.rho;
-        face_.rhoU = face_.rho*w.u;
-        face_.rhoE =
-            phi_[f]*rhoE + 0.5*face_.rho*magSqr(w.u) + pStar_[f]*phi_[f];
-    };
-    const auto add = [&](const label c, const scalar sign, const label f)
-    {
-        sums& to = sums_[c];
-        to.rho += sign*face_.rho;
-        to.rhoU +=
-            sign*(face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f))*S[f]);
-        to.rhoE += sign*face_.rhoE;
-        if (heavy)
-        {
-            to.rhoE -=
-                sign*face_.rho
-               *(g_ & (mesh_.faceCentres()[f] - mesh_.cellCentres()[c]));
-        }
-    };
-    for (label f = 0; f < nInternal; ++f)
+    const scalarField& limited = phiLimited();
+    for (label f = 0; f < mesh_.nInternalFaces(); ++f)
     {
         const label P = own[f], N = nei[f];
+        const bool out = limited[f] > 0;
         if (slot[P] >= 0 || slot[N] >= 0)
         {
             addFluids(f, P, N, dt);
         }
+        else if (upwind || first_[P] || first_[N])
+        {
+            const label D = out ? P : N;
+            addAlone(f, W_[D], t_[D].rhoE);
+        }
+        else if (out)
+        {
+            addAlone(f, sides[f].own, terms[f].own.rhoE);
+        }
         else
         {
-            const bool out = phi_[f] > 0;
-            const label D = out ? P : N;
-            if (upwind || near[P] || near[N])
-            {
-                alone(f, W_[D], t_[D].rhoE);
-            }
-            else
-            {
-                alone
-                (
-                    f,
-                    out ? sides[f].own : sides[f].nei,
-                    out ? terms[f].own.rhoE : terms[f].nei.rhoE
-                );
-            }
+            addAlone(f, sides[f].nei, terms[f].nei.rhoE);
         }
-        add(P, 1, f);
-        add(N, -1, f);
+        addFace(P, 1, f, dt, pores);
+        addFace(N, -1, f, dt, pores);
     }
+}
+
+
+void Foam::mpm::eulerianFluids::sumBoundary
+(
+    const scalar dt,
+    const solidOnFaces* pores
+)
+{
+    const vectorField& S = mesh_.faceAreas();
+    const labelUList& own = mesh_.faceOwner();
+    const labelList& slot = interfaces_->slot();
+    const bool upwind = reconstruction_.upwind();
+    const List<reconstruction::sides>& sides = reconstruction_.faces();
     for (const labelList* list : {&faces_.coupled, &faces_.boundary})
     {
         const bool coupled = list == &faces_.coupled;
         for (const label f : *list)
         {
-            const label P = own[f], i = f - nInternal;
-            const bool out = phi_[f] > 0;
+            const label P = own[f], i = f - mesh_.nInternalFaces();
+            const bool first =
+                upwind || first_[P]
+             || (coupled && first_[mesh_.nCells() + i]);
             if (slot[P] >= 0)
             {
                 addFluids(f, P, P, dt);
             }
-            else if (out || coupled)
-            {
-                const bool first =
-                    upwind || near[P] || near[mesh_.nCells() + i];
-                const gasState& w =
-                    out ? (first ? W_[P] : sides[f].own)
-                  : first ? Wb_[i] : sides[f].nei;
-                alone(f, w, rhoEOf(interfaces_->single()[P], w));
-            }
             else
             {
-                alone(f, Wb_[i], rhoEOf(interfaces_->single()[P], Wb_[i]));
+                const gasState& w =
+                    phiLimited()[f] > 0 ? (first ? W_[P] : sides[f].own)
+                  : first || !coupled ? Wb_[i] : sides[f].nei;
+                addAlone(f, w, rhoEOf(interfaces_->single()[P], w));
             }
-            add(P, 1, f);
+            addFace(P, 1, f, dt, pores);
+            if (flows_ && !coupled)
+            {
+                const scalar theta = pores ? 1 - pores->thetaS0[f] : 1;
+                const scalar p = theta*pStar_[f] + (1 - theta)*W_[P].p;
+                flows_->mass -= dt*face_.rho;
+                flows_->impulse -= dt*(face_.rhoU + p*S[f]);
+                flows_->energy -= dt*face_.rhoE;
+            }
         }
     }
 
@@ -324,7 +368,7 @@ void Foam::mpm::eulerianFluids::sumFaces(const scalar dt)
         for (label f = pp.start(); f < pp.start() + n; ++f)
         {
             const label P = own[f];
-            if (!near[P])
+            if (!first_[P])
             {
                 sums_[P].rhoU += (sides[f].own.p - W_[P].p)*S[f];
             }
@@ -333,7 +377,33 @@ void Foam::mpm::eulerianFluids::sumFaces(const scalar dt)
 }
 
 
-void Foam::mpm::eulerianFluids::newStates(const scalar dt)
+void Foam::mpm::eulerianFluids::keepIsentrope
+(
+    const label c,
+    const scalar rho,
+    const scalar p
+)
+{
+    const label k = interfaces_->single()[c];
+    const scalar gamma = mixture_.thermo(k).gamma();
+    const scalar kinetic = 0.5*magSqr(rhoU_[c])/rho_[c];
+    const scalar pNew = (gamma - 1)*(rhoE_[c] - kinetic)/theta_[c];
+    const scalar pIsentropic = p*std::pow(rho_[c]/(theta_[c]*rho), gamma);
+    if (!(pNew >= 0.3*pIsentropic))
+    {
+        const scalar E = theta_[c]*pIsentropic/(gamma - 1) + kinetic;
+        bookFixup(c, (E - rhoE_[c])*mesh_.V()[c]);
+        rhoE_[c] = E;
+        ++fixups_.isentropic;
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::newStates
+(
+    const scalar dt,
+    const solidOnFaces* pores
+)
 {
     const scalarField& V = mesh_.V();
     const labelList& slot = interfaces_->slot();
@@ -342,11 +412,29 @@ void Foam::mpm::eulerianFluids::newStates(const scalar dt)
     {
         const scalar h = dt/V[c];
         const sums& s = sums_[c];
+        const scalar rho = W_[c].rho;
+        rho_[c] -= h*s.rho;
         rhoU_[c] -= h*s.rhoU;
         rhoE_[c] -= h*s.rhoE;
+        if (pores)
+        {
+            const volumes& v = volumes_[c];
+            const scalar p = W_[c].p;
+            const scalar A = theta_[c] - h*v.limited;
+            const scalar D = h*(v.solid + v.phi) - pores->dilation[c];
+            theta_[c] = newTheta(A, D, pores->eps);
+            rhoE_[c] -= p*(theta_[c] - A - h*v.phi);
+            bookFixup(c, -p*(theta_[c] - (A + D))*V[c]);
+        }
         if (slot[c] < 0)
         {
-            mass_[n_*c + single[c]] -= h*s.rho;
+            const label k = single[c];
+            mass_[n_*c + k] = rho_[c];
+            part_[n_*c + k] = theta_[c];
+            if (pores && near_[c] && isGas(k))
+            {
+                keepIsentrope(c, rho, W_[c].p);
+            }
         }
     }
     forAll(interfaces_->cells(), s)
@@ -364,7 +452,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
     scalar* mass = mass_.begin() + n_*c;
     label only = -1, several = 0;
     bool gas = false;
-    FixedList<scalar, 16> rho, theta;
+    FixedList<scalar, 16> theta;
     for (label k = 0; k < n_; ++k)
     {
         fluidMixture::share& of = share[k];
@@ -384,7 +472,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
                     "Fluid " + mixture_.name(k) + " has flown out of a cell"
                     " that has none left; a smaller maxCoGas helps.";
             }
-            fixups_.dropped += of.m*mesh_.V()[c];
+            dropped_ += of.m*mesh_.V()[c];
             of = {0, 0, 0};
         }
         else
@@ -392,7 +480,6 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
             only = k;
             ++several;
             gas = gas || isGas(k);
-            rho[k] = before > 0 ? before : of.m/of.A;
         }
     }
     if (several <= 1)
@@ -402,10 +489,10 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
             part[k] = k == only ? theta_[c] : 0;
             mass[k] = share[k].m;
         }
+        rho_[c] = only < 0 ? 0 : mass[only];
         return;
     }
-    const scalar P =
-        mixture_.relax(share, theta_[c], W_[c].p, rho.begin(), theta.begin());
+    const scalar P = mixture_.relax(share, theta_[c], theta.begin());
     scalar total = 0;
     for (label k = 0; k < n_; ++k)
     {
@@ -413,26 +500,38 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         mass[k] = share[k].m;
         total += mass[k];
     }
+    rho_[c] = total;
     const scalar kinetic = 0.5*magSqr(rhoU_[c])/total;
     const scalar p = mixture_.pressure(part, mass, rhoE_[c] - kinetic);
     if (gas && !(p >= 0.3*P))
     {
         const scalar E = mixture_.at(part, mass, P).energy + kinetic;
-        fixups_.energy += (E - rhoE_[c])*mesh_.V()[c];
-        ++fixups_.relaxed;
+        bookFixup(c, (E - rhoE_[c])*mesh_.V()[c]);
+        ++relaxed_;
         rhoE_[c] = E;
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces*)
+void Foam::mpm::eulerianFluids::advance
+(
+    const scalar dt,
+    const solidOnFaces* pores
+)
 {
     const noTraps guard;
     startShares();
     setComposition(dt);
-    sumFaces(dt);
-    newStates(dt);
+    sums_ = sums{0, Zero, 0};
+    if (pores)
+    {
+        volumes_.setSize(mesh_.nCells());
+        volumes_ = volumes{0, 0, 0};
+    }
+    sumInside(dt, pores);
+    sumBoundary(dt, pores);
+    newStates(dt, pores);
 }
 
 // ************************************************************************* //

@@ -75,6 +75,7 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
             gasState& w = Wb_[b];
             w = W_[P];
             zB_[b] = z_[P];
+            thetaB_[b] = theta_[P];
             scalar* alpha = alphaB_.begin() + n_*b;
             scalar* rho = rhoB_.begin() + n_*b;
             for (label k = 0; k < n_; ++k)
@@ -116,6 +117,10 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
     }
     coupled_.swap(Wb_);
     coupled_.swap(zB_);
+    if (porous_)
+    {
+        coupled_.swap(thetaB_);
+    }
     scalarField one(Wb_.size(), 0);
     for (scalarList* list : {&alphaB_, &rhoB_})
     {
@@ -144,13 +149,17 @@ void Foam::mpm::eulerianFluids::setJumps()
     }
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
+    forAll(weight_, f)
+    {
+        weight_[f] = weight(own[f], f);
+    }
     for (label f = 0; f < nInternal; ++f)
     {
-        jump_[f] = weight(own[f], f) - weight(mesh_.faceNeighbour()[f], f);
+        jump_[f] = weight_[f] - weight(mesh_.faceNeighbour()[f], f);
     }
     for (const label f : faces_.boundary)
     {
-        jump_[f] = faces_.wall[f - nInternal] ? 0 : weight(own[f], f);
+        jump_[f] = faces_.wall[f - nInternal] ? 0 : weight_[f];
     }
     forAll(mesh_.boundary(), patchi)
     {
@@ -167,7 +176,7 @@ void Foam::mpm::eulerianFluids::setJumps()
             (
                 mesh_.faceCentres()[f] - mesh_.cellCentres()[P] - delta[i]
             );
-            jump_[f] = weight(P, f) - Wb_[f - nInternal].rho*(g_ & d);
+            jump_[f] = weight_[f] - Wb_[f - nInternal].rho*(g_ & d);
         }
     }
 }
@@ -301,23 +310,56 @@ inline void Foam::mpm::eulerianFluids::face
 }
 
 
-void Foam::mpm::eulerianFluids::insideFaces()
+void Foam::mpm::eulerianFluids::insideFaces
+(
+    const scalar dt,
+    const solidOnFaces* pores
+)
 {
     const label nInternal = mesh_.nInternalFaces(), nCells = mesh_.nCells();
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
+    const scalarField& V = mesh_.V();
     const labelList& single = interfaces_->single();
-    const boolList& near = interfaces_->near();
     const bool upwind = reconstruction_.upwind();
     const List<reconstruction::sides>& sides = reconstruction_.faces();
     const List<reconstruction::sideTerms>& terms = reconstruction_.terms();
     const bool heavy = jump_.size();
+    const mpm::faceFlux::result to{phi_, pStar_, out_};
 
-    const auto one =
-        [&](const label f, const label P, const label N, const gasState& WN,
-            const scalar zN)
+    // i: from the first boundary face on, of the other side; -1: inside
+    const auto one = [&](const label f, const label N, const label i)
     {
-        const bool first = upwind || near[P] || near[N];
+        const label P = own[f];
+        const gasState& WN = i < 0 ? W_[N] : Wb_[i];
+        const scalar zN = i < 0 ? z_[N] : zB_[i];
+        const scalar wP = heavy ? weight_[f] : 0;
+        const scalar wN = heavy ? wP - jump_[f] : 0;
+        if (pores && (near_[P] || near_[N]))
+        {
+            const bool same = single[P] >= 0 && single[P] == single[N];
+            const scalar z = max(z_[P], zN);
+            const scalar KN = i < 0 ? t_[N].K : sqr(zN)/WN.rho;
+            const impedanceFlux::porousSide L
+            {
+                W_[P], t_[P].K, same ? z : z_[P], W_[P].p + wP, theta_[P], V[P]
+            };
+            const impedanceFlux::porousSide R
+            {
+                WN, KN, same ? z : zN, WN.p + wN,
+                i < 0 ? theta_[N] : thetaB_[i], i < 0 ? V[N] : faces_.Vb[i]
+            };
+            if (pores->area)
+            {
+                porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi_, to);
+            }
+            else
+            {
+                porousFlux_.porousFace<false>(f, L, R, dt, *pores, chi_, to);
+            }
+            return;
+        }
+        const bool first = upwind || first_[P] || first_[N];
         gasState L(first ? W_[P] : sides[f].own);
         gasState R(first ? WN : sides[f].nei);
         scalar zL = z_[P], zR = zN;
@@ -333,29 +375,25 @@ void Foam::mpm::eulerianFluids::insideFaces()
         {
             zL = zR = max(zL, zR);
         }
-        if (heavy)
-        {
-            const scalar wP = weight(P, f);
-            L.p += wP;
-            R.p += wP - jump_[f];
-        }
+        L.p += wP;
+        R.p += wN;
         face(f, L, R, zL, zR);
-        out_[P] += max(phi_[f], scalar(0));
     };
     for (label f = 0; f < nInternal; ++f)
     {
-        one(f, own[f], nei[f], W_[nei[f]], z_[nei[f]]);
+        one(f, nei[f], -1);
+        out_[own[f]] += max(phi_[f], scalar(0));
         out_[nei[f]] -= min(phi_[f], scalar(0));
     }
     for (const label f : faces_.coupled)
     {
-        const label i = f - nInternal;
-        one(f, own[f], nCells + i, Wb_[i], zB_[i]);
+        one(f, nCells + f - nInternal, f - nInternal);
+        out_[own[f]] += max(phi_[f], scalar(0));
     }
 }
 
 
-void Foam::mpm::eulerianFluids::boundaryFaces()
+void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
 {
     const label nInternal = mesh_.nInternalFaces();
     const bool upwind = reconstruction_.upwind();
@@ -363,99 +401,87 @@ void Foam::mpm::eulerianFluids::boundaryFaces()
     {
         const label P = mesh_.faceOwner()[f], i = f - nInternal;
         const vector& S = mesh_.faceAreas()[f];
-        const bool first = upwind || interfaces_->near()[P];
+        const bool first = upwind || first_[P];
+        const bool close = pores && near_[P];
         const gasState& L = first ? W_[P] : reconstruction_.faces()[f].own;
         const gasState& B = Wb_[i];
-        phi_[f] = B.u & S;
+        const scalar u = B.u & S;
+        phi_[f] = u;
         pStar_[f] = B.p;
+        if (close)
+        {
+            // Without an area of the solid the fluid of its share goes with it
+            phi_[f] *= 1 - pores->thetaS[f];
+            if (pores->area)
+            {
+                phi_[f] += pores->thetaS[f]*pores->uS[f]*faces_.magS[f];
+            }
+        }
         if (faces_.wall[i])
         {
-            const scalar z =
+            scalar z =
                 first || interfaces_->single()[P] < 0
               ? z_[P]
               : std::sqrt(L.rho*reconstruction_.terms()[f].own.K);
+            if (close)
+            {
+                z *= theta_[P]/max(theta_[P], 1 - pores->thetaS[f]);
+            }
             pStar_[f] =
-                L.p + weight(P, f) + z*((L.u & S) - phi_[f])/faces_.magS[f];
+                L.p + (jump_.size() ? weight_[f] : scalar(0))
+              + z*((L.u & S) - u)/faces_.magS[f];
         }
         out_[P] += max(phi_[f], scalar(0));
     }
 }
 
-
-void Foam::mpm::eulerianFluids::limitOutflow(const scalar dt)
-{
-    const scalarField& V = mesh_.V();
-    bool limits = false;
-    forAll(out_, c)
-    {
-        limits = limits || dt*out_[c] > 0.9*theta_[c]*V[c];
-    }
-    reduce(limits, orOp<bool>());
-    if (!limits)
-    {
-        return;
-    }
-    const label nInternal = mesh_.nInternalFaces();
-    const labelUList& own = mesh_.faceOwner();
-    scalarField factor(out_.size(), 1), behind(Wb_.size(), 1);
-    forAll(out_, c)
-    {
-        const scalar most = 0.9*theta_[c]*V[c]/dt;
-        if (out_[c] > most)
-        {
-            factor[c] = most/out_[c];
-            out_[c] = most;
-            ++fixups_.limited;
-        }
-    }
-    for (const label f : faces_.coupled)
-    {
-        behind[f - nInternal] = factor[own[f]];
-    }
-    coupled_.swap(behind);
-    const auto limit = [&](const label f, const scalar there)
-    {
-        const scalar by = phi_[f] > 0 ? factor[own[f]] : there;
-        if (phi_[f] > 0)
-        {
-            fixups_.heldBack += dt*(1 - by)*phi_[f]*W_[own[f]].rho;
-        }
-        phi_[f] *= by;
-    };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        limit(f, factor[mesh_.faceNeighbour()[f]]);
-    }
-    for (const labelList* list : {&faces_.coupled, &faces_.boundary})
-    {
-        for (const label f : *list)
-        {
-            limit(f, behind[f - nInternal]);
-        }
-    }
-}
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFluids::faceFlux(const scalar dt, const solidOnFaces*)
+void Foam::mpm::eulerianFluids::faceFlux
+(
+    const scalar dt,
+    const solidOnFaces* pores
+)
 {
     const noTraps guard;
     interfaces_->update(contents());
     setJumps();
+    first_ = interfaces_->near();
+    if (pores)
+    {
+        porous_ = true;
+        markNearSolid(*pores);
+        forAll(first_, i)
+        {
+            first_[i] = first_[i] || near_[i];
+        }
+    }
     if (!reconstruction_.upwind())
     {
         reconstruction_.update
         (
             dt,
             {nullptr, W_, Wb_, t_, tb_, jump_.size() ? &jump_ : nullptr},
-            rho0_, U_, p_, n_ > 1 ? &interfaces_->near() : nullptr
+            rho0_, U_, p_, n_ > 1 || pores ? &first_ : nullptr
         );
         sideTerms();
     }
     out_ = 0;
-    insideFaces();
-    boundaryFaces();
-    limitOutflow(dt);
+    insideFaces(dt, pores);
+    boundaryFaces(pores);
+    outflow_ = out_;
+    if (pores)
+    {
+        limitOutflow<true>(dt, pores);
+    }
+    else
+    {
+        limitOutflow<false>(dt, pores);
+    }
+    if (limits_)
+    {
+        outflow_ *= out_;
+    }
 }
 
 // ************************************************************************* //

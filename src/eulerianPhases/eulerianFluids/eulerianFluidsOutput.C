@@ -13,39 +13,25 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFluids::stop(const label celli)
+Foam::string Foam::mpm::eulerianFluids::stateOf(const label celli) const
 {
-    const label teller = returnReduce
-    (
-        celli < 0 ? Pstream::nProcs() : Pstream::myProcNo(),
-        minOp<label>()
-    );
+    const gasState& w = W_[celli];
     OStringStream os;
-    if (teller == Pstream::myProcNo())
+    os  << "The fluids have density " << w.rho << " kg/m3, pressure " << w.p
+        << " Pa and rho c^2 " << t_[celli].K << " Pa; density and rho c^2 must"
+        << " be positive, in cell " << celli << " at "
+        << mesh_.cellCentres()[celli] << ", time " << mesh_.time().timeName()
+        << " (velocity " << w.u << "; shares";
+    for (label k = 0; k < n_; ++k)
     {
-        const gasState& w = W_[celli];
-        os  << whyBad_.c_str() << (whyBad_.size() ? "\n" : "")
-            << "The fluids have density " << w.rho << " kg/m3, pressure "
-            << w.p << " Pa and rho c^2 " << t_[celli].K
-            << " Pa; density and rho c^2 must be positive, in cell " << celli
-            << " at " << mesh_.cellCentres()[celli] << ", time "
-            << mesh_.time().timeName() << " (velocity " << w.u << "; shares";
-        for (label k = 0; k < n_; ++k)
-        {
-            os  << ' ' << mixture_.name(k) << ' ' << part_[n_*celli + k];
-        }
-        os  << ")." << nl
-            << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.*, 0/rho.* and"
-            << " constant/phaseProperties. Later: a smaller maxCoGas in"
-            << " system/controlDict or upwind for reconstruct(...) in"
-            << " system/fvSchemes often helps.";
+        os  << ' ' << mixture_.name(k) << ' ' << part_[n_*celli + k];
     }
-    string text(os.str());
-    List<string> texts(Pstream::nProcs());
-    texts[Pstream::myProcNo()] = text;
-    Pstream::gatherList(texts);
-    Pstream::scatterList(texts);
-    FatalErrorInFunction << texts[teller].c_str() << exit(FatalError);
+    os  << ")." << nl
+        << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.*, 0/rho.* and"
+        << " constant/phaseProperties. Later: a smaller maxCoGas in"
+        << " system/controlDict or upwind for reconstruct(...) in"
+        << " system/fvSchemes often helps.";
+    return os.str();
 }
 
 
@@ -61,6 +47,14 @@ void Foam::mpm::eulerianFluids::forState(const Function& f)
     f(p_);
     f(U_);
     f(rho0_);
+    volScalarField theta
+    (
+        object("theta", -1), mesh_, dimensionedScalar(dimless, Zero),
+        "zeroGradient"
+    );
+    theta.primitiveFieldRef() = theta_;
+    theta.correctBoundaryConditions();
+    f(theta);
     scalarField m(mesh_.nCells());
     for (label k = 0; k < n_; ++k)
     {
@@ -93,15 +87,12 @@ void Foam::mpm::eulerianFluids::forState(const Function& f)
 void Foam::mpm::eulerianFluids::report() const
 {
     const scalarField& V = mesh_.V();
-    scalar pMin = GREAT, pMax = -GREAT, energy = 0;
+    scalar pMin = GREAT, pMax = -GREAT;
     scalarField mass(n_, 0);
-    vector momentum(Zero);
     forAll(W_, c)
     {
         pMin = min(pMin, W_[c].p);
         pMax = max(pMax, W_[c].p);
-        energy += V[c]*rhoE_[c];
-        momentum += V[c]*rhoU_[c];
         for (label k = 0; k < n_; ++k)
         {
             mass[k] += V[c]*mass_[n_*c + k];
@@ -113,19 +104,20 @@ void Foam::mpm::eulerianFluids::report() const
         Info<< ' ' << mixture_.name(k) << ' '
             << returnReduce(mass[k], sumOp<scalar>());
     }
-    const label shared = returnReduce(interfaces_->cells().size(), sumOp<label>());
-    Info<< ", momentum " << returnReduce(momentum, sumOp<vector>())
-        << ", energy " << returnReduce(energy, sumOp<scalar>()) << nl
+    Info<< ", momentum " << returnReduce(momentum(), sumOp<vector>())
+        << ", energy " << returnReduce(energy(), sumOp<scalar>()) << nl
         << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
         << returnReduce(pMax, maxOp<scalar>()) << ", cells at interfaces "
-        << shared << ", outflow limited "
-        << returnReduce(fixups_.limited, sumOp<label>())
+        << returnReduce(interfaces_->cells().size(), sumOp<label>())
+        << ", outflow limited "
+        << returnReduce(fixups_.limited, sumOp<label>()) << ", theta kept "
+        << returnReduce(fixups_.theta, sumOp<label>())
         << ", pressure of relaxation kept "
-        << returnReduce(fixups_.relaxed, sumOp<label>()) << " (energy "
+        << returnReduce(relaxed_, sumOp<label>()) << ", isentropic "
+        << returnReduce(fixups_.isentropic, sumOp<label>()) << " (energy "
         << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
         << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back, "
-        << returnReduce(fixups_.dropped, sumOp<scalar>()) << " dropped)"
-        << endl;
+        << returnReduce(dropped_, sumOp<scalar>()) << " dropped)" << endl;
 }
 
 
@@ -161,10 +153,12 @@ Foam::dictionary Foam::mpm::eulerianFluids::state() const
 {
     dictionary state;
     state.add("limited", returnReduce(fixups_.limited, sumOp<label>()));
-    state.add("relaxed", returnReduce(fixups_.relaxed, sumOp<label>()));
+    state.add("theta", returnReduce(fixups_.theta, sumOp<label>()));
+    state.add("isentropic", returnReduce(fixups_.isentropic, sumOp<label>()));
+    state.add("relaxed", returnReduce(relaxed_, sumOp<label>()));
     state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
     state.add("heldBack", returnReduce(fixups_.heldBack, sumOp<scalar>()));
-    state.add("dropped", returnReduce(fixups_.dropped, sumOp<scalar>()));
+    state.add("dropped", returnReduce(dropped_, sumOp<scalar>()));
     return state;
 }
 
@@ -172,13 +166,17 @@ Foam::dictionary Foam::mpm::eulerianFluids::state() const
 void Foam::mpm::eulerianFluids::setState(const dictionary& state)
 {
     fixups_ = fixups();
+    relaxed_ = 0;
+    dropped_ = 0;
     if (Pstream::master())
     {
         fixups_.limited = required<label>(state, "limited");
-        fixups_.relaxed = required<label>(state, "relaxed");
+        fixups_.theta = required<label>(state, "theta");
+        fixups_.isentropic = required<label>(state, "isentropic");
+        relaxed_ = required<label>(state, "relaxed");
         fixups_.energy = required<scalar>(state, "energy");
         fixups_.heldBack = required<scalar>(state, "heldBack");
-        fixups_.dropped = required<scalar>(state, "dropped");
+        dropped_ = required<scalar>(state, "dropped");
     }
 }
 

@@ -141,6 +141,22 @@ void warnOfCelsius(const volScalarField& T, const volScalarField& p)
 }
 
 
+//- Warn of a pressure that is probably one in bar: below 100 Pa everywhere, at
+//  the temperature of a scene in SI units
+void warnOfBar(const volScalarField& T, const volScalarField& p)
+{
+    const scalar high = gMax(p.primitiveField());
+    const scalar low = gMin(T.primitiveField());
+    if (high < 100 && low > 200)
+    {
+        WarningInFunction
+            << "The gas starts with a pressure of " << high << " Pa ("
+            << p.objectPath() << ") at " << low << " K: that is a vacuum."
+            << " 1 bar is 1e5 Pa." << endl;
+    }
+}
+
+
 template<class Field>
 void checkDimensions(const Field& field, const dimensionSet& dimensions)
 {
@@ -174,7 +190,7 @@ Foam::IOobject Foam::mpm::eulerianGas::header
 }
 
 
-void Foam::mpm::eulerianGas::sortFaces()
+void Foam::mpm::eulerianGas::checkConditions() const
 {
     checkNames(p_, name_);
     checkNames(U_, name_);
@@ -186,70 +202,6 @@ void Foam::mpm::eulerianGas::sortFaces()
     {
         checkNames(rho0_, name_);
     }
-
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const label nInternal = mesh_.nInternalFaces();
-
-    DynamicList<label> boundary, coupled;
-    faces_.wall.setSize(mesh_.nFaces() - nInternal, false);
-    forAll(patches, patchi)
-    {
-        const polyPatch& pp = patches[patchi];
-        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
-        {
-            continue;
-        }
-        const fvPatchVectorField& Ub = U_.boundaryField()[patchi];
-        const bool wall =
-            (
-                Ub.fixesValue()
-             || isA<basicSymmetryFvPatchVectorField>(Ub)
-            )
-         && !p_.boundaryField()[patchi].fixesValue();
-        for (label f = pp.start(); f < pp.start() + pp.size(); ++f)
-        {
-            (pp.coupled() ? coupled : boundary).append(f);
-            faces_.wall[f - nInternal] = wall;
-        }
-    }
-    faces_.boundary.transfer(boundary);
-    faces_.coupled.transfer(coupled);
-
-    // Courant number per second of a cell: half the sum of |u.S| + c|S| over
-    // its faces over its volume
-    faceRates_.directions.setSize(mesh_.nCells(), Zero);
-    faceRates_.all.setSize(mesh_.nCells(), 0);
-    const auto add = [&](const label f, const label c)
-    {
-        const vector& S = mesh_.faceAreas()[f];
-        const scalar h = 0.5/mesh_.V()[c];
-        faceRates_.directions[c] += h*cmptMag(S);
-        faceRates_.all[c] += h*mag(S);
-    };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        add(f, mesh_.faceOwner()[f]);
-        add(f, mesh_.faceNeighbour()[f]);
-    }
-    for (const labelList* list : {&faces_.boundary, &faces_.coupled})
-    {
-        for (const label f : *list)
-        {
-            add(f, mesh_.faceOwner()[f]);
-        }
-    }
-
-    faces_.Vb.setSize(mesh_.nFaces() - nInternal);
-    faces_.magS.setSize(mesh_.nFaces());
-    forAll(faces_.magS, f)
-    {
-        faces_.magS[f] = mag(mesh_.faceAreas()[f]);
-    }
-    forAll(faces_.Vb, i)
-    {
-        faces_.Vb[i] = mesh_.V()[mesh_.faceOwner()[nInternal + i]];
-    }
-    coupled_.swap(faces_.Vb);
 }
 
 
@@ -310,23 +262,12 @@ Foam::mpm::eulerianGas::eulerianGas
     const fieldStates* states
 )
 :
-    mesh_(mesh),
-    name_(name),
+    eulerianFlow(mesh, name, g),
     thermoPtr_(gasThermo::New(dict)),
     thermo_(*thermoPtr_),
-    g_(g),
-    faces_{mesh, {}, {}, {}, {}, {}},
-    coupled_(mesh),
     reconstruction_(mesh, coupled_, faces_.boundary, faces_.coupled),
     faceFlux_(mpm::faceFlux::New(dict, faces_)),
     closure_(pressureClosure::New(dict, thermo_)),
-    theta_(mesh.nCells(), 1),
-    rho_(mesh.nCells()),
-    rhoE_(thermo_.hasEnergy() ? mesh.nCells() : 0),
-    rhoU_(mesh.nCells()),
-    W_(mesh.nCells()),
-    Wb_(mesh.nFaces() - mesh.nInternalFaces(), gasState{1, Zero, 1}),
-    thetaB_(Wb_.size(), 1),
     t_(thermo_.isGammaLaw() ? 0 : W_.size()),
     tb_(thermo_.isGammaLaw() ? 0 : Wb_.size()),
     p_(startField<volScalarField>("p", states)),
@@ -365,18 +306,7 @@ Foam::mpm::eulerianGas::eulerianGas
         header("phi", IOobject::NO_READ),
         mesh,
         dimensionedScalar(dimVolume/dimTime, Zero)
-    ),
-    phi_(mesh.nFaces(), 0),
-    pStar_(mesh.nFaces(), 0),
-    limits_(false),
-    out_(mesh.nCells()),
-    sums_(mesh.nCells()),
-    rate_(0),
-    porous_(false),
-    restarted_(false),
-    fixedCell_(-1),
-    fixedMost_(0),
-    badCell_(-1)
+    )
 {
     wordList valid(thermo_.keywords());
     valid.append
@@ -398,11 +328,14 @@ Foam::mpm::eulerianGas::eulerianGas
         checkDimensions(*T_, dimTemperature);
     }
 
-    sortFaces();
+    setEnergy(thermo_.hasEnergy());
+    checkConditions();
+    setFaces(U_, p_);
     readState(states);
     if (T_ && !restarted_ && thermo_.isGammaLaw())
     {
         warnOfCelsius(*T_, p_);
+        warnOfBar(*T_, p_);
     }
 
     Info<< "Gas " << name_ << ": " << thermo_.description().c_str();
@@ -512,36 +445,13 @@ bool Foam::mpm::eulerianGas::setTheta(const UList<scalar>& theta)
 }
 
 
-void Foam::mpm::eulerianGas::addSources
-(
-    const UList<label>& cells,
-    const UList<vector>& momentum,
-    const UList<scalar>& energy,
-    const UList<vector>& ahead
-)
+void Foam::mpm::eulerianGas::velocityChanged(const labelUList& cells)
 {
     for (const label c : cells)
     {
-        rhoU_[c] += momentum[c];
-        rhoE_[c] += energy[c];
-        W_[c].u =
-            (ahead.size() ? vector(rhoU_[c] + ahead[c]) : rhoU_[c])/rho_[c];
         U_[c] = W_[c].u;
     }
     updateBoundaryStates();
-}
-
-
-void Foam::mpm::eulerianGas::addHeat
-(
-    const UList<label>& cells,
-    const UList<scalar>& energy
-)
-{
-    forAll(cells, i)
-    {
-        rhoE_[cells[i]] += energy[i];
-    }
 }
 
 

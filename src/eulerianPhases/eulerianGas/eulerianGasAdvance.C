@@ -12,47 +12,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::eulerianGas::newTheta
-(
-    const scalar A,
-    const scalar D,
-    const scalar eps
-)
-{
-    scalar theta = A + D;
-    if (theta < 0.5*A)
-    {
-        theta = A/(1 - D/A);
-        ++fixups_.theta;
-    }
-    if (theta < min(A, 0.5*eps))
-    {
-        theta = min(A, 0.5*eps);
-        ++fixups_.theta;
-    }
-    return theta;
-}
-
-
-void Foam::mpm::eulerianGas::bookFixup
-(
-    const label celli,
-    const scalar energy
-)
-{
-    fixups_.energy += energy;
-    if (mag(energy) > fixedMost_)
-    {
-        fixedMost_ = mag(energy);
-        fixedCell_ = celli;
-    }
-    if (flows_)
-    {
-        flows_->fixups += energy;
-    }
-}
-
-
 void Foam::mpm::eulerianGas::keepIsentrope
 (
     const label celli,
@@ -106,7 +65,7 @@ void Foam::mpm::eulerianGas::sumFaces
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
     const vectorField& S = mesh_.faceAreas();
-    const gasStates<General> all(states<General>());
+    const gasStates<General> all(allStates<General>());
     const bool upwind = all.upwind();
     const scalarField& limited = phiLimited();
 
@@ -241,14 +200,7 @@ bool Foam::mpm::eulerianGas::newStates
 )
 {
     const scalarField& V = mesh_.V();
-    if (flows_ && mag(g_) > 0)
-    {
-        forAll(rho_, c)
-        {
-            flows_->gravityImpulse += dt*V[c]*rho_[c]*g_;
-            flows_->gravityWork += dt*V[c]*(rhoU_[c] & g_);
-        }
-    }
+    bookGravity(dt);
 
     const pressureClosure::conserved now(conserved());
     bool positive = true;

@@ -13,59 +13,40 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::eulerianGas::stop(const label celli)
+Foam::string Foam::mpm::eulerianGas::stateOf(const label celli) const
 {
-    // One processor tells
-    const label teller = returnReduce
-    (
-        celli < 0 ? Pstream::nProcs() : Pstream::myProcNo(),
-        minOp<label>()
-    );
     OStringStream os;
-    if (teller == Pstream::myProcNo() && whyBad_.size())
+    const gasState& w = W_[celli];
+    os  << "Gas " << name_ << " has density " << w.rho << " kg/m3 and"
+        << " pressure " << w.p << " Pa";
+    if (T_)
     {
-        os  << whyBad_.c_str();
+        os  << ", temperature " << thermo_.T(w.rho, w.p) << " K";
     }
-    else if (teller == Pstream::myProcNo())
+    if (!thermo_.isGammaLaw())
     {
-        const gasState& w = W_[celli];
-        os  << "Gas " << name_ << " has density " << w.rho << " kg/m3 and"
-            << " pressure " << w.p << " Pa";
-        if (T_)
-        {
-            os  << ", temperature " << thermo_.T(w.rho, w.p) << " K";
-        }
-        if (!thermo_.isGammaLaw())
-        {
-            os  << " and rho c^2 " << t_[celli].K << " Pa; density and rho c^2"
-                << " must be positive,";
-        }
-        else
-        {
-            os  << ", which must be positive,";
-        }
-        os  << " in cell " << celli << " at "
-            << mesh_.cellCentres()[celli] << ", time "
-            << mesh_.time().timeName() << " (velocity " << w.u << ", theta "
-            << theta_[celli] << ")." << nl
-            << "At the start: look into 0/p, "
-            << (
-                    readsRho() ? "0/rho." + name_ + ", "
-                  : T_ ? "0/T." + name_ + ", "
-                  : string()
-               ).c_str()
-            << "0/U." << name_
-            << " and constant/phaseProperties. Later: a smaller maxCoGas in"
-            << " system/controlDict or upwind for reconstruct(...) in"
-            << " system/fvSchemes often keeps the gas positive.";
+        os  << " and rho c^2 " << t_[celli].K << " Pa; density and rho c^2"
+            << " must be positive,";
     }
-    string text(os.str());
-    List<string> texts(Pstream::nProcs());
-    texts[Pstream::myProcNo()] = text;
-    Pstream::gatherList(texts);
-    Pstream::scatterList(texts);
-
-    FatalErrorInFunction << texts[teller].c_str() << exit(FatalError);
+    else
+    {
+        os  << ", which must be positive,";
+    }
+    os  << " in cell " << celli << " at "
+        << mesh_.cellCentres()[celli] << ", time "
+        << mesh_.time().timeName() << " (velocity " << w.u << ", theta "
+        << theta_[celli] << ")." << nl
+        << "At the start: look into 0/p, "
+        << (
+                readsRho() ? "0/rho." + name_ + ", "
+              : T_ ? "0/T." + name_ + ", "
+              : string()
+           ).c_str()
+        << "0/U." << name_
+        << " and constant/phaseProperties. Later: a smaller maxCoGas in"
+        << " system/controlDict or upwind for reconstruct(...) in"
+        << " system/fvSchemes often keeps the gas positive.";
+    return os.str();
 }
 
 
@@ -190,24 +171,6 @@ void Foam::mpm::eulerianGas::report() const
             << freeMax;
     }
     Info<< endl;
-}
-
-
-Foam::scalar Foam::mpm::eulerianGas::mass() const
-{
-    return sum(mesh_.V().field()*rho_);
-}
-
-
-Foam::vector Foam::mpm::eulerianGas::momentum() const
-{
-    return sum(mesh_.V().field()*rhoU_);
-}
-
-
-Foam::scalar Foam::mpm::eulerianGas::energy() const
-{
-    return rhoE_.size() ? sum(mesh_.V().field()*rhoE_) : 0;
 }
 
 

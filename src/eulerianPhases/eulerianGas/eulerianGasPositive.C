@@ -76,7 +76,7 @@ void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
     const vectorField& S = mesh_.faceAreas();
     const scalarField& V = mesh_.V();
     const scalarField& limited = phiLimited();
-    const gasStates<General> all(states<General>());
+    const gasStates<General> all(allStates<General>());
     const bool upwind = all.upwind();
 
     boolList replaced(mesh_.nFaces(), false), bad(rho_.size());

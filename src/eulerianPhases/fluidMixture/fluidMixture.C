@@ -12,36 +12,199 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::mpm::fluidMixture::density
+bool Foam::mpm::fluidMixture::touch
+(
+    const label k,
+    const share& s,
+    const scalar theta,
+    touching& t,
+    scalar& P
+) const
+{
+    const fluid& f = fluids_[k];
+    if (f.gamma > 0)
+    {
+        const scalar w = 1 - 1/f.gamma;
+        t = {w*s.A, w*(s.e0 - f.pInf*s.A), f.pInf};
+        P = t.C/(theta - t.least) - f.pInf;
+        return t.C > 0;
+    }
+    const scalar rho = s.m/theta;
+    const terms c(at(k, rho));
+    const scalar Gamma = c.B/rho;
+    const scalar below = theta + Gamma*(theta - s.A);
+    if (!(below > 0))
+    {
+        P = GREAT;
+        return false;
+    }
+    P = (Gamma*s.e0 + theta*c.A)/below;
+    const scalar strength = rho*c2(c, rho, P)/(1 + Gamma);
+    t.least = Gamma/(1 + Gamma)*s.A;
+    t.C = (theta - t.least)*strength;
+    t.pInf = strength - P;
+    return strength > 0;
+}
+
+
+bool Foam::mpm::fluidMixture::pressureOf
+(
+    const touching* t,
+    const share* s,
+    const scalar theta,
+    scalar& P
+) const
+{
+    scalar room = theta;
+    forAll(fluids_, k)
+    {
+        room -= s[k].m > 0 ? t[k].least : 0;
+    }
+    if (!(room > 0))
+    {
+        return false;
+    }
+
+    // No fluid takes more than the room of all: a lower bound
+    P = -GREAT;
+    forAll(fluids_, k)
+    {
+        P = s[k].m > 0 ? max(P, t[k].C/room - t[k].pInf) : P;
+    }
+    for (int step = 0; step < 100; ++step)
+    {
+        scalar excess = -room, slope = 0;
+        forAll(fluids_, k)
+        {
+            if (s[k].m > 0)
+            {
+                const scalar v = t[k].C/(P + t[k].pInf);
+                excess += v;
+                slope += v/(P + t[k].pInf);
+            }
+        }
+        const scalar next = P + excess/slope;
+        if (!(excess > 1e-15*theta) || next == P)
+        {
+            break;
+        }
+        P = next;
+    }
+    return P > -GREAT && P < GREAT;
+}
+
+
+bool Foam::mpm::fluidMixture::volumeOf
 (
     const label k,
     const share& s,
     const scalar P,
-    scalar& rho,
-    scalar& slope
+    scalar& theta,
+    touching& t,
+    label& looks
 ) const
 {
-    // F(rho) = m e(rho, P) - e0 + P (m/rho - A) falls: F' = -m c^2/B
-    scalar r = rho;
-    for (int step = 0; step < 60; ++step)
+    if (isStiff(k))
     {
-        const terms t(at(k, r));
-        const scalar e = (P - t.A)/t.B, c = c2(t, r, P);
-        if (!(c > 0))
+        scalar own;
+        const bool found = touch(k, s, theta, t, own) && P + t.pInf > 0;
+        theta = t.least + t.C/(P + t.pInf);
+        return found;
+    }
+    scalar low = 0, high = GREAT;
+    for (int step = 0; step < 200; ++step)
+    {
+        scalar own;
+        ++looks;
+        const bool found = touch(k, s, theta, t, own);
+
+        // More pressure than outside: it expands
+        (own > P ? low : high) = theta;
+        scalar next = own > P ? 4*theta : 0.25*theta;
+        if (found)
         {
-            return false;
+            next =
+                P + t.pInf > 0
+              ? max(0.25*theta, min(4*theta, t.least + t.C/(P + t.pInf)))
+              : next;
+            if (mag(next - theta) <= 1e-14*theta)
+            {
+                return true;
+            }
         }
-        const scalar F = s.m*e - s.e0 + P*(s.m/r - s.A);
-        scalar change = F*t.B/(s.m*c);
-        change = max(-0.5*r, min(change, r));
-        r += change;
-        if (mag(change) <= 1e-14*r)
+        if (!(next > low && next < high))
         {
-            rho = r;
-            const scalar theta = s.m/r;
-            slope = (1 + t.B/r*(theta - s.A)/theta)/c;
+            next = low > 0 ? std::sqrt(low)*std::sqrt(high) : 0.25*high;
+        }
+        if (next <= low || next >= high)
+        {
+            return found;
+        }
+        theta = next;
+    }
+    return false;
+}
+
+
+bool Foam::mpm::fluidMixture::enclose
+(
+    const share* s,
+    const scalar theta,
+    scalar& P,
+    scalar* thetas,
+    label& looks
+) const
+{
+    FixedList<touching, 16> t;
+    scalar low = -GREAT, high = GREAT;
+    forAll(fluids_, k)
+    {
+        if (s[k].m > 0)
+        {
+            thetas[k] = s[k].A;
+            low = isStiff(k) ? max(low, -fluids_[k].pInf) : low;
+        }
+    }
+    P = P > low && P < high ? P : max(low, scalar(0)) + 1;
+    for (int step = 0; step < 400; ++step)
+    {
+        bool found = true;
+        scalar sum = 0;
+        for (label k = 0; found && k < size(); ++k)
+        {
+            if (s[k].m > 0)
+            {
+                scalar part = thetas[k];
+                found = volumeOf(k, s[k], P, part, t[k], looks);
+                thetas[k] = found ? part : s[k].A;
+                sum += thetas[k];
+            }
+        }
+        if (found && mag(sum - theta) <= 1e-14*theta)
+        {
             return true;
         }
+
+        // More volume than there is: the pressure must rise
+        (!found || sum > theta ? low : high) = P;
+        scalar next = GREAT;
+        if (!found || !pressureOf(t.begin(), s, theta, next))
+        {
+            next = GREAT;
+        }
+        if (!(next > low && next < high))
+        {
+            next =
+                high == GREAT ? P + 2*(mag(P) + 1)
+              : low == -GREAT ? high - 2*(mag(high) + 1)
+              : low > 0 && high > 4*low ? std::sqrt(low)*std::sqrt(high)
+              : 0.5*(low + high);
+        }
+        if (next <= low || next >= high)
+        {
+            return found;
+        }
+        P = next;
     }
     return false;
 }
@@ -227,96 +390,80 @@ Foam::scalar Foam::mpm::fluidMixture::relax
 (
     const share* s,
     const scalar theta,
-    const scalar guess,
-    scalar* rho,
-    scalar* thetas
+    scalar* thetas,
+    label* looks
 ) const
 {
-    label n = 0, first = -1, second = -1;
-    bool stiff = true;
-    scalar lowest = -GREAT;
+    label n = 0, first = -1, second = -1, others = 0, evaluations = 0;
+    FixedList<touching, 16> t;
+    scalar own;
+    bool found = true;
     forAll(fluids_, k)
     {
-        thetas[k] = 0;
+        thetas[k] = s[k].m > 0 ? s[k].A : 0;
         if (s[k].m > 0)
         {
             second = first < 0 ? second : k;
             first = first < 0 ? k : first;
-            stiff = stiff && isStiff(k);
-            lowest = isStiff(k) ? max(lowest, -fluids_[k].pInf) : lowest;
+            others += !isStiff(k);
+            found = found && (!isStiff(k) || touch(k, s[k], s[k].A, t[k], own));
             ++n;
         }
     }
 
-    scalar P = guess;
-    if (n == 2 && stiff)
+    scalar P = 0;
+    if (n == 2 && others == 0)
     {
         P = ofTwo(first, second, s, theta);
+        found = true;
     }
-    scalar low = lowest, high = GREAT;
-    scalar sum = 0;
-    for (int step = 0; step < 100; ++step)
+    bool done = false;
+    for (int step = 0; found && !done && step < 30; ++step)
     {
-        scalar slope = 0;
-        sum = 0;
-        bool found = P > lowest;
+        for (label k = 0; others && found && k < size(); ++k)
+        {
+            if (s[k].m > 0 && !isStiff(k))
+            {
+                ++evaluations;
+                found = touch(k, s[k], thetas[k], t[k], own);
+            }
+        }
+        if (n != 2 || others)
+        {
+            found = found && pressureOf(t.begin(), s, theta, P);
+        }
+        done = true;
         for (label k = 0; found && k < size(); ++k)
         {
-            if (!(s[k].m > 0))
+            if (s[k].m > 0)
             {
-                continue;
+                const scalar next = t[k].least + t[k].C/(P + t[k].pInf);
+                scalar& now = thetas[k];
+                const bool small =
+                    isStiff(k) || mag(next - now) <= 1e-8*now;
+                now = small ? next : max(0.25*now, min(4*now, next));
+                done = done && small;
             }
-            const fluid& f = fluids_[k];
-            if (f.gamma > 0)
-            {
-                const scalar w = 1 - 1/f.gamma;
-                thetas[k] = w*(s[k].e0 + P*s[k].A)/(P + f.pInf);
-                slope += (w*s[k].A - thetas[k])/(P + f.pInf);
-            }
-            else
-            {
-                scalar of = 0;
-                found = density(k, s[k], P, rho[k], of);
-                thetas[k] = s[k].m/rho[k];
-                slope -= thetas[k]/rho[k]*of;
-            }
-            sum += thetas[k];
         }
-        if (n == 2 && stiff)
-        {
-            break;
-        }
-
-        // More volume than there is: the pressure must rise
-        const bool tooMuch = !found || sum > theta;
-        (tooMuch ? low : high) = P;
-        if (found && mag(sum - theta) <= 1e-13*theta)
-        {
-            break;
-        }
-        scalar next = found && slope < 0 ? P + (theta - sum)/slope : GREAT;
-        if (!(next > low && next < high))
-        {
-            next =
-                high < GREAT
-              ? (low > -GREAT ? 0.5*(low + high) : high - 2*(mag(high) + 1))
-              : P + 2*(mag(P) + 1);
-        }
-        if (next == P)
-        {
-            break;
-        }
-        P = next;
+    }
+    if (!done || !found)
+    {
+        enclose(s, theta, P, thetas, evaluations);
     }
 
     // What is left is rounding
+    scalar sum = 0;
     forAll(fluids_, k)
     {
-        if (s[k].m > 0)
-        {
-            thetas[k] *= theta/sum;
-            rho[k] = s[k].m/thetas[k];
-        }
+        sum += thetas[k];
+    }
+    forAll(fluids_, k)
+    {
+        thetas[k] *= theta/sum;
+    }
+    if (looks)
+    {
+        *looks = evaluations;
     }
     return P;
 }

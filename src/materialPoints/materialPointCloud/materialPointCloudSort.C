@@ -9,6 +9,30 @@ License
 #include "materialPointCloud.H"
 #include <algorithm>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Fetch the value of the cell of change i, if it is one here
+void expect
+(
+    const UList<mpm::materialPointCloud::cellChange>& cellChanges,
+    const label i,
+    const labelList& ofCells
+)
+{
+    if (i < cellChanges.size())
+    {
+        const label celli = cellChanges[i].cell;
+        __builtin_prefetch(ofCells.cdata() + min(celli, ofCells.size() - 1));
+    }
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::materialPointCloud::permute
@@ -92,6 +116,7 @@ Foam::label Foam::mpm::materialPointCloud::countPoints
     {
         for (; m < cellChanges.size() && cellChanges[m].point < start_[k + 1]; ++m)
         {
+            expect(cellChanges, m + 16, count_);
             --count_[cells_[k]];
             comes(cellChanges[m].cell);
         }
@@ -143,23 +168,45 @@ void Foam::mpm::materialPointCloud::findOrder
     forAll(oldCells_, k)
     {
         const label celli = oldCells_[k];
-        label to = count_[celli];
-        for (label p = oldStart_[k]; p < oldStart_[k + 1]; ++p)
+        label to = count_[celli], p = oldStart_[k];
+        const label end = oldStart_[k + 1];
+        for (; m < cellChanges.size() && cellChanges[m].point < end; ++m)
         {
-            if (m < cellChanges.size() && cellChanges[m].point == p)
-            {
-                ++m;
-            }
-            else
+            for (; p < cellChanges[m].point; ++p)
             {
                 from_[to++] = p;
             }
+            ++p;
+        }
+        for (; p < end; ++p)
+        {
+            from_[to++] = p;
         }
         count_[celli] = to;
     }
     const scalar* id = id_[0];
-    for (const cellChange& mv : cellChanges)
+    forAll(cellChanges, i)
     {
+        const cellChange& mv = cellChanges[i];
+        expect(cellChanges, i + 16, count_);
+        expect(cellChanges, i + 16, first_);
+        if (i + 8 < cellChanges.size())
+        {
+            const label celli = cellChanges[i + 8].cell;
+            const label at = celli < grid_.nCells() ? count_[celli] : 0;
+            if (at > 0)
+            {
+                __builtin_prefetch(&from_[at - 1]);
+            }
+        }
+        if (i + 4 < cellChanges.size())
+        {
+            const label celli = cellChanges[i + 4].cell;
+            if (celli < grid_.nCells() && count_[celli] > first_[celli])
+            {
+                __builtin_prefetch(id + from_[count_[celli] - 1]);
+            }
+        }
         if (mv.cell >= grid_.nCells())
         {
             from_[left++] = mv.point;

@@ -80,7 +80,7 @@ void Foam::mpm::materialPointCloud::writeRecord() const
 }
 
 
-void Foam::mpm::materialPointCloud::checkRecord(const label n) const
+void Foam::mpm::materialPointCloud::checkMesh() const
 {
     const fileName file(recordFile());
     if (!returnReduce(isFile(file), andOp<bool>()))
@@ -111,6 +111,18 @@ void Foam::mpm::materialPointCloud::checkRecord(const label n) const
             << "Scale or refine a mesh before setMaterialPoints, and run that"
             << " again." << exit(FatalIOError);
     }
+}
+
+
+void Foam::mpm::materialPointCloud::checkRecord(const label n) const
+{
+    const fileName file(recordFile());
+    if (!returnReduce(isFile(file), andOp<bool>()))
+    {
+        return;
+    }
+    IFstream is(file);
+    const dictionary record(is);
     const dictionary& points = record.subDict("points");
     const label written = points.getOrDefault<label>(name(), max(n, label(0)));
     if (max(n, label(0)) != written)

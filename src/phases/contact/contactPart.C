@@ -56,8 +56,10 @@ void Foam::mpm::contactPart::exchange(const scalar)
     pointEnergy& energy = points_.energy();
     if (energy.active())
     {
-        energy.sums().step.contact +=
-            returnReduce(contact_->work(), sumOp<scalar>());
+        scalar driven;
+        const scalar work = contact_->work(driven);
+        energy.sums().step.contact += returnReduce(work, sumOp<scalar>());
+        energy.sums().step.driven += returnReduce(driven, sumOp<scalar>());
     }
 }
 

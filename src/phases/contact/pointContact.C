@@ -318,21 +318,24 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
 }
 
 
-Foam::scalar Foam::mpm::pointContact::work() const
+Foam::scalar Foam::mpm::pointContact::work(scalar& driven) const
 {
     // On free bodies where J acts
     scalar work = 0;
+    driven = 0;
     for (const contactNode& m : contactNodes_)
     {
         const contactPair& pair = pairs_[m.pair];
         for (const label fieldi : {pair.a, pair.b})
         {
-            const bool isA = fieldi == pair.a;
-            const label b = isA ? m.bodyA : m.bodyB;
-            if (fieldi < 0 || (b < 0 && (isA ? m.ia : m.ib) <= 0))
+            if (fieldi < 0)
             {
                 continue;
             }
+            const bool isA = fieldi == pair.a;
+            const label b = isA ? m.bodyA : m.bodyB;
+            // Its reaction is on the other side
+            const bool drives = b < 0 && (isA ? m.ia : m.ib) <= 0;
             const velocityField& field = fields_[fieldi];
             Eigen::Vector3d ub(Eigen::Vector3d::Zero());
             if (b >= 0)
@@ -340,10 +343,11 @@ Foam::scalar Foam::mpm::pointContact::work() const
                 const freeBody& body = *bodies_[b].body;
                 ub = body.at(m.at, false)*(0.5*(body.start(false) + body.step()));
             }
+            scalar w = 0;
             for (int d = 0; d < nDim_; ++d)
             {
                 const label i = field.stride()*m.node + d;
-                work +=
+                w +=
                     field.part(m.node)*(isA ? -m.J[d] : m.J[d])
                    *(
                         b >= 0
@@ -351,6 +355,8 @@ Foam::scalar Foam::mpm::pointContact::work() const
                       : field.U()[i] + 0.5*field.dU()[i]
                     );
             }
+            work += drives ? 0 : w;
+            driven -= drives ? w : 0;
         }
     }
     return work;

@@ -23,7 +23,9 @@ Foam::mpm::pointEnergy::pointEnergy(materialPointSystem& points)
     stepped_(false),
     startEnergy_(0),
     largestEnergy_(0),
+    largestRead_(0),
     energyGrowth_(0),
+    leastUnexplained_(0),
     sourceless_(false)
 {}
 
@@ -52,6 +54,7 @@ void Foam::mpm::pointEnergy::noteEnergy
     const scalar size = max(mag(kinetic), mag(strain));
     if (!(largestEnergy_ > 0))
     {
+        const scalar size0 = b ? max(mag(b->kinetic0), mag(b->strain0)) : 0;
         // Energies below this are rounding
         scalar least = 0;
         for (const materialPointPhase& phase : points_.phases())
@@ -61,29 +64,29 @@ void Foam::mpm::pointEnergy::noteEnergy
                 least += 1e-12*phase.mass()*sqr(phase.law().waveSpeed());
             }
         }
-        largestEnergy_ = max(least, size);
+        largestEnergy_ = max(max(least, largestRead_), b ? size0 : size);
         startEnergy_ = energy;
         sourceless_ = !hasSources();
     }
     if (b)
     {
+        const scalar unexplained = b->unexplained();
+        leastUnexplained_ = min(leastUnexplained_, unexplained);
+        const scalar rise = unexplained - leastUnexplained_;
+
+        // Without what has grown
         largestEnergy_ = max
         (
             largestEnergy_,
             max(size, mag(b->hasGas ? b->gas.energy - b->gas.energy0 : 0))
+          - rise
         );
-        // With remap: a mismatch of forces and stresses can grow as well.
-        // Transfer takes energy; contact does where nothing is driven
-        const scalar gain =
-            max(scalar(0), b->transfer())
-          + (sourceless_ ? max(scalar(0), b->work.contact) : 0);
         energyGrowth_ =
-            (b->residual() + b->remap() + gain)
+            rise
            /max
             (
-                largestEnergy_ + b->exchanged
-              + mag(b->gas.heat) + mag(b->gas.granular),
-                VSMALL
+                max(largestEnergy_, VSMALL),
+                b->exchanged + mag(b->gas.heat) + mag(b->gas.granular)
             );
     }
     else if (sourceless_)
@@ -229,7 +232,9 @@ void Foam::mpm::pointEnergy::accepted(const scalar)
     forceWork& step = sums_.step;
     step.internal = sums_.all - step.external - step.boundary - step.contact;
     sums_.work += step;
-    sums_.exchanged += mag(step.external) + mag(step.boundary);
+    sums_.exchanged +=
+        mag(step.external) + mag(step.boundary)
+      + mag(step.driven);
 }
 
 
@@ -264,7 +269,10 @@ void Foam::mpm::pointEnergy::addState(dictionary& state) const
     }
     energy.add("contact", sums_.work.contact);
     energy.add("damping", sums_.damping);
+    energy.add("driven", sums_.work.driven);
     energy.add("exchanged", sums_.exchanged);
+    energy.add("largest", max(largestEnergy_, largestRead_));
+    energy.add("leastUnexplained", leastUnexplained_);
     state.add("energy", energy);
 }
 
@@ -307,7 +315,12 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
     }
     sums_.work.contact = energy.getOrDefault<scalar>("contact", 0);
     sums_.damping = energy.getOrDefault<scalar>("damping", 0);
+    sums_.work.driven = energy.getOrDefault<scalar>("driven", 0);
     sums_.exchanged = energy.getOrDefault<scalar>("exchanged", 0);
+    largestRead_ = energy.getOrDefault<scalar>("largest", 0);
+    // Of an older state: what is there now
+    leastUnexplained_ =
+        energy.getOrDefault<scalar>("leastUnexplained", GREAT);
 }
 
 

@@ -306,8 +306,10 @@ void Foam::mpm::materialPointPhase::read
             << "Phase " << name_ << " has no material points in "
             << cloud_.time().path()/cloud_.time().timeName()
               /cloud::prefix/name_ << "." << nl
-            << "Run setMaterialPoints first, or remove the phase from"
-            << " constant/phaseProperties." << exit(FatalError);
+            << "Run setMaterialPoints first"
+            << (Pstream::parRun() ? " and  decomposePar -force  after it" : "")
+            << ", or remove the phase from constant/phaseProperties."
+            << exit(FatalError);
     }
 
     if (column* s = cloud_.strength())

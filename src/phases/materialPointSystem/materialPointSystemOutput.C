@@ -204,7 +204,7 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
             const label p = phase.fastestPoint();
             sound.words = inWords
             (
-                p < 0 ? string(phase.name()) : string(name(p)),
+                p < 0 ? "points of " + phase.name() : string(name(p)),
                 "sound",
                 c,
                 h
@@ -289,7 +289,7 @@ void Foam::mpm::materialPointSystem::reportClock() const
     }
     std::ostringstream line;
     line << std::fixed << std::setprecision(2) << "Parts of the steps' " << sum
-        << " s:" << std::setprecision(1);
+        << " s of wall time:" << std::setprecision(1);
     const char* separator = " ";
     for (const auto& part : parts)
     {

@@ -17,6 +17,7 @@ License
 #include "unitHints.H"
 #include "startHints.H"
 #include "dictionaryTools.H"
+#include "phaseNames.H"
 #include "fatalMessages.H"
 #include "largestOfAll.H"
 #include "noTraps.H"
@@ -127,8 +128,21 @@ void Foam::mpm::materialPointSystem::readPhases()
             new outflowPatches(requiredDict(properties_, "outflow"), grid_)
         );
     }
+    const bool gas = phaseNames(properties_, {"gas"}).size();
     forAll(names, phasei)
     {
+        const dictionary& dict = requiredDict(properties_, names[phasei]);
+        for (const word key : {"drag", "heatTransfer"})
+        {
+            if (!gas && dict.found(key))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry " << key << " of phase " << names[phasei]
+                    << " acts between points and a gas, but phases "
+                    << flatOutput(names) << " has none. Remove it, or add a"
+                    << " phase of  type gas;" << exit(FatalIOError);
+            }
+        }
         phases_.set
         (
             phasei,
@@ -467,14 +481,19 @@ void Foam::mpm::materialPointSystem::reportBalance() const
 void Foam::mpm::materialPointSystem::reportStart() const
 {
     Info<< "Material points: " << nPoints() << " in "
-        << phases_.size() << " phases, "
+        << phases_.size() << (phases_.size() == 1 ? " phase, " : " phases, ")
         << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, "
         << grid_.nNodes() << " nodes, "
         << (grid_.hasLattice() ? "lattice" : cellTypes(mesh_)).c_str() << nl
         << "    shape function " << numerics_.get<word>("shapeFunction")
         << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "")
         << ", stress update " << stressUpdate_->type() << nl << "    ";
-    transfer_->write(Info);
+    bool grains = false;
+    for (const materialPointPhase& phase : phases_)
+    {
+        grains = grains || (!phase.motion() && phase.grains());
+    }
+    transfer_->write(Info, grains);
     reportBalance();
     Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
         << " buffers, " << gridBytes()/max(nPoints(), label(1))
@@ -529,6 +548,13 @@ Foam::mpm::materialPointSystem::materialPointSystem
     readNumerics();
     gridTransfer_ = pointGridTransfer::New(numerics_, grid_);
     readPhases();
+    for (const materialPointPhase& phase : phases_)
+    {
+        if (!from_)
+        {
+            phase.cloud().checkMesh();
+        }
+    }
     readFields();
 
     energy_ = &parts_.own(new pointEnergy(*this));

@@ -31,9 +31,9 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     //- Velocity gradient times dt, width of the cell, shift of traces
     struct buffers
     {
-        alignas(64) scalar dL[N][bufferSize + W];
-        alignas(64) scalar width[bufferSize + W];
-        alignas(64) scalar shift[bufferSize + W];
+        alignas(64) scalar dL[N][bufferSize + laneWidth<DIM>];
+        alignas(64) scalar width[bufferSize + laneWidth<DIM>];
+        alignas(64) scalar shift[bufferSize + laneWidth<DIM>];
     };
 
     //- Points of a cell in the block
@@ -231,7 +231,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     {
         T largest = {};
         const label nHere = end - begin;
-        for (label i = nHere; i < nHere + W; ++i)
+        for (label i = nHere; i < nHere + laneWidth<DIM>; ++i)
         {
             for (int c = 0; c < N; ++c)
             {

@@ -40,7 +40,7 @@ Foam::mpm::APIC::APIC(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::APIC::write(Ostream& os) const
+void Foam::mpm::APIC::write(Ostream& os, const bool) const
 {
     os  << "transfer APIC, affine matrix from the "
         << (affine_ == moment ? "moments of u^L" : "gradient of u^n")

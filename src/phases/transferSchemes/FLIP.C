@@ -43,10 +43,10 @@ Foam::mpm::FLIP::coefficients(const step& s) const
 }
 
 
-void Foam::mpm::FLIP::write(Ostream& os) const
+void Foam::mpm::FLIP::write(Ostream& os, const bool grains) const
 {
     os  << "transfer FLIP with PIC fraction " << fraction_;
-    if (fractionOfGrains_ > fraction_)
+    if (grains && fractionOfGrains_ > fraction_)
     {
         os  << " (of grains " << fractionOfGrains_ << ")";
     }

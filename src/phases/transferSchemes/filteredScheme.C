@@ -34,7 +34,7 @@ Foam::mpm::filteredScheme::coefficients(const step& s) const
 }
 
 
-void Foam::mpm::filteredScheme::write(Ostream& os) const
+void Foam::mpm::filteredScheme::write(Ostream& os, const bool) const
 {
     os  << "transfer " << type() << " of order " << order_
         << ": x moves with the new velocity of the point" << nl;

@@ -117,7 +117,7 @@ Foam::mpm::transferScheme::keywordsOfAll(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::transferScheme::write(Ostream& os) const
+void Foam::mpm::transferScheme::write(Ostream& os, const bool) const
 {
     os  << "transfer " << type() << nl;
 }

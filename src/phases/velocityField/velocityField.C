@@ -119,57 +119,6 @@ Foam::mpm::velocityField::velocityField
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::velocityField::activate
-(
-    const UList<const labelList*>& cells,
-    const int reach
-)
-{
-    ++stampNow_;
-    DynamicList<label> nodes(active_.size() + active_.size()/8 + 16);
-
-    // Always active: other processors send sums for them
-    for (const label n : shared_.nodes())
-    {
-        stamp_[n] = stampNow_;
-        nodes.append(n);
-    }
-
-    const auto take = [&](const label n)
-    {
-        if (stamp_[n] != stampNow_)
-        {
-            stamp_[n] = stampNow_;
-            nodes.append(n);
-        }
-    };
-
-    // Elsewhere the ring of the nodes is that of their cells, each once
-    const bool ring = reach && !grid_.hasLattice();
-    for (const labelList* list : cells)
-    {
-        for (const label celli : *list)
-        {
-            grid_.forNodesAround(celli, ring ? 0 : reach, take);
-        }
-    }
-    for (label i = 0, n = nodes.size(); ring && i < n; ++i)
-    {
-        for (const label celli : grid_.nodes().cellsOf(nodes[i]))
-        {
-            grid_.forNodesAround(celli, 0, take);
-        }
-    }
-    activeNew_.transfer(nodes);
-}
-
-
-void Foam::mpm::velocityField::keepActive()
-{
-    activeNew_ = active_;
-}
-
-
 void Foam::mpm::velocityField::clearMomentum()
 {
     for (const label n : activeNew_)
@@ -323,8 +272,16 @@ Foam::labelList Foam::mpm::velocityField::constrained() const
         constraint->mark(nodes);
     }
     // Other nodes hold values of an earlier step
-    nodes &= labelHashSet(active_);
-    return nodes.sortedToc();
+    DynamicList<label> active(nodes.size());
+    for (const label n : nodes.size() ? active_ : labelList::null())
+    {
+        if (nodes.found(n))
+        {
+            active.append(n);
+        }
+    }
+    Foam::sort(active);
+    return labelList(std::move(active));
 }
 
 
@@ -580,7 +537,11 @@ Foam::scalar Foam::mpm::velocityField::bytes() const
            *(7 + (increment_.data() ? 2 : 0) + (Ustrain_.data() ? 1 : 0))
           + sizeof(label)
         )
-      + sizeof(label)*scalar(active_.size() + activeNew_.size());
+      + sizeof(label)*scalar
+        (
+            active_.size() + activeNew_.size() + ringStart_.size()
+          + ring_.size()
+        );
 }
 
 // ************************************************************************* //

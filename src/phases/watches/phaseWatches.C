@@ -159,7 +159,89 @@ void Foam::mpm::phaseWatches::warnOfOverlap
         << " contact { ... }; there." << endl;
 }
 
+Foam::dictionary Foam::mpm::phaseWatches::material
+(
+    const materialPointPhase& phase
+) const
+{
+    dictionary now;
+    now.add("rho", phase.rho());
+    now.add("waveSpeed", phase.law().waveSpeed());
+    now.add("failureModel", phase.failure() ? phase.failure()->type() : "none");
+    return now;
+}
+
+
+void Foam::mpm::phaseWatches::warnOfChange
+(
+    const word& phase,
+    const dictionary& old,
+    const dictionary& now
+) const
+{
+    const word time(points_.time().timeName());
+    const struct {const char* key; const char* advice;} numbers[] =
+        {
+            {"rho", " kg/m3: the points keep their mass. For another density run"
+                " setMaterialPoints again."},
+            {"waveSpeed", " m/s: the law has other moduli than the strains of the"
+                " points come from."}
+        };
+    for (const auto& n : numbers)
+    {
+        const scalar before = old.getOrDefault<scalar>(n.key, -1);
+        const scalar after = now.get<scalar>(n.key);
+        if (before >= 0 && mag(after - before) > 1e-6*before)
+        {
+            WarningInFunction
+                << "Since time " << time << " was written " << n.key
+                << " of phase " << phase << " has changed from " << before
+                << " to " << after << n.advice << endl;
+        }
+    }
+    const word before(old.getOrDefault<word>("failureModel", "none"));
+    if (before != "none" && now.get<word>("failureModel") == "none")
+    {
+        WarningInFunction
+            << "Points of phase " << phase << " have the damage of the"
+            << " failureModel " << before << " at time " << time << ", but the"
+            << " phase has no failureModel now: they would carry again what"
+            << " they had lost." << endl;
+    }
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::phaseWatches::addState(dictionary& state) const
+{
+    dictionary materials;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        if (!phase.motion())
+        {
+            materials.add(phase.name(), material(phase));
+        }
+    }
+    state.add("materials", materials);
+}
+
+
+void Foam::mpm::phaseWatches::setState(const dictionary& state)
+{
+    const dictionary& materials = state.subOrEmptyDict("materials");
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        if (!phase.motion() && materials.isDict(phase.name()))
+        {
+            warnOfChange
+            (
+                phase.name(), materials.subDict(phase.name()), material(phase)
+            );
+        }
+    }
+}
+
+
 
 void Foam::mpm::phaseWatches::addFields(fieldStates& fields) const
 {

@@ -112,7 +112,7 @@ void Foam::mpm::warnOfDensity(const materialPointPhase& phase)
     const scalar rho = mass/volume;
     if
     (
-        mag(rho - phase.rho()) > 0.1*phase.rho()
+        mag(rho - phase.rho()) > 0.01*phase.rho()
      && Pstream::master()
      && filledWithRho
         (

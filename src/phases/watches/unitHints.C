@@ -30,6 +30,26 @@ std::string modulus(const dictionary& law)
     return "its moduli";
 }
 
+
+//- Warn of a strength that is probably one in MPa: below 1e-6 of the modulus
+void warnOfStrength
+(
+    const mpm::materialPointPhase& phase,
+    const dictionary& dict,
+    const word& key
+)
+{
+    scalar value;
+    const scalar E = phase.law().elasticModulus();
+    if (dict.readIfPresent(key, value) && value > 0 && value < 1e-6*E)
+    {
+        IOWarningInFunction(dict)
+            << "Entry " << key << " of phase " << phase.name() << " is " << value
+            << " Pa, " << value/E << " of its modulus " << E << " Pa: no matter"
+            << " is that weak. In MPa it needs e6: 400e6 for 400 MPa." << endl;
+    }
+}
+
 }
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -51,7 +71,15 @@ void Foam::mpm::warnOfUnits
     OStringStream waveSpeed, os;
     waveSpeed.precision(4);
     waveSpeed << c;
-    if (rho < 23 && c > 1000)
+    if (rho < 1e-4 && c > 1000)
+    {
+        // In mm a solid has 1e-9 t/mm3 or 1e-6 kg/mm3
+        const bool tonnes = rho < 1e-7;
+        os  << rho << (tonnes ? " t/mm3 are " : " kg/mm3 are ")
+            << (tonnes ? 1e12 : 1e9)*rho << " kg/m3: materialPointFoam works in"
+            << " m, kg, s and Pa.";
+    }
+    else if (rho < 23 && c > 1000)
     {
         os  << "rho " << rho << " kg/m3 is that of a gas. " << rho
             << " g/cm3 are " << 1000*rho << " kg/m3.";
@@ -78,6 +106,12 @@ void Foam::mpm::warnOfUnits
             << "The law of phase " << phase.name() << " has a wave speed of "
             << waveSpeed.str().c_str() << " m/s. " << os.str().c_str() << endl;
     }
+    warnOfStrength(phase, law, "yield");
+    if (law.get<word>("type") == "JohnsonCook")
+    {
+        warnOfStrength(phase, law, "A");
+    }
+    warnOfStrength(phase, dict.subOrEmptyDict("failureModel"), "strength");
 }
 
 // ************************************************************************* //

@@ -29,10 +29,20 @@ void Foam::mpm::bodyMesh::checkGroups
     {
         if (!valid.found(group))
         {
+            OStringStream groupNames;
+            groupNames << flatOutput(valid);
             FatalIOErrorInFunction(dict_)
                 << "Entry group: the mesh " << file_ << " has no elements of a"
-                << " physical group " << group << " in " << nDim_ << "D."
-                << " Valid groups: " << valid << exit(FatalIOError);
+                << " physical group " << group << " in " << nDim_ << "D, the"
+                << " dimensions of the case."
+                << (
+                       valid.empty() && nDim_ == 3
+                     ? string(" It has no group in 3D at all: if the scene is in 2D,"
+                       " front and back of the case's mesh must be of type"
+                       " empty, or wedge.")
+                     : " Valid groups: " + groupNames.str()
+                   ).c_str()
+                << exit(FatalIOError);
         }
     }
 }

@@ -256,6 +256,31 @@ void Foam::mpm::cellSimplices::addCorners
 }
 
 
+void Foam::mpm::cellSimplices::setMaps()
+{
+    const label n = nDim_*(nDim_ + 1);
+    for (label celli = 0; celli < start_.size() - 1; ++celli)
+    {
+        if (!isSimplex(celli))
+        {
+            continue;
+        }
+        maps_.setSize(n*(start_.size() - 1), 0);
+        scalar* to = maps_.begin() + n*celli;
+        std::copy_n(origin(celli), nDim_, to);
+        for (int k = 0; k < nDim_; ++k)
+        {
+            std::copy_n
+            (
+                inverses(celli) + nDim_*k,
+                nDim_,
+                to + nDim_*corners(celli)[k]
+            );
+        }
+    }
+}
+
+
 void Foam::mpm::cellSimplices::refuse
 (
     const polyMesh& mesh,
@@ -402,6 +427,10 @@ Foam::mpm::cellSimplices::cellSimplices
     inverse_.transfer(inverses);
     volume_.transfer(volumes);
     face_.transfer(faces);
+    if (!products)
+    {
+        setMaps();
+    }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -37,6 +37,103 @@ scalar along(const scalar* n, const scalar* from, const scalar* to)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::mpm::simplexLocator::setOpposite()
+{
+    const label n = nDim_ + 1;
+    opposite_.setSize(n*mesh_.nCells(), -1);
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        if (!cells_.isSimplex(celli))
+        {
+            continue;
+        }
+        for (const label facei : mesh_.cells()[celli])
+        {
+            if (isEmpty_.test(facei) || !mesh_.isInternalFace(facei))
+            {
+                continue;
+            }
+            // The vertex that the face has not
+            for (label i = 0; i < n; ++i)
+            {
+                bool found = false;
+                for (const label pointi : mesh_.faces()[facei])
+                {
+                    found = found
+                     || nodes_.ofPoints()[pointi] == cells_.nodes(celli)[i];
+                }
+                if (!found)
+                {
+                    opposite_[n*celli + i] = behind(celli, facei);
+                }
+            }
+        }
+    }
+}
+
+
+template<int DIM>
+void Foam::mpm::simplexLocator::follow
+(
+    const label n,
+    label* cell,
+    const scalar* x
+) const
+{
+    // One cell of the way of each point after the other: the next one is on
+    // its way from memory meanwhile
+    label going[largestGroup];
+    label nGoing = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        going[nGoing++] = i;
+    }
+    for (label step = 0; nGoing > 0; ++step)
+    {
+        label nNext = 0;
+        for (label j = 0; j < nGoing; ++j)
+        {
+            const label i = going[j];
+            const scalar* map = cells_.map(cell[i]);
+            scalar y[DIM], least = 1, S0 = 1;
+            label at = 0;
+            for (int d = 0; d < DIM; ++d)
+            {
+                y[d] = x[3*i + d] - map[d];
+            }
+            for (int k = 1; k <= DIM; ++k)
+            {
+                scalar S = map[DIM*k]*y[0];
+                for (int d = 1; d < DIM; ++d)
+                {
+                    S += map[DIM*k + d]*y[d];
+                }
+                S0 -= S;
+                at = S < least ? k : at;
+                least = min(S, least);
+            }
+            at = S0 < least ? 0 : at;
+            least = min(S0, least);
+            if (least > 1e-9)
+            {
+                continue;
+            }
+            const label next = opposite_[(DIM + 1)*cell[i] + at];
+            cell[i] = least < -1e-9 && step < 50 ? next : -1;
+            if (cell[i] >= 0)
+            {
+                const char* to =
+                    reinterpret_cast<const char*>(cells_.map(next));
+                __builtin_prefetch(to);
+                __builtin_prefetch(to + 64);
+                going[nNext++] = i;
+            }
+        }
+        nGoing = nNext;
+    }
+}
+
+
 Foam::scalar Foam::mpm::simplexLocator::beyondSimplex
 (
     const label celli,
@@ -233,7 +330,12 @@ Foam::mpm::simplexLocator::simplexLocator
     faceLocator(mesh, axes, ghosts),
     nodes_(nodes),
     cells_(cells)
-{}
+{
+    if (cells.hasMaps())
+    {
+        setOpposite();
+    }
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -277,6 +379,35 @@ Foam::label Foam::mpm::simplexLocator::locate(const label from, scalar* x) const
         celli = next;
     }
     return -1;
+}
+
+
+void Foam::mpm::simplexLocator::locateAll
+(
+    const label n,
+    label* cell,
+    scalar* x
+) const
+{
+    for (label first = 0; first < n; first += largestGroup)
+    {
+        const label m = min(n - first, largestGroup);
+        label* from = cell + first;
+        scalar* at = x + 3*first;
+        label to[largestGroup];
+        std::fill_n(to, m, -1);
+        if (opposite_.size())
+        {
+            std::copy_n(from, m, to);
+            nDim_ == 1 ? follow<1>(m, to, at)
+          : nDim_ == 2 ? follow<2>(m, to, at)
+          : follow<3>(m, to, at);
+        }
+        for (label i = 0; i < m; ++i)
+        {
+            from[i] = to[i] >= 0 ? to[i] : locate(from[i], at + 3*i);
+        }
+    }
 }
 
 

@@ -131,7 +131,7 @@ def identities(table):
         case = tube(f"pressure-{shape}", (0, 0), (L, b), (8, 8),
                     {"left": "slip", "right": "slip", "outer": "slip"},
                     {**FLIP, "shapeFunction": shape}, controlDict(2, 2, maxCo=0.4),
-                    stress="ambient", pressure=P, pointsPerCell=n)
+                    stress=(-P, 0, 0, -P, 0, -P), pointsPerCell=n)
         case.run("materialPointFoam")
         end = case.times()[-1]
         start, now = case.points("0", "body"), case.points(end, "body")

@@ -32,8 +32,9 @@ CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
 
 sys.path.insert(0, os.path.join(PROJECT, "tests", "lib"))
 from report import Report  # noqa: E402
-from gasRows import gasRows  # noqa: E402
-from runRows import runRows  # noqa: E402
+from gasRows import air, gasRows  # noqa: E402
+from runRows import gravity, runRows  # noqa: E402
+from unitRows import unitRows  # noqa: E402
 
 
 # --- a case and changes of it ------------------------------------------------
@@ -650,7 +651,7 @@ ROWS = [
      inRegion + ["velocity", "block is rigid", "motion"]),
     ("stress of a rigid phase's region", SET,
      several(rigid("rho 1;"), replace(REGIONS, r"velocity +\(0 -1 0\)",
-                                      "stress ambient; pressure 1")),
+                                      "stress (-1 0 0 -1 0 -1)")),
      inRegion + ["stress", "block is rigid"]),
     ("allowed: body force", SOLVE, bodyForce("type uniform; acceleration (0 1 0);"), None),
     ("body force along the empty direction", SOLVE,
@@ -673,16 +674,16 @@ ROWS = [
      bodyForce("type uniform; acceleration (0 0 0); from 3;"), inPhases + ["from", VALID]),
     ("number for acceleration", SOLVE, bodyForce("type uniform; acceleration 9.81;"),
      inPhases),
-    ("allowed: ambient pressure", SOLVE,
-     withPoints(replace(REGIONS, "velocity", "stress ambient; pressure 1e4; velocity")),
+    ("allowed: pressure at the start", SOLVE,
+     withPoints(replace(REGIONS, "velocity", "stress (-1e4 0 0 -1e4 0 -1e4); velocity")),
      None),
     ("stress that no strain of the law carries", SOLVE,
-     withPoints(replace(REGIONS, "velocity", "stress ambient; pressure 1e9; velocity")),
+     withPoints(replace(REGIONS, "velocity", "stress (-1e9 0 0 -1e9 0 -1e9); velocity")),
      ["linearElastic cannot start with the stress", r"strains .* must be in \[-3, 3\]"]),
     ("stress that no strain of neoHookean carries", SOLVE,
      several(replace(PHASES, "linearElastic", "neoHookean"),
              withPoints(replace(REGIONS, "velocity",
-                                "stress ambient; pressure 1e6; velocity"))),
+                                "stress (-1e6 0 0 -1e6 0 -1e6); velocity"))),
      ["neoHookean cannot start with the stress", r"above \S+ Pa"]),
 
     #- grains in a gas and heat
@@ -1238,6 +1239,7 @@ ROWS += [
 
 ROWS += gasRows(SOLVE, replace, remove, several, withPoints, line)
 ROWS += runRows(SOLVE, replace, remove, several, withPoints, meshOf, line)
+ROWS += unitRows(SOLVE, replace, remove, several, withPoints, meshOf, line, air, gravity)
 
 for traps in ("true", "false"):
     for name, n in (("first step", 50), ("middle", 1234), ("write time", 900)):

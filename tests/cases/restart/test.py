@@ -170,7 +170,7 @@ def limits(table):
                 and "below minDeltaT" in c.log() and os.path.exists(
                     c.file(c.times()[-1], "uniform/materialPointState")), c.times())
     table.check("the log names who sets the time step", re.search(
-        r"^deltaT set by (target|flyer): sound [\d.]+ m/s in \S+ mm", c.log(), re.M) is not None)
+        r"^deltaT set by points of (target|flyer): sound [\d.]+ m/s in \S+ mm", c.log(), re.M) is not None)
     c = case("maxEnergyGrowth", "FLIP", "binary")
     # FLIP beyond its stable step
     c.change("system/controlDict", "adjustTimeStep.*?;", "adjustTimeStep no;")
@@ -216,6 +216,29 @@ def contactGains(table):
                     f"{'a warning, then the end' if warns else 'no warning of energy'}",
                     grown == warns and ("more than maxEnergyGrowth" in c.log()) == warns
                     and (float(c.times()[-1]) < 20e-6) == warns, c.times()[-1])
+
+
+def drivenContact(table):
+    """The work of a die that is pressed into a plate is a source, not a growth."""
+    template = os.path.join(os.path.dirname(__file__), "../../../etc/caseTemplate")
+    c = FoamCase("restart", "drivenContact", template)
+    phases = "constant/phaseProperties"
+    c.change(phases, r"(?s)flyer\s*\{.*?\}\s*\}", "flyer { type rigid; rho 7800; motion { type"
+             " translation; velocity (0 -10 0); } }")
+    c.change(phases, r"(?s)^target\s*\{.*?\}\s*(?=flyer)", "target { constitutiveModel { type"
+             " J2Plasticity; rho 2700; E 70e9; nu 0.33; yield 300e6; hardening linear;"
+             " H 500e6; } }\n")
+    c.change("system/setMaterialPointsDict", r"velocity +\(.*?\);", "")
+    c.change("system/controlDict", "endTime .*?;", "endTime 20e-6; maxEnergyGrowth 0.02;")
+    for command in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
+        c.run(command)
+    contact = [float(v) for v in re.findall(r"^Energy budget:.* contact (\S+),", c.log(), re.M)]
+    total = [float(v) for v in re.findall(r"^Energy: .* total (\S+)", c.log(), re.M)]
+    table.row("die pressed into a plate: work in contact over the largest energy", 0.5,
+              contact[-1]/max(total), 0.5, "atLeast")
+    table.check("die pressed into a plate: no energy that grows",
+                "Energy has grown" not in c.log() and float(c.times()[-1]) > 19.9e-6,
+                c.times()[-1])
 
 
 def edited(table):
@@ -265,7 +288,7 @@ def main():
                 restarts(table, scheme, writeFormat)
             except RunFailed as e:
                 table.check(f"{scheme}, {writeFormat} runs", False, e)
-    for part in (lambda t: killed(t, 20), ended, limits, contactGains, edited):
+    for part in (lambda t: killed(t, 20), ended, limits, contactGains, drivenContact, edited):
         try:
             part(table)
         except RunFailed as e:

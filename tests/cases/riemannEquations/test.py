@@ -19,6 +19,9 @@ plateaus, limit 2e-3 of the range (densities: of their value) as Sod's.
     MieGrueneisen copper at 120 GPa beside copper at rest without pressure; impact
     JWL           products of TNT beside such that have expanded, to a pressure of 200 MPa
                   and of 10 MPa (there contact and shock are close: 400 and 1600 cells)
+    vanDerWaals   a dense gas at 20 MPa beside a thin one
+    nobleAbelStiffenedGas  water at 1 GPa beside water at 1 bar
+    CochranChan   TNT that has not burnt, at 10 GPa beside TNT at rest
 """
 
 import os
@@ -44,10 +47,22 @@ TNT = {"rho": 1630, "equationOfState": {
     "type": "JWL", "A": 371.2e9, "B": 3.231e9, "R1": 4.15, "R2": 0.95, "omega": 0.3,
     "E0": 7e9}}
 
+DENSE = {"rho": 50, "equationOfState": {
+    "type": "vanDerWaals", "gamma": 1.4, "a": 5, "b": 1e-3, "p0": 1e5}}
+LIQUID = {"rho": 1050, "equationOfState": {
+    "type": "nobleAbelStiffenedGas", "gamma": 1.19, "pInf": 7.028e8, "b": 6.61e-4, "q": -1177788,
+    "p0": 1e5}}
+SOLID_TNT = {"rho": 1840, "equationOfState": {
+    "type": "CochranChan", "A": 12.87e9, "B": 13.42e9, "E1": 4.1, "E2": 3.1, "Gamma0": 0.93,
+    "p0": 1e5}}
+
 water = exact.StiffenedGas(4.4, 6e8)
 tait = exact.Tait(2.15e9, 7.15, 1e5, 1000)
 linear = exact.Linear(140e9, 7850)
 copper = exact.MieGrueneisen(3940, 1.489, 2.02, 8960)
+dense = exact.VanDerWaals(1.4, 5, 1e-3)
+liquid = exact.NobleAbelStiffenedGas(1.19, 7.028e8, 6.61e-4, -1177788)
+solidTNT = exact.CochranChan(12.87e9, 13.42e9, 4.1, 3.1, 0.93, 1840)
 tnt = exact.JWL(371.2e9, 3.231e9, 4.15, 0.95, 0.3, 1630)
 
 
@@ -200,6 +215,18 @@ def JWL(table):
            cells=(400, 1600))
 
 
+def covolumes(table):
+    series(table, "vanDerWaals, 20 MPa", DENSE, dense,
+           ((300, 0, 2e7), (50, 0, 1e6)), 5e5, 8e-4)
+    series(table, "nobleAbelStiffenedGas, 1 GPa", LIQUID, liquid,
+           ((1050, 0, 1e9), (1050, 0, 1e5)), 1e5, 1.5e-4)
+
+
+def CochranChan(table):
+    series(table, "CochranChan, TNT at 10 GPa", SOLID_TNT, solidTNT,
+           ((2300, 0, 1e10), (1840, 0, 1e5)), 0, 8e-5)
+
+
 # --- fields, conservation, processors, restart -------------------------------
 
 def box(name, words, p, end, **options):
@@ -313,8 +340,8 @@ def wrong(table):
 
 def main():
     table = Report("riemannEquations")
-    for part in (solver, asEquation, stiffened, barotropic, MieGrueneisen, JWL, plane, leaves,
-                 wrong):
+    for part in (solver, asEquation, stiffened, barotropic, MieGrueneisen, JWL, covolumes,
+                 CochranChan, plane, leaves, wrong):
         try:
             part(table)
         except RunFailed as e:

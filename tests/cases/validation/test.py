@@ -7,68 +7,32 @@
               is skipped, and said so; in a run of all tests none may be
     tutorials the figure stands in the tutorial's README; where the tutorial has run, in its
               log.plot too
+    guide     each figure of doc/guide is that of a row, stands in a page that has its command,
+              has a command of its own, or is given (guide.py)
 
-    test.py -update      writes the figures of the last results into the page
+    test.py -update      writes the figures of the last results into the pages
 
 A row of the page: `test` | words of the test's row, … for anything | reference | figure. The
 figure is a number (of one row); "within x": the largest difference from the reference, of all
 rows that fit; "below x": all are smaller (rounding, whose digits nobody compares).
 """
 
-import decimal
 import glob
 import math
 import os
 import re
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../lib"))
-from foamCase import PROJECT, RUN, TESTS, runParts
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "../../lib"))
+sys.path.insert(0, HERE)
+import guide as pagesOfGuide
+from figures import NUMBER, agrees, fitting, formatted, results
+from foamCase import PROJECT, TESTS, runParts
 
 PAGE = os.path.join(PROJECT, "doc", "validation.md")
 ROW = re.compile(r"^\| `(\w+)` \| (.+?) \| ([^|]+?) \| ([^|]+?) \|$")
 TUTORIAL = re.compile(r"^\| \[(\w+)\]\(\.\./tutorials/\w+/README\.md\) \| .* \| ([^|]+?) \|$")
-NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
-
-
-def results(test):
-    """{words: (reference, measured)} of the rows that a test printed last, or None."""
-    path = os.path.join(RUN, test, "log.test")
-    if not os.path.exists(path):
-        return None
-    rows = {}
-    with open(path, encoding="utf-8") as f:
-        for line in f:
-            # The words may have " | " of their own
-            parts = line.rstrip("\n").split(" | ")
-            if len(parts) >= 7 and parts[0] == test and parts[-5] != "holds":
-                rows[" | ".join(parts[1:-5])] = float(parts[-5]), float(parts[-4])
-    return rows
-
-
-def fitting(words, rows):
-    pattern = re.compile(".*".join(re.escape(w) for w in words.split("…")))
-    return [rows[label] for label in rows if pattern.fullmatch(label)]
-
-
-def agrees(printed, value):
-    """A number as printed is a value, to its last digit; 0 is 0."""
-    if float(printed) == 0:
-        return value == 0
-    unit = 10.0**decimal.Decimal(printed).as_tuple().exponent
-    return abs(float(printed) - value) <= 0.5*unit*(1 + 1e-6) + 1e-12*abs(value)
-
-
-def formatted(like, value):
-    """A value with as many digits as another number has."""
-    digits = len(re.sub(r"[eE].*|[^\d]", "", like).lstrip("0")) or 1
-    if value == 0:
-        return "0"
-    places = digits - 1 - math.floor(math.log10(abs(value)))
-    if abs(value) >= 1e6 or abs(value) < 1e-4:
-        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
-        return f"{mantissa}e{int(exponent)}"
-    return f"{value:.{max(places, 0)}f}"
 
 
 def differences(words, reference, figure, rows):
@@ -158,6 +122,10 @@ def tutorials(table):
                 agrees(figure, v) or max(abs(float(figure)), abs(v)) < 1e-12 for v in values))
 
 
+def guide(table):
+    pagesOfGuide.check(table)
+
+
 def update():
     new = []
     for line in lines():
@@ -177,5 +145,6 @@ def update():
 if __name__ == "__main__":
     if sys.argv[1:] == ["-update"]:
         update()
+        pagesOfGuide.update()
         sys.exit(0)
-    sys.exit(runParts("validation", page, figures, tutorials))
+    sys.exit(runParts("validation", page, figures, tutorials, guide))

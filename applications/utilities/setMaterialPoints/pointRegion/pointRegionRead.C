@@ -22,6 +22,12 @@ void Foam::mpm::pointRegion::checkEntries() const
         "pressure", "temperature", "volumeFraction", "density", "overlap"
     });
     valid.append(shape_->keywords());
+    if (dict_.found("scale") && !valid.found("scale") && valid.found("surface"))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Unknown keyword scale in " << dict_.name() << "; it belongs"
+            << " into  surface { file ...; scale ...; }" << exit(FatalIOError);
+    }
     checkKeywords(dict_, valid);
 }
 
@@ -196,6 +202,15 @@ void Foam::mpm::pointRegion::readStress()
     if (ambient)
     {
         oneOf(dict_, "stress", {"ambient"});
+        if (!inGas_)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry stress is ambient, the pressure of a gas, but"
+                << " constant/phaseProperties has no phase of type gas. Leave"
+                << " stress and pressure out, or give the stress (xx xy xz yy yz"
+                << " zz), negative in compression:  stress (-1e5 0 0 -1e5 0"
+                << " -1e5);" << exit(FatalIOError);
+        }
         const scalar p = dict_.get<scalar>("pressure");
         sigma_ = symmTensor(-p, 0, 0, -p, 0, -p);
         return;

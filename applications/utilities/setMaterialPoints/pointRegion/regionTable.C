@@ -93,7 +93,8 @@ void printBodies(const PtrList<mpm::pointRegion>& regions)
         Info<< "    " << r.name() << ": " << r.type() << " of "
             << bb.span() << " m from " << bb.min() << " to " << bb.max()
             << " m, " << r.pointsPerCell()
-            << (r.byElements() ? " points per element" : " points per cell")
+            << (r.pointsPerCell() == 1 ? " point per " : " points per ")
+            << (r.byElements() ? "element" : "cell")
             << (r.samplesUnused()
               ? "; samples is not used, parts of sub-cells are exact"
               : "")
@@ -107,6 +108,20 @@ void printBodies(const PtrList<mpm::pointRegion>& regions)
         }
     }
     Info<< endl;
+}
+
+
+//- Largest ratio of a body's side to that of the mesh
+scalar largestRatio(const mpm::pointGrid& grid, const boundBox& body)
+{
+    const vector mesh(grid.mesh().bounds().span());
+    scalar ratio = 0;
+    for (int d = 0; d < grid.nDim(); ++d)
+    {
+        const int c = grid.direction(d);
+        ratio = max(ratio, body.span()[c]/mesh[c]);
+    }
+    return ratio;
 }
 
 
@@ -147,7 +162,13 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
             << 0.1*std::round(1000*part) << " % of its " << r.shape().type()
             << " has no points. The shape lies in " << r.bounds() << " m, the mesh"
             << " in " << mesh << " m.";
-        if (across >= 0)
+        const scalar ratio = largestRatio(grid, body);
+        if (ratio > 100)
+        {
+            os  << " It is " << ratio << " times as large as the mesh: places"
+                << " and sizes are in m, a box of 5 mm has 5e-3.";
+        }
+        else if (across >= 0 && grid.nDim() < 3)
         {
             os  << " In a scene of fewer dimensions the sides of the mesh across "
                 << "xyz"[across] << " have type empty, of a sector wedge.";
@@ -300,6 +321,25 @@ void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
 }
 
 
+//- The law itself has the pressure of the gas or more, like an explosive that
+//  is burnt at the start
+bool pressesBack
+(
+    const mpm::materialPointPhase& phase,
+    const mpm::pointRegion& r,
+    const scalarField& p
+)
+{
+    const scalar own = phase.law().startPressure();
+    scalar most = 0;
+    for (const label celli : r.cells())
+    {
+        most = max(most, p.empty() ? scalar(0) : p[celli]);
+    }
+    return own > 0 && own >= most;
+}
+
+
 //- Warn of cells in which points of a region cannot soften: their widest bands
 //  are those across a diagonal, of the strongest point. firstId: of the region
 void checkSoftening
@@ -403,7 +443,7 @@ void Foam::mpm::printStart
     const PtrList<pointRegion>& regions
 )
 {
-    const wordList gases(phaseNames(phaseProperties, {"gas"}));
+    const wordList gases(phaseNames(phaseProperties, {"gas", "fluid"}));
     const bool contact = phaseProperties.found("contact");
 
     wordList names(phases.size());
@@ -472,7 +512,7 @@ void Foam::mpm::printStart
         if
         (
             gases.size() && !phase.motion() && !r.hasStress()
-         && !r.granular()
+         && !r.granular() && !pressesBack(phase, r, p)
         )
         {
             WarningInFunction

@@ -22,94 +22,6 @@ namespace mpm
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<bool General, bool Vector>
-inline void Foam::mpm::impedanceFlux::porousFace
-(
-    const label f,
-    const gasStates<General>& states,
-    const porousSide<General>& sideL,
-    const porousSide<General>& sideR,
-    const besideSolid& solid,
-    const result& to
-) const
-{
-    const solidOnFaces& pores = solid.pores;
-    const vector& S = faces_.mesh.faceAreas()[f];
-    const scalar magS = faces_.magS[f], dt = solid.dt;
-    const scalar factor = states.factor();
-    const gasState& L = sideL.s.w;
-    const gasState& R = sideR.s.w;
-    const scalar qL = states.q(sideL.s), qR = states.q(sideR.s);
-    const scalar thetaL = sideL.theta, thetaR = sideR.theta;
-
-    const scalar thetaS = pores.thetaS[f];
-    const scalar theta = 1 - thetaS;
-    const scalar z = std::sqrt(factor*max(L.rho*qL, R.rho*qR));
-    const scalar ZL = z*thetaL, ZR = z*thetaR, sumZ = ZL + ZR;
-    const scalar uL = (L.u & S)/magS, uR = (R.u & S)/magS;
-    const scalar dp = L.p - R.p;
-
-    const scalar bound = Vector ? pores.soundLimit[f] : 0.4;
-    const scalar a = min
-    (
-        theta/sumZ,
-        bound*min(thetaL*sideL.V/qL, thetaR*sideR.V/qR)
-       /(factor*magS*dt*theta)
-    );
-    scalar u = (ZL*uL + ZR*uR)/sumZ + a*dp;
-    scalar push = Vector ? a*dp : 0, ofSolid = 0;
-    scalar mu = ZL*ZR/sumZ/max(theta, max(thetaL, thetaR));
-
-    if (pores.K && pores.fd != solidOnFaces::none)
-    {
-        const scalar rho0 = 0.5*(L.rho + R.rho);
-        const scalar k = pores.K[f]*dt/(theta*rho0);
-        const scalar w = min(k/(1 + k), pores.dragLimit[f]);
-        u += w*(pores.uS[f] - u);
-        if (Vector)
-        {
-            push *= 1 - w;
-            ofSolid = w;
-        }
-        if (pores.fd == solidOnFaces::impedance)
-        {
-            const scalar Zm = std::sqrt
-            (
-                0.5*factor*(qL + qR)
-               *(theta*rho0 + thetaS*pores.rhoS[f])/theta
-            );
-            const scalar wm = w*theta*theta;
-            u += 0.5*wm*dp/Zm;
-            if (Vector)
-            {
-                push += 0.5*wm*dp/Zm;
-            }
-            // Explicit: no more than the gas beside a body can take
-            mu += min
-            (
-                0.5*wm*(Zm - z),
-                0.25*pores.inertia[f]/(theta*magS*dt)
-            );
-        }
-    }
-    if (Vector)
-    {
-        // The middle term: both fluxes add up to S.u_s in a dense body
-        const vector& A = pores.area[f];
-        vector uf((ZL*L.u + ZR*R.u)/sumZ);
-        uf += ofSolid*(pores.U[f] - uf);
-        to.phi[f] =
-            ((S - A) & uf) + ofSolid*((A & pores.U[f]) - pores.phiS[f])
-          + theta*magS*push;
-    }
-    else
-    {
-        to.phi[f] = theta*u*magS;
-    }
-    to.pStar[f] = (ZR*L.p + ZL*R.p)/sumZ + mu*(uL - uR);
-}
-
-
 template<bool Porous, bool General, bool Vector>
 void Foam::mpm::impedanceFlux::insideFaces
 (
@@ -133,6 +45,28 @@ void Foam::mpm::impedanceFlux::insideFaces
     scalar* const pStar = to.pStar.data();
     scalar* const out = to.out.data();
 
+    // Face next to solid
+    const auto porous = [&]
+    (
+        const label f,
+        const state& L,
+        const state& R,
+        const scalar thetaR,
+        const scalar VR
+    )
+    {
+        const scalar qL = states.q(L), qR = states.q(R);
+        const scalar z = std::sqrt(factor*max(L.w.rho*qL, R.w.rho*qR));
+        const label P = own[f];
+        porousFace<Vector>
+        (
+            f,
+            {L.w, factor*qL, z, L.w.p, solid->theta[P], V[P]},
+            {R.w, factor*qR, z, R.w.p, thetaR, VR},
+            solid->dt, solid->pores, 0, to
+        );
+    };
+
     // Face between two states
     const auto open = [&](const label f, const state& L, const state& R)
     {
@@ -150,13 +84,7 @@ void Foam::mpm::impedanceFlux::insideFaces
         const label P = own[f], N = nei[f];
         if (Porous && (solid->near[P] || solid->near[N]))
         {
-            porousFace<General, Vector>
-            (
-                f, states,
-                {states.cell(P), solid->theta[P], V[P]},
-                {states.cell(N), solid->theta[N], V[N]},
-                *solid, to
-            );
+            porous(f, states.cell(P), states.cell(N), solid->theta[N], V[N]);
         }
         else if (upwind)
         {
@@ -175,12 +103,10 @@ void Foam::mpm::impedanceFlux::insideFaces
         const label P = own[f], i = f - nInternal;
         if (Porous && (solid->near[P] || solid->near[nCells + i]))
         {
-            porousFace<General, Vector>
+            porous
             (
-                f, states,
-                {states.cell(P), solid->theta[P], V[P]},
-                {states.behind(i), solid->thetaB[i], faces_.Vb[i]},
-                *solid, to
+                f, states.cell(P), states.behind(i), solid->thetaB[i],
+                faces_.Vb[i]
             );
         }
         else if (upwind)

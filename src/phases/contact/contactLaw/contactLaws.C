@@ -75,7 +75,15 @@ public:
     :
         contactLaw(dict, {"mu"}),
         mu_(bounded(dict, "mu", 0, GREAT))
-    {}
+    {
+        if (mu_ > 2)
+        {
+            IOWarningInFunction(dict)
+                << "The coefficient of friction mu is " << mu_ << "; that of dry"
+                << " matter is up to about 1. Bodies that must not slide:"
+                << "  type stick;" << endl;
+        }
+    }
 
     scalar limit(const state& s) const override
     {

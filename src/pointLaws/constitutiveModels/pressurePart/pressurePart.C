@@ -89,7 +89,46 @@ Foam::mpm::pressurePart::pressurePart
     }
 }
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::pressurePart::checkEnergy
+(
+    const scalar p,
+    const scalar e,
+    const pointBlock& b,
+    const label point
+) const
+{
+    const scalar e0 = equation_->e0();
+    if (!equation_->pressureByEnergy() || !(e0 > 0) || mag(e - e0) <= 0.01*e0)
+    {
+        return;
+    }
+    OStringStream os;
+    os  << "The stress that " << b.nameOf(point).c_str() << " starts with, a"
+        << " pressure of " << p << " Pa, gives it the energy e " << e
+        << " J/kg; that of the equation of state " << equation_->type()
+        << ", E0/rho, is " << e0 << " J/kg with a pressure of "
+        << startPressure() << " Pa. Points with an own energy need no stress:"
+        << " leave  stress  (and pressure) out of their region.";
+    if (!(e > 0))
+    {
+        FatalErrorInFunction << os.str().c_str() << exit(FatalError);
+    }
+    if (!warned_)
+    {
+        warned_ = true;
+        WarningInFunction << os.str().c_str() << endl;
+    }
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::pressurePart::startPressure() const
+{
+    return max(equation_->p(equation_->rho0(), equation_->e0()), pMin_);
+}
+
 
 Foam::scalar Foam::mpm::pressurePart::bulkModulus() const
 {
@@ -228,6 +267,7 @@ void Foam::mpm::pressurePart::stateOf
             << " with the pressure " << p << " Pa that "
             << b.nameOf(point).c_str() << " starts with." << exit(FatalError);
     }
+    checkEnergy(p, e, b, point);
     theta = std::log(equation_->rho0()/rho);
 }
 

@@ -1,0 +1,316 @@
+#!/usr/bin/env python3
+"""Points beside several fluids.
+
+    translation   a slab moves with water, with water and air and their interface, offset
+                  from the cells, soft, pore floor 1e-3: pressure uniform within 1e-12 of
+                  P + pInf (1e-3: 1e-11), velocity; a turned block in 2D, also on two processors;
+                  a disc on prisms and tetrahedra (form star)
+    piston        an aluminium slab between two closed columns of water against the
+                  exact period of the slab as an elastic bar; the water in the pores
+                  makes the period of the whole 0.08 % longer
+    step          a step of 2 MPa in water on a thick slab: reflected pressure and stress by
+                  acoustics
+    Taylor        an exponential wave in water on an air-backed plate: v = 2 p theta/m
+                  psi^(psi/(1 - psi)) at the time theta ln(psi)/(psi - 1), psi = rho c theta/m
+                  (G.I. Taylor, 1941); then the water cavitates (nuclei: a share of 1e-6 of
+                  air) and must not pull: p > 0, no fix-ups
+    rest          a buoyant block in water under air under gravity, 1e4 steps
+    restart       bit by bit
+"""
+
+import os
+import re
+import shutil
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from fluidCases import AIR, WATER, besidePoints, fluidCase, fluidField
+from foamCase import RunFailed
+from gasCases import UPWIND, VAN_LEER, volField
+from gasOnCells import cyclicSides
+from report import Report
+from surfaces import prisms, surfaceRegion
+
+REAL_AIR = {"thermo": "perfectGas", "R": 287, "gamma": 1.4}
+BOTH = {"water": WATER, "air": AIR}
+PINF, P0 = 6e8, 1e5
+K = 4.4*(PINF + P0)
+SOUND = np.sqrt(K/1000)
+CLOSED = ("zeroGradient", "zeroGradient", "slip")
+
+
+def elastic(E=7e10, rho=2700.0, **more):
+    return {"constitutiveModel": {"type": "linearElastic", "rho": rho, "E": E, "nu": 0}, **more}
+
+
+def slab(low, high, **more):
+    return {"type": "box", "min": (low, -1, -1), "max": (high, 1, 1), "stress": "ambient",
+            "pressure": P0, **more}
+
+
+def ofPoints(case):
+    """Times and momenta along x of the points, of all reports."""
+    t, m, now = [], [], 0.0
+    for line in case.log().splitlines():
+        if line.startswith("Time = "):
+            now = float(line[7:])
+        found = re.match(r"Material points: .*momentum \(([^ ]*)", line)
+        if found:
+            t.append(now)
+            m.append(float(found[1]))
+    return np.array(t), np.array(m)
+
+
+def quiet(table, label, case):
+    last = [line for line in case.log().splitlines() if "theta kept" in line][-1]
+    counts = re.search(r"limited (\d+), theta kept (\d+), pressure of relaxation kept (\d+), "
+                       r"isentropic (\d+)", last)
+    table.row(f"{label}: fix-ups", 0, sum(int(c) for c in counts.groups()), 0, "atMost")
+
+
+# --- translation -------------------------------------------------------------
+
+def translation(table):
+    n = 60
+    for label, water, eps, limit, E, offset, end in (
+            ("water", 1.0, 1e-2, 1e-12, 7e10, 0.0, 2e-4),
+            ("air", 0.0, 1e-2, 1e-12, 7e10, 0.0, 2e-4),
+            ("water and air", 0.5, 1e-2, 1e-12, 7e10, 0.0, 2e-4),
+            ("water and air, offset", 0.5, 1e-2, 1e-12, 7e10, 0.37, 2e-4),
+            ("water and air, pore floor 1e-3", 0.5, 1e-3, 1e-11, 7e10, 0.0, 2e-4),
+            ("water and air, soft", 0.5, 1e-2, 1e-12, 1e7, 0.0, 5e-3)):
+        def initial(x, y, z, water=water):
+            a = 1.0*(x < water)
+            return [a, 1 - a], [1000.0, 1.2], 100.0, P0
+        name = "slab-" + label.replace(" ", "-").replace(",", "")
+        case = fluidCase("pointsInFluids", name, (n, 1, 1), (1, 0.01, 0.01), BOTH, initial, end,
+                         patches=cyclicSides("x")[0], reconstruct=UPWIND,
+                         control={"maxCo": 0.3, "deltaT": 1e-8})
+        besidePoints(case, BOTH, {"block": elastic(E)},
+                     {"block": slab(0.35 + offset/n, 0.65 + offset/n, velocity=(100, 0, 0))},
+                     settings={"poreFloor": eps})
+        case.run("materialPointFoam")
+        uniform(table, f"slab moves with {label}", case, end, limit, (100, 0, 0))
+
+
+def uniform(table, label, case, end, limit, velocity, counts=True):
+    """Air gets 1e-10 of its velocity by the rounding of pInf. counts: no fix-ups."""
+    time = case.timeName(end) if not case.processors() else f"{end:g}"
+    p, U = volField(case, time, "p"), volField(case, time, "U")
+    table.row(f"{label}: dP/(P + pInf)", 0, np.max(abs(p - P0))/(P0 + PINF), limit)
+    table.row(f"{label}: dU/U", 0, np.max(abs(U - velocity))/np.max(np.abs(velocity)), 1e-9)
+    if counts:
+        quiet(table, label, case)
+
+
+def moving(name, cells, velocity, end, region, kind=None, split=None, numerics=None):
+    """A body in water below and air above, in a cyclic box of the height 1."""
+    h = 1/cells[0]
+
+    def initial(x, y, z):
+        a = 1.0*(y < 0.5)
+        return [a, 1 - a], [1000.0, 1.2], np.tile(velocity, (len(x), 1)), P0
+    case = fluidCase("pointsInFluids", name, cells, (1, 1, cells[2]*h), BOTH, initial, end,
+                     patches=cyclicSides("xyz" if cells[2] > 1 else "xy")[0],
+                     reconstruct=UPWIND, kind=kind, control={"maxCo": 0.3, "deltaT": 1e-8})
+    besidePoints(case, BOTH, {"block": elastic()},
+                 {"block": {**(region(case) if callable(region) else region),
+                            "velocity": velocity, "stress": "ambient", "pressure": P0}},
+                 numerics=numerics)
+    if split:
+        case.decompose(split)
+        case.runParallel()
+    else:
+        case.run("materialPointFoam")
+    return case
+
+
+def turned(case):
+    s, c = 0.15*np.sin(np.pi/6), 0.15*np.cos(np.pi/6)
+    prisms(case, "turned.stl", [[np.array([0.5 + c*i - s*j, 0.5 + s*i + c*j])
+                                 for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]])
+    return surfaceRegion("turned.stl")
+
+
+def bodies(table):
+    """Two cells' way, obliquely."""
+    end, v = 5e-4, (80.0, 60.0, 0.0)
+    for label, split in (("", None), (", 2 processors", (2, 1, 1))):
+        case = moving("turned" + ("-2" if split else ""), (30, 30, 1), v, end, turned, split=split)
+        uniform(table, "block at 30 degrees through water and air" + label, case, end, 1e-12, v)
+    disc = {"type": "cylinder", "point1": (0.5, 0.5, -1), "point2": (0.5, 0.5, 1),
+            "radius": 0.2}
+    case = moving("prisms", (20, 20, 1), v, end, disc, kind="prisms",
+                  numerics={"shapeFunction": "nodeDual"})
+    # Corners of moved prisms fill within a step: outflow is limited there
+    uniform(table, "disc through water and air, prisms", case, end, 1e-12, v, counts=False)
+    ball = {"type": "sphere", "centre": (0.5, 0.5, 0.5), "radius": 0.3}
+    case = moving("tets", (6, 6, 6), (60.0, 50.0, 40.0), end, ball, kind="tets",
+                  numerics={"shapeFunction": "nodeDual"})
+    uniform(table, "ball through water and air, tetrahedra", case, end, 1e-12,
+            (60.0, 50.0, 40.0))
+
+
+# --- dynamics ----------------------------------------------------------------
+
+def bisection(f, low, high):
+    for _ in range(200):
+        middle = 0.5*(low + high)
+        low, high = (middle, high) if f(low)*f(middle) > 0 else (low, middle)
+    return low
+
+
+def piston(table):
+    """E k_s tan(k_s a) = K k_w cot(k_w L)."""
+    L, a, E, rho, u0 = 0.45, 0.05, 7e10, 2700.0, 0.1
+    cs = np.sqrt(E/rho)
+    w = bisection(lambda w: E*w/cs*np.tan(w/cs*a) - K*w/SOUND/np.tan(w/SOUND*L),
+                  1.0, 0.9999*np.pi/2*SOUND/L)
+    T = 2*np.pi/w
+    end = 3*T
+
+    def initial(x, y, z):
+        d = abs(x - 0.5)
+        u = np.where(d < a, np.cos(w/cs*d),
+                     np.cos(w/cs*a)*np.sin(w/SOUND*(0.5 - d))/np.sin(w/SOUND*L))
+        return [1.0], [1000.0], u0*u, P0
+    for n, kept in ((50, 0.98), (100, 0.99)):
+        case = fluidCase("pointsInFluids", f"piston-{n}", (n, 1, 1), (1, 0.01, 0.01),
+                         {"water": WATER}, initial, end, ends=CLOSED,
+                         control={"maxCo": 0.4, "deltaT": 1e-8, "reportInterval": 2})
+        besidePoints(case, {"water": WATER}, {"block": elastic(E, rho)},
+                     {"block": slab(0.45, 0.55, velocity=(u0, 0, 0))})
+        case.run("materialPointFoam")
+        t, m = ofPoints(case)
+        down = [t[i] + (t[i + 1] - t[i])*m[i]/(m[i] - m[i + 1])
+                for i in range(len(m) - 1) if m[i] > 0 >= m[i + 1]]
+        peak = [np.max(abs(m[(t > (k - 0.25)*T) & (t < (k + 0.25)*T)])) for k in (1, 2)]
+        table.row(f"slab between water, {n} cells: period", 1, np.mean(np.diff(down))/T, 1e-3)
+        table.row(f"slab between water, {n} cells: amplitude kept in a period", kept,
+                  peak[1]/peak[0], kept, "atLeast")
+
+
+def step(table):
+    n, dp, E, rho = 300, 2e6, 7e10, 2700.0
+    Z, Zs = 1000*SOUND, np.sqrt(E*rho)
+    end = 0.9*0.45/SOUND
+
+    def initial(x, y, z):
+        p = np.where(x < 0.25, P0 + dp, P0)
+        density = 1000*((p + PINF)/(P0 + PINF))**(1/4.4)
+        return [1.0], [density], np.where(x < 0.25, dp/Z, 0.0), p
+    case = fluidCase("pointsInFluids", "step", (n, 1, 1), (1.2, 0.01, 0.01), {"water": WATER},
+                     initial, end, control={"maxCo": 0.4, "deltaT": 1e-8})
+    besidePoints(case, {"water": WATER}, {"slab": elastic(E, rho)}, {"slab": slab(0.5, 1.2)})
+    case.run("materialPointFoam")
+    p = fluidField(case, end, "p")
+    x = (np.arange(n) + 0.5)*1.2/n
+    reflected = 2*Zs/(Z + Zs)*dp
+    behind = (x > 0.5 - 0.6*SOUND*(end - 0.25/SOUND)) & (x < 0.48)
+    table.row("step on a slab: reflected pressure", 1, (p[behind].mean() - P0)/reflected, 3e-3)
+    table.row("step on a slab: largest pressure", 1.02, (p[x < 0.5].max() - P0)/reflected, 1.02,
+              "atMost")
+    points = case.points(case.timeName(end), "slab")
+    X, s = points["x"][:, 0], points["sigma"][:, 0]
+    inside = (X > 0.54) & (X < 0.5 + 0.6*np.sqrt(E/rho)*(end - 0.25/SOUND))
+    table.row("step on a slab: stress", 1, -(s[inside].mean() + P0)/reflected, 3e-3)
+
+
+def Taylor(table):
+    theta, pi, rho, n = 1e-4, 1e7, 2700.0, 600
+    for m, limit in ((27.0, 0.015), (80.0, 0.015)):
+        psi = 1000*SOUND*theta/m
+        late = theta*np.log(psi)/(psi - 1)
+        end, d = 3*late, m/rho
+
+        def initial(x, y, z, d=d):
+            p = np.where(x < 1, P0 + pi*np.exp(-(1 - x)/(SOUND*theta)), P0)
+            a = np.where(x < 1 + d/2, 1 - 1e-6, 0.0)
+            return ([a, 1 - a],
+                    [1000*((p + PINF)/(P0 + PINF))**(1/4.4), 1.2*(p/P0)**(1/1.4)],
+                    np.where(x < 1, (p - P0)/(1000*SOUND), 0.0), p)
+        fluids = {"water": WATER, "air": REAL_AIR}
+        case = fluidCase("pointsInFluids", f"Taylor-{m:g}", (n, 1, 1), (1.5, 0.01, 0.01), fluids,
+                         initial, end, control={"maxCo": 0.4, "deltaT": 1e-8,
+                                                "reportInterval": 2})
+        besidePoints(case, fluids, {"plate": elastic(7e10, rho)}, {"plate": slab(1, 1 + d)})
+        case.run("materialPointFoam")
+        t, momentum = ofPoints(case)
+        v = momentum/(m*1e-4)
+        label = f"wave on a plate, psi {psi:.1f}"
+        table.row(f"{label}: largest velocity [m/s]",
+                  2*pi*theta/m*psi**(psi/(1 - psi)), v.max(), limit, "relative")
+        table.row(f"{label}: velocity at three times that time over the largest", 0.9,
+                  v[-1]/v.max(), 0.9, "atLeast")
+        table.row(f"{label}: least pressure", 0, fluidField(case, end, "p").min(), 0, "atLeast")
+        quiet(table, label, case)
+
+
+def rest(table):
+    """A block of the density of its water less that in its pores floats anywhere."""
+    n, g, dt = 60, 9.81, 2e-6
+
+    def initial(x, y, z):
+        a = np.where(x < 0.5, 1.0, 0.0)
+        rho = a*1000 + (1 - a)*1.2
+        jumps = g/n*0.5*(rho[1:] + rho[:-1])
+        p = P0 + np.append(np.cumsum(jumps[::-1])[::-1], 0)
+        return [a, 1 - a], [1000.0, 1.2], 0.0, p
+    end = 1e4*dt
+    fluids = {"water": WATER, "air": REAL_AIR}
+    case = fluidCase("pointsInFluids", "rest", (n, 1, 1), (1, 0.01, 0.01), fluids, initial, end,
+                     ends=CLOSED, gravity=(-g, 0, 0), reconstruct=UPWIND,
+                     control={"deltaT": dt, "adjustTimeStep": False})
+    besidePoints(case, fluids, {"block": elastic(1e7, 990.0)},
+                 {"block": slab(0.2, 0.3, pressure=P0 + 1000*g*0.25)})
+    case.run("materialPointFoam")
+    # The block has one pressure, the water around does not: it vibrates
+    mass = 990*0.1*1e-4
+    table.row("rest with a block: its mean velocity over g t", 0,
+              np.mean(ofPoints(case)[1][1:])/mass/(g*end), 1e-2)
+    table.row("rest with a block: largest velocity of the fluids over g t", 0,
+              np.max(abs(fluidField(case, end, "U")))/(g*end), 0.05, "atMost")
+
+
+def restart(table):
+    runs = []
+    for half in (False, True):
+        def initial(x, y, z):
+            a = 1.0*(y < 0.5)
+            return ([a, 1 - a], [1000.0, 1.2], np.column_stack([50*np.sin(6*y), 0*y, 0*y]),
+                    np.where(x < 0.2, 2e6, P0))
+        end = 2e-4
+        case = fluidCase("pointsInFluids", f"restart-{half}", (24, 24, 1), (1, 1, 0.04), BOTH,
+                         initial, end, ends=CLOSED, writeInterval=end/2,
+                         control={"maxCo": 0.3, "deltaT": 1e-8, "startFrom": "latestTime"})
+        besidePoints(case, BOTH, {"block": elastic()},
+                     {"block": {"type": "box", "min": (0.4, 0.35, -1), "max": (0.6, 0.65, 1)}})
+        if half:
+            shutil.copytree(runs[0].file(runs[0].timeName(end/2)),
+                            case.file(runs[0].timeName(end/2)))
+        case.run("materialPointFoam")
+        runs.append(case)
+    last = runs[0].timeName(end)
+    worst = max(np.max(abs(volField(runs[0], last, f) - volField(runs[1], last, f)))
+                for f in ("p", "U", "alpha.water", "thetaRho.air", "thetaRhoE"))
+    points = [c.points(last, "block")["x"] for c in runs]
+    table.row("restart in water and air: largest difference", 0,
+              max(worst, np.max(abs(points[0] - points[1]))), 0, "atMost")
+
+
+def main():
+    table = Report("pointsInFluids")
+    for part in (translation, bodies, piston, step, Taylor, rest, restart):
+        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
+            continue
+        try:
+            part(table)
+        except RunFailed as e:
+            table.check(f"{part.__name__} runs", False, e)
+    return table.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
