@@ -393,15 +393,17 @@ def damBreak(table):
 
 
 def processors(table):
-    """The right half is air alone: its processors have no interface."""
-    one = dam("processors-1", 32, 24, 0.02)
+    """The right half is air alone: its processor has no interface. The sheared air beside the
+    column makes rounding grow a hundredfold in 10 ms."""
+    one = dam("processors-1", 32, 24, 0.005)
     one.run("materialPointFoam")
-    other = dam("processors-2", 32, 24, 0.02)
+    other = dam("processors-2", 32, 24, 0.005)
     other.decompose((2, 1, 1))
     other.runParallel()
     time = one.times()[-1]
-    worst = max(np.max(abs(volField(one, time, f) - volField(other, time, f)))
-                / np.max(abs(volField(one, time, f))) for f in ("p", "U", "alpha.water"))
+    # The velocity over that of free fall through the column's width
+    worst = max(np.max(abs(volField(one, time, f) - volField(other, time, f)))/size
+                for f, size in (("p", 1e5), ("U", np.sqrt(2*9.81*0.146)), ("alpha.water", 1)))
     table.row("dam break, 2 processors: largest difference", 0, worst, 1e-10)
 
 
