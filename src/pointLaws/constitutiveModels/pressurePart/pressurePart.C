@@ -100,7 +100,7 @@ void Foam::mpm::pressurePart::checkEnergy
 ) const
 {
     const scalar e0 = equation_->e0();
-    if (!equation_->pressureByEnergy() || !(e0 > 0) || mag(e - e0) <= 0.01*e0)
+    if (!equation_->ofReaction() || mag(e - e0) <= 0.01*e0)
     {
         return;
     }
