@@ -264,8 +264,7 @@ Foam::scalar Foam::mpm::cellCutter::share(const label celli) const
                 add(x[0], x[1], x[2]);
                 continue;
             }
-            const face& corners = mesh.faces()[f];
-            const point middle(corners.average(mesh.points(), mesh.points()));
+            const point& middle = mesh.faceCentres()[f];
             for (label i = 0; i < n; ++i)
             {
                 add(x[i], x[(i + 1) % n], middle);
