@@ -17,7 +17,6 @@ License
 #include "unitHints.H"
 #include "startHints.H"
 #include "dictionaryTools.H"
-#include "phaseNames.H"
 #include "fatalMessages.H"
 #include "largestOfAll.H"
 #include "noTraps.H"
@@ -128,21 +127,9 @@ void Foam::mpm::materialPointSystem::readPhases()
             new outflowPatches(requiredDict(properties_, "outflow"), grid_)
         );
     }
-    const bool gas = phaseNames(properties_, {"gas"}).size();
+    requireGas(properties_, names);
     forAll(names, phasei)
     {
-        const dictionary& dict = requiredDict(properties_, names[phasei]);
-        for (const word key : {"drag", "heatTransfer"})
-        {
-            if (!gas && dict.found(key))
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Entry " << key << " of phase " << names[phasei]
-                    << " acts between points and a gas, but phases "
-                    << flatOutput(names) << " has none. Remove it, or add a"
-                    << " phase of  type gas;" << exit(FatalIOError);
-            }
-        }
         phases_.set
         (
             phasei,
@@ -548,12 +535,9 @@ Foam::mpm::materialPointSystem::materialPointSystem
     readNumerics();
     gridTransfer_ = pointGridTransfer::New(numerics_, grid_);
     readPhases();
-    for (const materialPointPhase& phase : phases_)
+    if (!from_)
     {
-        if (!from_)
-        {
-            phase.cloud().checkMesh();
-        }
+        phases_[0].cloud().checkMesh();
     }
     readFields();
 

@@ -166,7 +166,7 @@ Foam::dictionary Foam::mpm::phaseWatches::material
 {
     dictionary now;
     now.add("rho", phase.rho());
-    now.add("waveSpeed", phase.law().waveSpeed());
+    now.add("modulus", phase.rho()*sqr(phase.law().waveSpeed()));
     now.add("failureModel", phase.failure() ? phase.failure()->type() : "none");
     return now;
 }
@@ -184,8 +184,8 @@ void Foam::mpm::phaseWatches::warnOfChange
         {
             {"rho", " kg/m3: the points keep their mass. For another density run"
                 " setMaterialPoints again."},
-            {"waveSpeed", " m/s: the law has other moduli than the strains of the"
-                " points come from."}
+            {"modulus", " Pa (rho c^2): the strains of the points come from the"
+                " old one."}
         };
     for (const auto& n : numbers)
     {

@@ -7,6 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "startHints.H"
+#include "phaseNames.H"
+#include "dictionaryTools.H"
 #include "Time.H"
 #include "IFstream.H"
 #include "OSspecific.H"
@@ -87,6 +89,31 @@ scalar centreOfMass
 }
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::requireGas
+(
+    const dictionary& phaseProperties,
+    const wordList& names
+)
+{
+    const bool gas = phaseNames(phaseProperties, {"gas"}).size();
+    for (const word& name : names)
+    {
+        const dictionary& dict = requiredDict(phaseProperties, name);
+        for (const word key : {"drag", "heatTransfer"})
+        {
+            if (!gas && dict.found(key))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry " << key << " of phase " << name
+                    << " acts between points and a gas, but phases "
+                    << flatOutput(names) << " has none. Remove it, or add a"
+                    << " phase of  type gas;" << exit(FatalIOError);
+            }
+        }
+    }
+}
+
 
 void Foam::mpm::warnOfDensity(const materialPointPhase& phase)
 {

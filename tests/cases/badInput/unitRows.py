@@ -1,5 +1,18 @@
 """Rows of badInput: wrong units, what needs a gas, and changes before a restart."""
 
+import os
+
+JWL = "type JWL; A 371.2e9; B 3.231e9; R1 4.15; R2 0.95; omega 0.30; E0 7e9;"
+
+
+def tetrahedron(case):
+    corners = ["3 3 0", "7 3 0", "5 6 0", "5 4 1"]
+    faces = "".join("facet normal 0 0 0\nouter loop\n" + "".join(
+        f"vertex {corners[i]}\n" for i in face) + "endloop\nendfacet\n"
+        for face in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)))
+    os.makedirs(case.file("constant/triSurface"))
+    case.write("constant/triSurface/a.stl", f"solid a\n{faces}endsolid a\n")
+
 
 def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gravity):
     """The rows, made with the helpers of test.py, gasRows and runRows."""
@@ -13,10 +26,11 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
         return replace(phases, r"rho +1000;", f"rho {value}; {entry}")
 
     def plastic(value):
-        return replace(phases, "type +linearElastic;", f"type J2Plasticity; yield {value};")
+        return replace(phases, "type +linearElastic;", "type J2Plasticity; hardening linear;"
+                       f" H 0; yield {value};")
 
     def contact(mu):
-        return replace(phases, r"phases\s", "contact { a { fields (base block); type Coulomb;"
+        return replace(phases, r"phases\s", "contact { a { fields (body block); type Coulomb;"
                        f" mu {mu}; }} }}\nphases ")
 
     def ownFields(case):
@@ -27,13 +41,12 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
     def region(entries):
         return replace(regions, "velocity", entries + " velocity")
 
-    def explosive(E0, entries):
-        """The block as an explosive in air."""
+    def inAir(equation, entries):
+        """The block as a fluid of this equation of state in air."""
         def change(case):
             air(case)
             case.sub(phases, r"\$base;", "velocityField body; constitutiveModel { type"
-                     " NewtonianFluid; rho 1630; mu 0; equationOfState { type JWL; A 371.2e9;"
-                     f" B 3.231e9; R1 4.15; R2 0.95; omega 0.30; E0 {E0}; }} }}")
+                     f" NewtonianFluid; rho 1630; mu 0; equationOfState {{ {equation} }} }}")
             case.sub(regions, r"phase +block; stress ambient; pressure 1e5;",
                      "phase block; " + entries)
         return change
@@ -51,7 +64,7 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
         ("allowed: strength in MPa", dry, several(
             replace(phases, r"E +1e6;", "E 70e9;"), replace(phases, "strength +1e5;",
                                                              "strength 400;")), None,
-         {"has": "Entry strength of phase block is 400 Pa, 5.71429e-09 of its modulus 7e+10"}),
+         {"has": "Entry strength of phase block is 400 Pa, "}),
         ("allowed: yield in MPa", dry, several(
             replace(phases, r"E +1e6;", "E 70e9;"), plastic("200")), None,
          {"has": "Entry yield of phase block is 200 Pa"}),
@@ -64,11 +77,11 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
         ("allowed: pressure of the gas in bar", dry, withPoints(several(
             air, replace("0/p", "1e5", "1"), replace(regions, "pressure 1e5", "pressure 1"))),
          None, isIn("The gas starts with a pressure of 1 Pa")),
-        ("allowed: body in mm", places, replace(regions, r"\(10 3 1\)", "(10000 3000 1000)"),
+        ("allowed: body in mm", places, replace(regions, r"\(10 3 1\)", "(10000 3 1)"),
          None, {"has": "It is 1000 times as large as the mesh: places and sizes are in m"}),
-        ("scale beside surface", places, replace(
+        ("scale beside surface", places, several(tetrahedron, replace(
             regions, r"box;\s*min +\(3 3 0\);\s*max +\(7 6 1\);",
-            'surface; scale 1e-3; surface { type triSurfaceMesh; file "none.stl"; }'),
+            'surface; scale 1e-3; surface { type triSurfaceMesh; file "a.stl"; }')),
          inRegion + ["Unknown keyword scale", r"it belongs into +surface \{ file"]),
         ("misspelt law", solve, replace(phases, "linearElastic", "linearElastc"),
          inPhases + ["Unknown constitutiveModel linearElastc; is linearElastic meant",
@@ -87,22 +100,22 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
                      r"stress \(-1e5 0 0 -1e5 0 -1e5\)"]),
 
         # An explosive
-        ("allowed: explosive in air", places, explosive("7e9", ""), None, {"warnings": 1}),
-        ("allowed: weak explosive in air", places, explosive("1e3", ""), None,
-         {"has": "Region block lies in the gas air and starts without stress"}),
+        ("allowed: explosive in air", places, inAir(JWL, ""), None, {"warnings": 1}),
+        ("allowed: liquid without pressure in air", places,
+         inAir("type Tait; p0 1e4; K 2e9; n 7;", ""), None, {"has": "Region block lies in the gas air and starts without stress"}),
         ("explosive with the pressure of the air", solve, withPoints(
-            explosive("7e9", "stress ambient; pressure 1e5;")),
-         ["gives it the energy e -", r"E0/rho, is 4\.29448e\+06 J/kg",
+            inAir(JWL, "stress ambient; pressure 1e5;")),
+         ["gives it the energy e -", r"E0/rho, is 4294478\.\d+ J/kg",
           "leave +stress +.*out of their region"]),
         ("allowed: explosive with another pressure", dry, withPoints(
-            explosive("7e9", "stress (-8e9 0 0 -8e9 0 -8e9);")), None,
+            inAir(JWL, "stress (-8e9 0 0 -8e9 0 -8e9);")), None,
          {"has": "Points with an own energy need no stress"}),
 
         # Restarts
         ("allowed: rho at a restart", solve, rho(2700), None,
          {**half, "has": "rho of phase block has changed from 1000 to 2700"}),
         ("allowed: E at a restart", solve, replace(phases, "E +1e6;", "E 1.1e6;"), None,
-         {**half, "has": "waveSpeed of phase block has changed from"}),
+         {**half, "has": "modulus of phase block has changed from"}),
         ("allowed: no failureModel at a restart", solve, replace(
             phases, r"failureModel\s*\{.*?\}", ""), None,
          {**half, "has": "failureModel maxPrincipalStress at time 0.1, but the phase has no"}),

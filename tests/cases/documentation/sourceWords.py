@@ -52,9 +52,11 @@ NOT_ENTRIES = {
     "simulation.C": "gas", "regionTable.C": "gas contact",
     "setMaterialPoints.C": "gas velocity stress pressure",
     "materialPointSystem.C": "outflow", "materialPointSystemStop.C": "adjustTimeStep",
-    "gasCoupling.C": "stick type", "unitHints.C": "constitutiveModel",
+    "gasCoupling.C": "stick type", "unitHints.C": "constitutiveModel failureModel type",
+    "phaseWatches.C": "failureModel none", "phaseWatches.H": "materials",
+    "pointRegionRead.C": "scale surface",
     "functionChecks.C": "functions",
-    "startHints.C": "regions phase density contact normal fields",
+    "startHints.C": "regions phase density contact normal fields gas",
 }
 
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//[^\n]*|/\*.*?\*/', re.S)

@@ -25,8 +25,9 @@ void Foam::mpm::pointRegion::checkEntries() const
     if (dict_.found("scale") && !valid.found("scale") && valid.found("surface"))
     {
         FatalIOErrorInFunction(dict_)
-            << "Unknown keyword scale in " << dict_.name() << "; it belongs"
-            << " into  surface { file ...; scale ...; }" << exit(FatalIOError);
+            << "Unknown keyword scale in " << dict_.name()
+            << "; it belongs into surface { file ...; scale ...; }"
+            << exit(FatalIOError);
     }
     checkKeywords(dict_, valid);
 }
