@@ -9,6 +9,8 @@ License
 #include "eulerianFluids.H"
 #include "noTraps.H"
 #include "wedgePolyPatch.H"
+#include "StringStream.H"
+#include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -452,7 +454,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
     scalar* mass = mass_.begin() + n_*c;
     label only = -1, several = 0;
     bool gas = false;
-    FixedList<scalar, 16> theta;
+    FixedList<scalar, fluidMixture::most> theta;
     for (label k = 0; k < n_; ++k)
     {
         fluidMixture::share& of = share[k];
@@ -468,9 +470,12 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
             if (of.A < -1e-10*theta_[c] && badCell_ < 0)
             {
                 badCell_ = c;
-                whyBad_ =
-                    "Fluid " + mixture_.name(k) + " has flown out of a cell"
-                    " that has none left; a smaller maxCoGas helps.";
+                OStringStream os;
+                os  << "Fluid " << mixture_.name(k) << " has flown out of cell "
+                    << c << " at " << mesh_.cellCentres()[c] << ", which has"
+                    << " none left, time " << mesh_.time().value() << "." << nl
+                    << "A smaller maxCoGas in system/controlDict helps.";
+                whyBad_ = os.str();
             }
             dropped_ += of.m*mesh_.V()[c];
             of = {0, 0, 0};
@@ -492,7 +497,27 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         rho_[c] = only < 0 ? 0 : mass[only];
         return;
     }
-    const scalar P = mixture_.relax(share, theta_[c], theta.begin());
+    bool common = true;
+    const scalar P =
+        mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common);
+    if (!common && badCell_ < 0)
+    {
+        badCell_ = c;
+        OStringStream os;
+        os  << "The fluids of cell " << c << " at " << mesh_.cellCentres()[c]
+            << " have no pressure in common at which all have a speed of"
+            << " sound (a fluid in tension, or a share that has expanded far),"
+            << " time " << mesh_.time().value() << ":";
+        for (label k = 0; k < n_; ++k)
+        {
+            os  << ' ' << mixture_.name(k) << " volume " << share[k].A
+                << ", mass " << share[k].m << ", energy " << share[k].e0
+                << (k + 1 < n_ ? ";" : ".");
+        }
+        os  << nl << "A smaller maxCoGas in system/controlDict or upwind for"
+            << " reconstruct(...) in system/fvSchemes often helps.";
+        whyBad_ = os.str();
+    }
     scalar total = 0;
     for (label k = 0; k < n_; ++k)
     {

@@ -155,7 +155,7 @@ bool Foam::mpm::fluidMixture::enclose
     label& looks
 ) const
 {
-    FixedList<touching, 16> t;
+    FixedList<touching, most> t;
     scalar low = -GREAT, high = GREAT;
     forAll(fluids_, k)
     {
@@ -240,6 +240,12 @@ Foam::mpm::fluidMixture::fluidMixture
     const wordList& names
 )
 {
+    if (names.size() > most)
+    {
+        FatalIOErrorInFunction(properties)
+            << "There are " << names.size() << " phases of type fluid; at most "
+            << most << " may share cells." << exit(FatalIOError);
+    }
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(properties, name);
@@ -391,11 +397,12 @@ Foam::scalar Foam::mpm::fluidMixture::relax
     const share* s,
     const scalar theta,
     scalar* thetas,
-    label* looks
+    label* looks,
+    bool* common
 ) const
 {
     label n = 0, first = -1, second = -1, others = 0, evaluations = 0;
-    FixedList<touching, 16> t;
+    FixedList<touching, most> t;
     scalar own;
     bool found = true;
     forAll(fluids_, k)
@@ -448,7 +455,11 @@ Foam::scalar Foam::mpm::fluidMixture::relax
     }
     if (!done || !found)
     {
-        enclose(s, theta, P, thetas, evaluations);
+        done = enclose(s, theta, P, thetas, evaluations);
+    }
+    if (common)
+    {
+        *common = done;
     }
 
     // What is left is rounding
