@@ -55,8 +55,9 @@ void Foam::mpm::pointEnergy::noteEnergy
     if (!(largestEnergy_ > 0))
     {
         const scalar size0 = b ? max(mag(b->kinetic0), mag(b->strain0)) : 0;
+
         // Energies below this are rounding
-        scalar least = 0;
+        scalar least = b && b->hasGas ? 1e-9*mag(b->gas.energy0) : 0;
         for (const materialPointPhase& phase : points_.phases())
         {
             if (!phase.motion())
