@@ -82,6 +82,8 @@ void Foam::mpm::materialPointCloud::writeRecord() const
 
 void Foam::mpm::materialPointCloud::checkMesh() const
 {
+    // Overflow and NaN in the file are another mesh
+    const noTraps guard;
     const fileName file(recordFile());
     if (!returnReduce(isFile(file), andOp<bool>()))
     {

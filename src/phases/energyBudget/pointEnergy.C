@@ -286,6 +286,16 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
     }
     sums_.active = true;
     const dictionary& energy = requiredDict(state, "energy");
+    checkKeywords
+    (
+        energy,
+        {
+            "kinetic0", "strain0", "internal", "external", "boundary",
+            "failure", "dissipation", "stressWork", "erodedKinetic",
+            "erodedStored", "gas", "contact", "damping", "driven", "exchanged",
+            "largest", "leastUnexplained"
+        }
+    );
     sums_.kinetic0 = required<scalar>(energy, "kinetic0");
     sums_.strain0 = required<scalar>(energy, "strain0");
     sums_.work.internal = required<scalar>(energy, "internal");

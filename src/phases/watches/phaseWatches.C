@@ -9,6 +9,7 @@ License
 #include "phaseWatches.H"
 #include "materialPointSystem.H"
 #include "contactPart.H"
+#include "dictionaryTools.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -189,9 +190,9 @@ void Foam::mpm::phaseWatches::warnOfChange
         };
     for (const auto& n : numbers)
     {
-        const scalar before = old.getOrDefault<scalar>(n.key, -1);
+        const scalar before = bounded(old, n.key, 0, GREAT);
         const scalar after = now.get<scalar>(n.key);
-        if (before >= 0 && mag(after - before) > 1e-6*before)
+        if (mag(after - before) > 1e-6*before)
         {
             WarningInFunction
                 << "Since time " << time << " was written " << n.key
@@ -199,7 +200,7 @@ void Foam::mpm::phaseWatches::warnOfChange
                 << " to " << after << n.advice << endl;
         }
     }
-    const word before(old.getOrDefault<word>("failureModel", "none"));
+    const word before(required<word>(old, "failureModel"));
     if (before != "none" && now.get<word>("failureModel") == "none")
     {
         WarningInFunction
@@ -228,19 +229,25 @@ void Foam::mpm::phaseWatches::addState(dictionary& state) const
 
 void Foam::mpm::phaseWatches::setState(const dictionary& state)
 {
-    const dictionary& materials = state.subOrEmptyDict("materials");
+    // States of older versions have no record
+    if (!state.found("materials"))
+    {
+        return;
+    }
+    const dictionary& materials = requiredDict(state, "materials");
+    DynamicList<word> names;
     for (const materialPointPhase& phase : points_.phases())
     {
-        if (!phase.motion() && materials.isDict(phase.name()))
+        if (!phase.motion())
         {
-            warnOfChange
-            (
-                phase.name(), materials.subDict(phase.name()), material(phase)
-            );
+            const dictionary& before = requiredDict(materials, phase.name());
+            checkKeywords(before, {"rho", "modulus", "failureModel"});
+            warnOfChange(phase.name(), before, material(phase));
+            names.append(phase.name());
         }
     }
+    checkKeywords(materials, wordList(names));
 }
-
 
 
 void Foam::mpm::phaseWatches::addFields(fieldStates& fields) const
