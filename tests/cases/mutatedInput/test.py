@@ -88,7 +88,7 @@ HARMLESS = [
      "OpenFOAM checks only the class of a header", SAME),
     (".*", ".*", "binary rubbish at .*",
      "it fell on words of the header that nobody reads", SAME),
-    (r".*/uniform/materialPointMesh", "points.*", "unknown keyword|misspelt|deleted",
+    (r".*/uniform/materialPointMesh", "points.*", "unknown keyword|misspelt|deleted|empty dictionary",
      "the number of points of another phase, or none to compare with", SAME),
     (".*", ".*", "no semicolon",
      "OpenFOAM takes the closing brace for the end of the entry", SAME),
@@ -114,8 +114,8 @@ HARMLESS = [
      "OpenFOAM's own words: other output, the same run", SAME),
     (CONTROL, r"functions\.\w+\.(points\.\w+|range|nBins)", ".*list|tiny|huge",
      "another choice of points to look at, the same run", SAME),
-    (CONTROL, r"functions\.\w+\.fields", "short list",
-     "fewer fields to look at, the same run", SAME),
+    (CONTROL, r"functions\.\w+\.(fields|phases)", "short list",
+     "fewer fields or phases to look at, the same run", SAME),
     (CONTROL, r"functions\.\w+\.libs", ".*",
      "another function object loads the library", SAME),
     (CONTROL, "", "truncated to .*",
@@ -290,6 +290,9 @@ def names(change, text):
             # What is wrong shows in the next step: a phase that lost its region, a
             # step that follows from the points
             or (change.file == REGIONS and "has no material points" in text)
+            # Of a mesh of another size: the boxes that are looked in and of the points
+            or (change.file.endswith("blockMeshDict") and change.entry == "scale"
+                and "Its points are in the box" in text)
             or ("/lagrangian/" in change.file
                 and "velocities of the points" in text)
             or ("/U." in change.file and "0/U.<velocityField>" in text)
