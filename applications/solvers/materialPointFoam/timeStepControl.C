@@ -410,7 +410,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
     const scalar Co = max(CoPoints, CoGas);
     if (!nSteps_ || reports())
     {
-        Info<< "Courant Number max: " << Co << nl;
+        Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
         if (points() && gas())
         {
             Info<< "Courant Number of points: " << CoPoints << ", of the gas: "

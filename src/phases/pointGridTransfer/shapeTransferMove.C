@@ -165,7 +165,7 @@ void shapeTransfer<Shape, DIM, HOOP>::changeCells
     all.n = 0;
 
     // A point that moves too far is not located: the step will be redone
-    label cells[together], nNear = 0;
+    label cells[together] = {}, nNear = 0;
     scalar x[3*together];
     for (label i = 0; i < n; ++i)
     {
