@@ -15,10 +15,10 @@
 import importlib.util
 import os
 import re
-import resource
 import shutil
 import subprocess
 import sys
+import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
@@ -231,6 +231,21 @@ def renumbered(table):
                     len(found) > 5 and float(worst[1]) > 0, f"{len(found)}, {worst[0]}")
 
 
+def ownMemory(run):
+    """Largest memory of a process without pages of files: of the 64 MB of this run 58 are
+    libraries, of which the system maps more or fewer as it has them at hand. What is left
+    is 6076 kB after 6 steps, 6124 after 60 and 6152 after 600."""
+    most = 0
+    while run.poll() is None:
+        try:
+            with open(f"/proc/{run.pid}/status") as status:
+                most = max([most, *map(int, re.findall(r"RssAnon:\s+(\d+)", status.read()))])
+        except OSError:
+            pass
+        time.sleep(2e-3)
+    return most
+
+
 def memory(table):
     peaks = []
     for n in (6, 60):
@@ -243,12 +258,10 @@ def memory(table):
         with open(case.file("log.materialPointFoam"), "w") as log:
             run = subprocess.Popen(["materialPointFoam"], cwd=case.path, stdout=log,
                                    stderr=log, env={**os.environ, "PWD": case.path})
-            _, status, usage = os.wait4(run.pid, 0)
-        run.returncode = status
+            peaks.append(ownMemory(run))
         times = rebuilt(case)
-        table.check(f"memory: {n} steps, rebuilt before each but the first", status == 0
-                    and times >= n - 1, times)
-        peaks.append(usage.ru_maxrss)
+        table.check(f"memory: {n} steps, rebuilt before each but the first",
+                    run.returncode == 0 and times >= n - 1, times)
     if os.environ.get("MPM_BUILD") == "sanitize":
         table.skip("memory: most of 60 steps over most of 6 steps",
                    "the address sanitizer keeps what was freed")
