@@ -24,9 +24,10 @@ AIR = {"thermo": "perfectGas", "R": 1, "gamma": 1.4}
 
 def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0), ends=OPEN,
               sides=None, reconstruct=VAN_LEER, maxCoGas=0.4, writeInterval=None, control=None,
-              patches=None, gravity=None, settings=None, kind=None, moved=0.2):
+              patches=None, gravity=None, settings=None, kind=None, moved=0.2,
+              given=None):
     """ends, sides: conditions of p, T (and rho, alpha), U, as of gasCases.gasCase; kind: cells
-    of cellMesh.boxOfCells in place of boxes."""
+    of cellMesh.boxOfCells in place of boxes; given: {patch: {field: condition}} beside these."""
     case = FoamCase(folder, name)
     nDim = sum(n > 1 for n in cells)
     if patches is None:
@@ -58,10 +59,11 @@ def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0)
         case.write("system/blockMeshDict", boxMesh(low, high, cells, patches))
         case.run("blockMesh")
         x, y, z = boxCentres(low, high, cells)
-    given = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3}
+    sorts = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3}
 
-    def conditionsOf(i):
-        return {n: given[n][i] if n in given else t for n, (t, *_) in patches.items()}
+    def conditionsOf(i, field):
+        return {n: (given or {}).get(n, {}).get(field, sorts[n][i] if n in sorts else t)
+                for n, (t, *_) in patches.items()}
 
     alphas, rhos, u, p = initial(x, y, z)
     one = np.ones_like(x)
@@ -69,14 +71,16 @@ def fluidCase(folder, name, cells, high, fluids, initial, endTime, low=(0, 0, 0)
     if u.ndim == 1:
         u = np.column_stack([u, 0*u, 0*u])
     p = p*one
-    writeVolField(case, "p", p, conditionsOf(0))
-    writeVolField(case, "U", u, conditionsOf(2))
+    writeVolField(case, "p", p, conditionsOf(0, "p"))
+    writeVolField(case, "U", u, conditionsOf(2, "U"))
     for (fluid, values), alpha, rho in zip(fluids.items(), alphas, rhos):
-        writeVolField(case, "alpha." + fluid, alpha*one, conditionsOf(1))
+        share = "alpha." + fluid
+        writeVolField(case, share, alpha*one, conditionsOf(1, share))
         if values.get("thermo") == "perfectGas":
-            writeVolField(case, "T." + fluid, p/(rho*one)/values["R"], conditionsOf(1))
+            name, state = "T." + fluid, p/(rho*one)/values["R"]
         else:
-            writeVolField(case, "rho." + fluid, rho*one, conditionsOf(1))
+            name, state = "rho." + fluid, rho*one
+        writeVolField(case, name, state, conditionsOf(1, name))
     properties = {"phases": list(fluids)}
     for fluid, values in fluids.items():
         properties[fluid] = {"type": "fluid", **values}

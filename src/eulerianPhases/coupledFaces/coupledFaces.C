@@ -20,7 +20,7 @@ namespace
 
 using namespace Foam;
 
-//- Exchange of any plain type; turn() is called with what came
+//- Exchange of n of any plain type per face; turn() is called with what came
 template<class T, class Turn>
 void exchange
 (
@@ -28,6 +28,7 @@ void exchange
     const label nInternal,
     const labelList& processor,
     const labelList& cyclic,
+    const label n,
     UList<T>& b,
     List<List<T>>& send,
     List<List<T>>& receive,
@@ -41,8 +42,8 @@ void exchange
     {
         const auto& pp =
             refCast<const processorPolyPatch>(patches[processor[i]]);
-        const SubList<T> mine(b, pp.size(), pp.start() - nInternal);
-        receive[i].setSize(pp.size());
+        const SubList<T> mine(b, n*pp.size(), n*(pp.start() - nInternal));
+        receive[i].setSize(mine.size());
         send[i] = mine;
         UIPstream::read
         (
@@ -75,9 +76,9 @@ void exchange
         const auto& pp = refCast<const cyclicPolyPatch>(patches[patchi]);
         if (pp.owner())
         {
-            const label a = pp.start() - nInternal;
-            const label c = pp.neighbPatch().start() - nInternal;
-            for (label i = 0; i < pp.size(); ++i)
+            const label a = n*(pp.start() - nInternal);
+            const label c = n*(pp.neighbPatch().start() - nInternal);
+            for (label i = 0; i < n*pp.size(); ++i)
             {
                 std::swap(b[a + i], b[c + i]);
             }
@@ -88,7 +89,7 @@ void exchange
     forAll(processor, i)
     {
         const polyPatch& pp = patches[processor[i]];
-        SubList<T>(b, pp.size(), pp.start() - nInternal) = receive[i];
+        SubList<T>(b, n*pp.size(), n*(pp.start() - nInternal)) = receive[i];
     }
     for (const label patchi : processor)
     {
@@ -161,18 +162,18 @@ void Foam::mpm::coupledFaces::swap(UList<gasState>& b) const
 {
     exchange
     (
-        patches_, nInternal_, processor_, cyclic_, b, send_, receive_,
+        patches_, nInternal_, processor_, cyclic_, 1, b, send_, receive_,
         [&](const label patchi) { rotate(patchi, b); }
     );
 }
 
 
-void Foam::mpm::coupledFaces::swap(UList<scalar>& b) const
+void Foam::mpm::coupledFaces::swap(UList<scalar>& b, const label n) const
 {
     List<List<scalar>> send, receive;
     exchange
     (
-        patches_, nInternal_, processor_, cyclic_, b, send, receive,
+        patches_, nInternal_, processor_, cyclic_, n, b, send, receive,
         [](const label) {}
     );
 }

@@ -460,7 +460,8 @@ Foam::mpm::eulerianFluids::eulerianFluids
     ),
     first_(W_.size() + Wb_.size(), false),
     dropped_(0),
-    relaxed_(0)
+    relaxed_(0),
+    beside_(false)
 {
     for (const word& name : names)
     {
@@ -532,7 +533,16 @@ void Foam::mpm::eulerianFluids::velocityChanged(const labelUList& cells)
     {
         U_[c] = W_[c].u;
     }
-    updateBoundaryStates();
+    if (coupled_.empty())
+    {
+        return;
+    }
+    const label nInternal = mesh_.nInternalFaces();
+    for (const label f : faces_.coupled)
+    {
+        Wb_[f - nInternal] = W_[mesh_.faceOwner()[f]];
+    }
+    coupled_.swap(Wb_);
 }
 
 

@@ -92,11 +92,19 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
             }
             else
             {
-                faceStart_[f] = shares.size();
-                alpha = alpha[0] < 0 ? of(P) : alpha;
-                for (label k = 0; k < n_; ++k)
+                const label at = shares.size();
+                faceStart_[f] = at;
+                shares.setSize(at + n_);
+                if (alpha[0] < 0)
                 {
-                    shares.append(alpha[k]);
+                    interfaces_->sharesOfCell
+                    (
+                        contents(), f, P, dt, shares.begin() + at
+                    );
+                }
+                else
+                {
+                    std::copy_n(alpha, n_, shares.begin() + at);
                 }
             }
         }
@@ -221,7 +229,7 @@ void Foam::mpm::eulerianFluids::addFluids
         }
     }
     s.rhoU = s.rho*w.u;
-    s.rhoE += 0.5*s.rho*magSqr(w.u) + pStar_[f]*phi_[f];
+    s.rhoE += 0.5*s.rho*magSqr(w.u) + pStar_[f]*working()[f];
 }
 
 
@@ -235,7 +243,8 @@ void Foam::mpm::eulerianFluids::addAlone
     const scalar phi = phiLimited()[f];
     face_.rho = phi*w.rho;
     face_.rhoU = face_.rho*w.u;
-    face_.rhoE = phi*rhoE + 0.5*face_.rho*magSqr(w.u) + pStar_[f]*phi_[f];
+    face_.rhoE =
+        phi*rhoE + 0.5*face_.rho*magSqr(w.u) + pStar_[f]*working()[f];
 }
 
 
@@ -546,6 +555,7 @@ void Foam::mpm::eulerianFluids::advance
 )
 {
     const noTraps guard;
+    beside_ = pores;
     startShares();
     setComposition(dt);
     sums_ = sums{0, Zero, 0};

@@ -74,6 +74,7 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
             const label b = start + i, P = own[pp.start() + i];
             gasState& w = Wb_[b];
             w = W_[P];
+            tb_[b] = t_[P];
             zB_[b] = z_[P];
             thetaB_[b] = theta_[P];
             scalar* alpha = alphaB_.begin() + n_*b;
@@ -90,7 +91,9 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
             }
             w.p = p[i];
             w.u = U[i];
-            if (ofCell)
+            const bool closed =
+                faces_.wall[b] && (w.u & mesh_.faceAreas()[pp.start() + i]) >= 0;
+            if (ofCell || closed)
             {
                 alpha[0] = -1;
                 continue;
@@ -121,22 +124,20 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
     {
         coupled_.swap(thetaB_);
     }
-    scalarField one(Wb_.size(), 0);
-    for (scalarList* list : {&alphaB_, &rhoB_})
+    coupled_.swap(alphaB_, n_);
+    coupled_.swap(rhoB_, n_);
+    scalarField terms(3*tb_.size());
+    forAll(tb_, i)
     {
-        for (label k = 0; k < n_; ++k)
-        {
-            forAll(one, i)
-            {
-                one[i] = (*list)[n_*i + k];
-            }
-            coupled_.swap(one);
-            for (const label f : faces_.coupled)
-            {
-                const label i = f - nInternal;
-                (*list)[n_*i + k] = one[i];
-            }
-        }
+        terms[3*i] = tb_[i].K;
+        terms[3*i + 1] = tb_[i].rhoE;
+        terms[3*i + 2] = tb_[i].strength;
+    }
+    coupled_.swap(terms, 3);
+    for (const label f : faces_.coupled)
+    {
+        const label i = f - nInternal;
+        tb_[i] = stateTerms{terms[3*i], terms[3*i + 1], terms[3*i + 2]};
     }
 }
 
@@ -261,23 +262,25 @@ void Foam::mpm::eulerianFluids::sideTerms()
         flush(k);
     }
 
-    // Of the other sides of processors: by the fluid there
+    // Of the other sides of processors: as they are there
     const label nCells = mesh_.nCells();
     for (const label f : faces_.coupled)
     {
-        const label k = single[nCells + f - nInternal];
-        const gasState& w = sides[f].nei;
+        const label i = f - nInternal, k = single[nCells + i];
+        gasState& w = const_cast<gasState&>(sides[f].nei);
+        stateTerms& to = terms[f].nei;
         if (k >= 0)
         {
-            mixture_.states
-            (
-                k, 1, &w.rho, &w.p,
-                &terms[f].nei.K, &terms[f].nei.rhoE, &terms[f].nei.strength
-            );
+            mixture_.states(k, 1, &w.rho, &w.p, &to.K, &to.rhoE, &to.strength);
         }
         else
         {
-            terms[f].nei.K = sqr(zB_[f - nInternal])/w.rho;
+            to = tb_[i];
+        }
+        if (k >= 0 && !(to.K > 0.01*tb_[i].K))
+        {
+            w = Wb_[i];
+            to = tb_[i];
         }
     }
 }
@@ -339,7 +342,7 @@ void Foam::mpm::eulerianFluids::insideFaces
         {
             const bool same = single[P] >= 0 && single[P] == single[N];
             const scalar z = max(z_[P], zN);
-            const scalar KN = i < 0 ? t_[N].K : sqr(zN)/WN.rho;
+            const scalar KN = i < 0 ? t_[N].K : tb_[i].K;
             const impedanceFlux::porousSide L
             {
                 W_[P], t_[P].K, same ? z : z_[P], W_[P].p + wP, theta_[P], V[P]

@@ -120,7 +120,9 @@ void Foam::mpm::fluidInterfaces::setTransverse
         {
             const bool isOwn = own[f] == c;
             const scalar in = isOwn ? -phi[f] : phi[f];
-            if (!(in > 0))
+            const bool ofCell =
+                f >= nInternal && of.alphaB[n_*(f - nInternal)] < 0;
+            if (!(in > 0) || ofCell)
             {
                 continue;
             }
@@ -136,6 +138,58 @@ void Foam::mpm::fluidInterfaces::setTransverse
                     (there - of.part[n_*c + k]/of.theta[c])*nn;
             }
         }
+    }
+}
+
+
+inline Foam::scalar Foam::mpm::fluidInterfaces::halfStep
+(
+    const scalar a,
+    const label s,
+    const label k,
+    const vector& n,
+    const scalar h
+) const
+{
+    const symmTensor& T = transverse_[nShares_*s + k];
+    return min(max(a + h*(tr(T) - (n & (T & n))), wisp), 1 - wisp);
+}
+
+
+void Foam::mpm::fluidInterfaces::sharesOfCell
+(
+    const contents& of,
+    const label f,
+    const label c,
+    const scalar dt,
+    scalar* alpha
+) const
+{
+    const vector n(faces_.mesh.faceAreas()[f]/faces_.magS[f]);
+    scalar sum = 0;
+    for (label k = 0; k < n_; ++k)
+    {
+        alpha[k] = of.part[n_*c + k]/of.theta[c];
+        if (k < nShares_ && alpha[k] > wisp && alpha[k] < 1 - wisp)
+        {
+            alpha[k] = halfStep
+            (
+                alpha[k], slot_[c], k, n, 0.5*dt/(faces_.mesh.V()[c]*of.theta[c])
+            );
+        }
+        else if (alpha[k] <= wisp)
+        {
+            alpha[k] = 0;
+        }
+        if (k == nShares_)
+        {
+            alpha[k] = 1 - alpha[0];
+        }
+        sum += alpha[k];
+    }
+    for (label k = 0; k < n_; ++k)
+    {
+        alpha[k] /= sum;
     }
 }
 
@@ -176,9 +230,7 @@ void Foam::mpm::fluidInterfaces::shares
         scalar a = part[k]/theta;
         if (a > wisp && a < 1 - wisp)
         {
-            const symmTensor& T = transverse_[nShares_*s + k];
-            a += 0.5*dt/(V*theta)*(tr(T) - (n & (T & n)));
-            a = min(max(a, wisp), 1 - wisp);
+            a = halfStep(a, s, k, n, 0.5*dt/(V*theta));
             const vector& g = gradient_[nShares_*s + k];
             const scalar along = (g & n)/max(mag(g), VSMALL);
             const scalar b = beta*mag(along);

@@ -61,7 +61,7 @@ void Foam::mpm::fluidInterfaces::sortCells(const contents& of)
     for (const label f : faces_.boundary)
     {
         const label i = f - nInternal;
-        if (faces_.wall[i] || of.alphaB[n_*i] < 0)
+        if (of.alphaB[n_*i] < 0)
         {
             // Nothing of its own comes in
             single_[nCells + i] = single_[mesh.faceOwner()[f]];

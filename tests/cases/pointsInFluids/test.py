@@ -16,6 +16,7 @@
                   air) and must not pull: p > 0, no fix-ups
     rest          a buoyant block in water under air under gravity, 1e4 steps
     restart       bit by bit
+    ranks         2 to 4 processors, 1e-10
 """
 
 import os
@@ -274,35 +275,61 @@ def rest(table):
               np.max(abs(fluidField(case, end, "U")))/(g*end), 0.05, "atMost")
 
 
-def restart(table):
-    runs = []
-    for half in (False, True):
-        def initial(x, y, z):
-            a = 1.0*(y < 0.5)
-            return ([a, 1 - a], [1000.0, 1.2], np.column_stack([50*np.sin(6*y), 0*y, 0*y]),
-                    np.where(x < 0.2, 2e6, P0))
-        end = 2e-4
-        case = fluidCase("pointsInFluids", f"restart-{half}", (24, 24, 1), (1, 1, 0.04), BOTH,
-                         initial, end, ends=CLOSED, writeInterval=end/2,
-                         control={"maxCo": 0.3, "deltaT": 1e-8, "startFrom": "latestTime"})
-        besidePoints(case, BOTH, {"block": elastic()},
-                     {"block": {"type": "box", "min": (0.4, 0.35, -1), "max": (0.6, 0.65, 1)}})
-        if half:
-            shutil.copytree(runs[0].file(runs[0].timeName(end/2)),
-                            case.file(runs[0].timeName(end/2)))
+def struck(name, end, before=None, split=None):
+    """A block in water and air, which a wave and a shear flow reach."""
+    def initial(x, y, z):
+        a = 1.0*(y < 0.48)
+        a[abs(y - 0.48) < 0.02] = 0.3
+        return ([a, 1 - a], [1000.0, 1.2], np.column_stack([50*np.sin(6*y), 0*y, 0*y]),
+                np.where(x < 0.2, 2e6, P0))
+    case = fluidCase("pointsInFluids", name, (24, 24, 1), (1, 1, 0.04), BOTH,
+                     initial, end, ends=CLOSED, writeInterval=end/2,
+                     control={"maxCo": 0.3, "deltaT": 1e-8, "startFrom": "latestTime"})
+    besidePoints(case, BOTH, {"block": elastic()},
+                 {"block": {"type": "box", "min": (0.4, 0.35, -1), "max": (0.6, 0.65, 1)}})
+    if before:
+        before(case)
+    if split:
+        case.decompose(split)
+        case.runParallel()
+    else:
         case.run("materialPointFoam")
-        runs.append(case)
-    last = runs[0].timeName(end)
-    worst = max(np.max(abs(volField(runs[0], last, f) - volField(runs[1], last, f)))
-                for f in ("p", "U", "alpha.water", "thetaRho.air", "thetaRhoE"))
-    points = [c.points(last, "block")["x"] for c in runs]
+    return case
+
+
+FIELDS = ("p", "U", "alpha.water", "thetaRho.air", "thetaRhoE")
+
+
+def restart(table):
+    end = 2e-4
+    whole = struck("restart-whole", end)
+    half = whole.timeName(end/2)
+    again = struck("restart-again", end,
+                   lambda case: shutil.copytree(whole.file(half), case.file(half)))
+    last = whole.timeName(end)
+    worst = max(np.max(abs(volField(whole, last, f) - volField(again, last, f))) for f in FIELDS)
+    points = [c.points(last, "block")["x"] for c in (whole, again)]
     table.row("restart in water and air: largest difference", 0,
               max(worst, np.max(abs(points[0] - points[1]))), 0, "atMost")
 
 
+def ranks(table):
+    """Processors' sides along the interface, through the block and its mixed cells."""
+    end = 1e-4
+    one = struck("ranks-1", end)
+    last = one.timeName(end)
+    for split in ((2, 1, 1), (1, 2, 1), (3, 1, 1), (2, 2, 1)):
+        other = struck("ranks-" + "".join(map(str, split)), end, split=split)
+        for f in FIELDS:
+            a, b = volField(one, last, f), volField(other, last, f)
+            table.row(f"a wave on a block in water and air, processors {split}: {f}", 0,
+                      np.max(abs(a - b))/np.max(abs(a)), 1e-10)
+
+
 def main():
     table = Report("pointsInFluids")
-    for part in (translation, bodies, piston, step, Taylor, rest, restart):
+    for part in (translation, bodies, piston, step, Taylor, rest, restart,
+                 ranks):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
