@@ -185,15 +185,15 @@ void Foam::mpm::eulerianFluids::setJumps()
 
 void Foam::mpm::eulerianFluids::sideTerms()
 {
-    // Sides away from interfaces are of one fluid but for traces, which their
-    // cells' terms stand for
+    // Sides away from interfaces are of one fluid but for traces, which must
+    // make no difference: they come and go by rounding
     List<reconstruction::sideTerms>& terms = reconstruction_.ownTerms();
     const List<reconstruction::sides>& sides = reconstruction_.faces();
     terms.setSize(sides.size());
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
     const label nInternal = mesh_.nInternalFaces();
-    const labelList& single = interfaces_->single();
+    const labelList& major = interfaces_->major();
 
     constexpr label room = gasThermo::room;
     struct run
@@ -230,7 +230,7 @@ void Foam::mpm::eulerianFluids::sideTerms()
     };
     const auto add = [&](const label c, const gasState& w, stateTerms& to)
     {
-        const label k = single[c];
+        const label k = major[c];
         if (k < 0)
         {
             to = t_[c];
@@ -266,7 +266,7 @@ void Foam::mpm::eulerianFluids::sideTerms()
     const label nCells = mesh_.nCells();
     for (const label f : faces_.coupled)
     {
-        const label i = f - nInternal, k = single[nCells + i];
+        const label i = f - nInternal, k = major[nCells + i];
         gasState& w = const_cast<gasState&>(sides[f].nei);
         stateTerms& to = terms[f].nei;
         if (k >= 0)
@@ -323,7 +323,7 @@ void Foam::mpm::eulerianFluids::insideFaces
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
     const scalarField& V = mesh_.V();
-    const labelList& single = interfaces_->single();
+    const labelList& major = interfaces_->major();
     const bool upwind = reconstruction_.upwind();
     const List<reconstruction::sides>& sides = reconstruction_.faces();
     const List<reconstruction::sideTerms>& terms = reconstruction_.terms();
@@ -340,7 +340,7 @@ void Foam::mpm::eulerianFluids::insideFaces
         const scalar wN = heavy ? wP - jump_[f] : 0;
         if (pores && (near_[P] || near_[N]))
         {
-            const bool same = single[P] >= 0 && single[P] == single[N];
+            const bool same = major[P] >= 0 && major[P] == major[N];
             const scalar z = max(z_[P], zN);
             const scalar KN = i < 0 ? t_[N].K : tb_[i].K;
             const impedanceFlux::porousSide L
@@ -366,15 +366,15 @@ void Foam::mpm::eulerianFluids::insideFaces
         gasState L(first ? W_[P] : sides[f].own);
         gasState R(first ? WN : sides[f].nei);
         scalar zL = z_[P], zR = zN;
-        if (!first && single[P] >= 0)
+        if (!first && major[P] >= 0)
         {
             zL = std::sqrt(L.rho*terms[f].own.K);
         }
-        if (!first && single[N] >= 0)
+        if (!first && major[N] >= 0)
         {
             zR = std::sqrt(R.rho*terms[f].nei.K);
         }
-        if (single[P] >= 0 && single[P] == single[N])
+        if (major[P] >= 0 && major[P] == major[N])
         {
             zL = zR = max(zL, zR);
         }
@@ -423,7 +423,7 @@ void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
         if (faces_.wall[i])
         {
             scalar z =
-                first || interfaces_->single()[P] < 0
+                first || interfaces_->major()[P] < 0
               ? z_[P]
               : std::sqrt(L.rho*reconstruction_.terms()[f].own.K);
             if (close)
