@@ -31,13 +31,16 @@ Foam::mpm::gasCoupling::gasCoupling
     drag_(points, gas, *fraction_, properties),
     heat_(points, gas, *fraction_, properties),
     watch_(points, gas, *fraction_, grains_),
+    ended_(false),
+    removed_(false),
     books_(false)
 {
     if (gas_.oneThermo() && !gas_.oneThermo()->isGammaLaw())
     {
         FatalIOErrorInFunction(requiredDict(properties, gas_.name()))
             << "Gas " << gas_.name() << " has an equationOfState; beside"
-            << " material points it needs thermo perfectGas or isentropic."
+            << " material points a phase of type gas needs thermo perfectGas or"
+            << " isentropic." << nl << "With this equation:  type fluid;"
             << exit(FatalIOError);
     }
     fraction_->beside(gas.theta(), gas.thetaBehind(), gas.walls());
@@ -98,6 +101,23 @@ void Foam::mpm::gasCoupling::accepted(const scalar)
 
 void Foam::mpm::gasCoupling::end(const scalar dt)
 {
+    if (!ended_)
+    {
+        finish(dt);
+    }
+    ended_ = false;
+}
+
+
+void Foam::mpm::gasCoupling::removing(const scalar dt)
+{
+    finish(dt);
+    ended_ = true;
+}
+
+
+void Foam::mpm::gasCoupling::finish(const scalar dt)
+{
     const noTraps guard;
     fraction_->arrive(dt);
     drag_.updateFaces();
@@ -106,6 +126,28 @@ void Foam::mpm::gasCoupling::end(const scalar dt)
         drag_.addWork(budget_);
         pressure_.addWork(budget_);
     }
+}
+
+
+void Foam::mpm::gasCoupling::fill()
+{
+    scalarField room(fraction_->theta());
+    fraction_->initialise();
+    room -= fraction_->theta();
+    forAll(room, c)
+    {
+        // No more than there is room: fractions may have added up to more
+        const scalar theta = gas_.theta()[c];
+        const scalar most = max(theta, 1 - fraction_->theta()[c]);
+        room[c] =
+            max
+            (
+                min(room[c], most - theta),
+                min(0.5*fraction_->eps() - theta, scalar(0))
+            );
+    }
+    gas_.fill(room);
+    removed_ = false;
 }
 
 
@@ -119,6 +161,10 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
     if (books_)
     {
         heat_.addGain(budget_);
+    }
+    if (removed_)
+    {
+        fill();
     }
     watch_.check();
 }

@@ -245,10 +245,10 @@ void Foam::mpm::latticeFraction::keepOwn(const label phasei)
 
 void Foam::mpm::latticeFraction::initialise()
 {
+    faceNew_ = 0;
     sumPoints(false);
     updateCells();
     face_.swap(faceNew_);
-    faceNew_ = 0;
 }
 
 

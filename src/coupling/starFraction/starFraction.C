@@ -459,6 +459,22 @@ void Foam::mpm::starFraction::show(solidOnFaces& pores) const
 void Foam::mpm::starFraction::initialise()
 {
     updateVolumes();
+
+    // In a run: nothing of points that have left
+    for (const label l : nodes_)
+    {
+        old_[l] = 0;
+        for (scalarList& old : oldOfPhase_)
+        {
+            old[l] = 0;
+        }
+    }
+    for (const label f : faces_)
+    {
+        area0_[f] = area_[f] = areaNew_[f] = velocityOfFaces_[f] = Zero;
+        thetaS0_[f] = thetaS_[f] = phiS_[f] = uS_[f] = 0;
+        rhoS_[f] = dragLimit_[f] = 0;
+    }
     clear();
     touch();
     forAll(points_.phases(), phasei)

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianFlow.H"
+#include "dictionaryTools.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
@@ -129,6 +130,50 @@ void Foam::mpm::eulerianFlow::bookFixup
     if (flows_)
     {
         flows_->fixups += energy;
+    }
+}
+
+
+Foam::dictionary Foam::mpm::eulerianFlow::fixupState() const
+{
+    dictionary state;
+    state.add("limited", returnReduce(fixups_.limited, sumOp<label>()));
+    state.add("theta", returnReduce(fixups_.theta, sumOp<label>()));
+    state.add("isentropic", returnReduce(fixups_.isentropic, sumOp<label>()));
+    state.add("positive", returnReduce(fixups_.positive, sumOp<label>()));
+    state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
+    state.add("heldBack", returnReduce(fixups_.heldBack, sumOp<scalar>()));
+    state.add("filled", returnReduce(fixups_.filled, sumOp<scalar>()));
+    state.add("filledMass", returnReduce(fixups_.filledMass, sumOp<scalar>()));
+    return state;
+}
+
+
+void Foam::mpm::eulerianFlow::setFixups(const dictionary& state)
+{
+    fixups_ = fixups();
+    if (Pstream::master())
+    {
+        fixups_.limited = required<label>(state, "limited");
+        fixups_.theta = required<label>(state, "theta");
+        fixups_.isentropic = required<label>(state, "isentropic");
+        fixups_.positive = state.getOrDefault<label>("positive", 0);
+        fixups_.energy = required<scalar>(state, "energy");
+        fixups_.heldBack = required<scalar>(state, "heldBack");
+        fixups_.filled = state.getOrDefault<scalar>("filled", 0);
+        fixups_.filledMass = state.getOrDefault<scalar>("filledMass", 0);
+    }
+}
+
+
+void Foam::mpm::eulerianFlow::reportFilled() const
+{
+    const scalar volume = returnReduce(fixups_.filled, sumOp<scalar>());
+    const scalar mass = returnReduce(fixups_.filledMass, sumOp<scalar>());
+    if (volume != 0)
+    {
+        Info<< "    filled what points left: " << volume << " m3, mass "
+            << mass << endl;
     }
 }
 

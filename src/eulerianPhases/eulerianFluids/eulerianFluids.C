@@ -334,7 +334,7 @@ void Foam::mpm::eulerianFluids::oneFluid
 }
 
 
-Foam::scalar Foam::mpm::eulerianFluids::severalFluids(const label c)
+void Foam::mpm::eulerianFluids::severalFluids(const label c)
 {
     const scalar* theta = part_.cdata() + n_*c;
     const scalar* m = mass_.cdata() + n_*c;
@@ -353,7 +353,6 @@ Foam::scalar Foam::mpm::eulerianFluids::severalFluids(const label c)
     t_[c].rhoE = energy/theta_[c];
     t_[c].strength = all.strength;
     z_[c] = std::sqrt(max(w.rho*all.frozen, scalar(0)));
-    return all.frozen;
 }
 
 

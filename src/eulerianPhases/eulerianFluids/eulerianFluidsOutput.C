@@ -118,6 +118,7 @@ void Foam::mpm::eulerianFluids::report() const
         << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
         << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back, "
         << returnReduce(dropped_, sumOp<scalar>()) << " dropped)" << endl;
+    reportFilled();
 }
 
 
@@ -151,13 +152,8 @@ Foam::mpm::fieldStates Foam::mpm::eulerianFluids::takeDown()
 
 Foam::dictionary Foam::mpm::eulerianFluids::state() const
 {
-    dictionary state;
-    state.add("limited", returnReduce(fixups_.limited, sumOp<label>()));
-    state.add("theta", returnReduce(fixups_.theta, sumOp<label>()));
-    state.add("isentropic", returnReduce(fixups_.isentropic, sumOp<label>()));
+    dictionary state(fixupState());
     state.add("relaxed", returnReduce(relaxed_, sumOp<label>()));
-    state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
-    state.add("heldBack", returnReduce(fixups_.heldBack, sumOp<scalar>()));
     state.add("dropped", returnReduce(dropped_, sumOp<scalar>()));
     return state;
 }
@@ -165,19 +161,10 @@ Foam::dictionary Foam::mpm::eulerianFluids::state() const
 
 void Foam::mpm::eulerianFluids::setState(const dictionary& state)
 {
-    fixups_ = fixups();
-    relaxed_ = 0;
-    dropped_ = 0;
-    if (Pstream::master())
-    {
-        fixups_.limited = required<label>(state, "limited");
-        fixups_.theta = required<label>(state, "theta");
-        fixups_.isentropic = required<label>(state, "isentropic");
-        relaxed_ = required<label>(state, "relaxed");
-        fixups_.energy = required<scalar>(state, "energy");
-        fixups_.heldBack = required<scalar>(state, "heldBack");
-        dropped_ = required<scalar>(state, "dropped");
-    }
+    setFixups(state);
+    const bool keeps = Pstream::master();
+    relaxed_ = keeps ? required<label>(state, "relaxed") : 0;
+    dropped_ = keeps ? required<scalar>(state, "dropped") : 0;
 }
 
 // ************************************************************************* //

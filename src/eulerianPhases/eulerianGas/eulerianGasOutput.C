@@ -171,6 +171,7 @@ void Foam::mpm::eulerianGas::report() const
             << freeMax;
     }
     Info<< endl;
+    reportFilled();
 }
 
 
@@ -204,29 +205,13 @@ Foam::mpm::fieldStates Foam::mpm::eulerianGas::takeDown()
 
 Foam::dictionary Foam::mpm::eulerianGas::state() const
 {
-    dictionary state;
-    state.add("limited", returnReduce(fixups_.limited, sumOp<label>()));
-    state.add("theta", returnReduce(fixups_.theta, sumOp<label>()));
-    state.add("isentropic", returnReduce(fixups_.isentropic, sumOp<label>()));
-    state.add("positive", returnReduce(fixups_.positive, sumOp<label>()));
-    state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
-    state.add("heldBack", returnReduce(fixups_.heldBack, sumOp<scalar>()));
-    return state;
+    return fixupState();
 }
 
 
 void Foam::mpm::eulerianGas::setState(const dictionary& state)
 {
-    fixups_ = fixups();
-    if (Pstream::master())
-    {
-        fixups_.limited = required<label>(state, "limited");
-        fixups_.theta = required<label>(state, "theta");
-        fixups_.isentropic = required<label>(state, "isentropic");
-        fixups_.positive = state.getOrDefault<label>("positive", 0);
-        fixups_.energy = required<scalar>(state, "energy");
-        fixups_.heldBack = required<scalar>(state, "heldBack");
-    }
+    setFixups(state);
 }
 
 // ************************************************************************* //

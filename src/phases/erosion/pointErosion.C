@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointErosion.H"
+#include "pointCoupling.H"
 #include "materialPointSystem.H"
 #include "pointEnergy.H"
 #include "dictionaryTools.H"
@@ -49,6 +50,10 @@ void Foam::mpm::pointErosion::end(const scalar dt)
         return;
     }
     const noTraps guard;
+    if (points_.coupling())
+    {
+        points_.coupling()->removing(dt);
+    }
 
     // Phases whose points go to another phase come last: these points have
     // taken their step already
@@ -79,6 +84,10 @@ void Foam::mpm::pointErosion::end(const scalar dt)
     if (!returnReduce(n, sumOp<label>()))
     {
         return;
+    }
+    if (points_.coupling())
+    {
+        points_.coupling()->removed();
     }
 
     label nLeft = 0;

@@ -102,19 +102,6 @@ void Foam::mpm::materialPointSystem::couple(pointCoupling& coupling)
             << " larger or keep points inside by the boundary conditions of"
             << " their velocity." << exit(FatalIOError);
     }
-    for (const materialPointPhase& phase : phases_)
-    {
-        if (phase.erosion())
-        {
-            FatalIOErrorInFunction(properties_.subDict(phase.name()))
-                << "Phase " << phase.name() << " has erosion, which does not"
-                << " work in a gas: the cell of a point that vanishes would"
-                << " have its gas expand at once into the free volume." << nl
-                << "Remove erosion; failureModel  { failed nothing; ... }"
-                << " keeps failed points without a stress."
-                << exit(FatalIOError);
-        }
-    }
     if (damps())
     {
         FatalIOErrorInFunction(properties_)
