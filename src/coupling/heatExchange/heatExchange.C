@@ -19,21 +19,7 @@ void Foam::mpm::heatExchange::read
 {
     const dictionary& heatDict = requiredDict(dict, "heatTransfer");
     models_.set(phasei, heatTransferModel::New(heatDict).ptr());
-    if (!gas_.oneThermo())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Heat is exchanged with one gas: beside several fluids "
-            << points_.phases()[phasei].name() << " can have no heatTransfer."
-            << exit(FatalIOError);
-    }
-    if (!gas_.oneThermo()->hasTemperature())
-    {
-        FatalIOErrorInFunction(heatDict)
-            << "The gas " << gas_.name() << " ("
-            << gas_.oneThermo()->description().c_str()
-            << ") has no temperature and exchanges no heat. Use thermo"
-            << " perfectGas." << exit(FatalIOError);
-    }
+    gas_.needTemperature(heatDict);
     if (models_[phasei].needsConductivity() && !(mu_ > 0 && Pr_ > 0))
     {
         FatalIOErrorInFunction(heatDict)
@@ -47,8 +33,6 @@ void Foam::mpm::heatExchange::read
 
 void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
 {
-    const gasThermo& thermo = *gas_.oneThermo();
-    const scalar Cv = thermo.Cv();
     const scalar CvS = points_.phases()[phasei].Cv();
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
     const scalar* m = cloud.mass()[0];
@@ -74,8 +58,7 @@ void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
         }
         const scalar rho = gas_.rho()[c], theta = gas_.theta()[c];
         const vector u(gas_.rhoU()[c]/rho);
-        const scalar Tg =
-            (gas_.rhoE()[c]/rho - 0.5*magSqr(u))/Cv;
+        const eulerianFlow::heatState gas(gas_.heat(c));
 
         const scalar H = models_[phasei].H
         (
@@ -85,13 +68,13 @@ void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
                 theta,
                 rho/theta,
                 mu_,
-                thermo.Cp(),
+                gas.Cp,
                 Pr_,
                 mag(u - mU/M)
             }
         );
-        const scalar g = dt*H/(rho*Cv), b = dt*H*V/(M*CvS);
-        const scalar TgNew = (Tg*(1 + b) + g*mT/M)/(1 + b + g);
+        const scalar g = dt*H/gas.rhoCv, b = dt*H*V/(M*CvS);
+        const scalar TgNew = (gas.T*(1 + b) + g*mT/M)/(1 + b + g);
 
         scalar gained = 0;
         for (label p = begin; p < end; ++p)

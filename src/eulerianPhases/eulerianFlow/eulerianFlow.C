@@ -178,6 +178,40 @@ void Foam::mpm::eulerianFlow::reportFilled() const
 }
 
 
+void Foam::mpm::eulerianFlow::updateViscosity()
+{
+    if (viscous_)
+    {
+        scalarField rhoCv(rho_.size(), 0);
+        warmth_ = transport(rhoCv);
+        rate_ += viscous_->rate(theta_, rho_, rhoCv);
+    }
+}
+
+
+void Foam::mpm::eulerianFlow::addViscosity
+(
+    const scalar dt,
+    const volVectorField& U
+)
+{
+    if (!viscous_)
+    {
+        return;
+    }
+    viscousFlux::result to{rhoU_, rhoE_, Zero, 0};
+    viscous_->add
+    (
+        dt, U, Wb_, warmth_, theta_, rho_, to
+    );
+    if (flows_)
+    {
+        flows_->impulse += to.impulse;
+        flows_->energy += to.energy;
+    }
+}
+
+
 void Foam::mpm::eulerianFlow::bookGravity(const scalar dt)
 {
     const scalarField& V = mesh_.V();
@@ -237,6 +271,7 @@ Foam::mpm::eulerianFlow::eulerianFlow
     phi_(mesh.nFaces(), 0),
     pStar_(mesh.nFaces(), 0),
     limits_(false),
+    warmth_(nullptr),
     out_(mesh.nCells()),
     sums_(mesh.nCells()),
     rate_(0),

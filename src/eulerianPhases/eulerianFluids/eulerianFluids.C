@@ -200,9 +200,19 @@ void Foam::mpm::eulerianFluids::checkShares()
                 << "; that must be 1. The file of one fluid may be left out: it"
                 << " has the rest." << exit(FatalError);
         }
+        scalar missing = 0, others = 0;
         forAll(alpha_, k)
         {
-            alpha_[k].primitiveFieldRef()[c] /= sum[c];
+            scalar& a = alpha_[k].primitiveFieldRef()[c];
+            a /= sum[c];
+            const bool few = a < nuclei_[k];
+            missing += few ? nuclei_[k] - a : 0;
+            others += few ? 0 : a;
+        }
+        forAll(alpha_, k)
+        {
+            scalar& a = alpha_[k].primitiveFieldRef()[c];
+            a = a < nuclei_[k] ? nuclei_[k] : a*(1 - missing/others);
         }
     }
 }
@@ -409,6 +419,89 @@ void Foam::mpm::eulerianFluids::primitives()
     {
         stop(bad);
     }
+    updateViscosity();
+}
+
+
+void Foam::mpm::eulerianFluids::readViscosity(const dictionary& properties)
+{
+    const bool viscous =
+        settings(properties).getOrDefault<bool>("viscous", false);
+    mu_.setSize(n_, 0);
+    kappa_.setSize(n_, 0);
+    bool conducts = false;
+    for (label k = 0; k < n_; ++k)
+    {
+        const dictionary& dict = requiredDict(properties, mixture_.name(k));
+        if (viscous)
+        {
+            mu_[k] = bounded(dict, "mu", 0, GREAT);
+            kappa_[k] = boundedOrDefault(dict, "kappa", 0, 0, GREAT);
+            conducts = conducts || kappa_[k] > 0;
+        }
+        else if (dict.found("mu") || dict.found("kappa"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entries mu and kappa of " << mixture_.name(k) << " act only"
+                << " with  fluids { viscous yes; }  (mu of drag stands in"
+                << " fluids)." << exit(FatalIOError);
+        }
+    }
+    if (!viscous)
+    {
+        return;
+    }
+    viscous_.reset(new viscousFlux(mesh_, faces_, coupled_));
+    if (conducts)
+    {
+        needTemperature(settings(properties));
+        T_.reset
+        (
+            new volScalarField
+            (
+                header("T", IOobject::NO_READ),
+                mesh_,
+                dimensionedScalar(dimTemperature, Zero),
+                "zeroGradient"
+            )
+        );
+    }
+}
+
+
+const Foam::volScalarField* Foam::mpm::eulerianFluids::transport
+(
+    scalarField& rhoCv
+)
+{
+    const noTraps guard;
+    forAll(theta_, c)
+    {
+        scalar mu = 0, kappa = 0, sumT = 0;
+        for (label k = 0; k < n_; ++k)
+        {
+            const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
+            mu += theta*mu_[k];
+            kappa += theta*kappa_[k];
+            if (T_ && m > 0)
+            {
+                const gasThermo& thermo = mixture_.thermo(k);
+                rhoCv[c] += m*thermo.Cv();
+                sumT += m*thermo.Cv()*thermo.T(m/theta, W_[c].p);
+            }
+        }
+        viscous_->mu[c] = mu/theta_[c];
+        viscous_->kappa[c] = kappa/theta_[c];
+        if (T_)
+        {
+            (*T_)[c] = sumT/rhoCv[c];
+        }
+    }
+    if (T_)
+    {
+        T_->correctBoundaryConditions();
+    }
+    return T_.get();
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -460,13 +553,15 @@ Foam::mpm::eulerianFluids::eulerianFluids
     first_(W_.size() + Wb_.size(), false),
     dropped_(0),
     relaxed_(0),
-    beside_(false)
+    beside_(false),
+    warned_(n_, false),
+    nuclei_(n_, Zero)
 {
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(properties, name);
         wordList valid(gasThermo::New(dict)->keywords());
-        valid.append("type");
+        valid.append(wordList({"type", "nuclei", "mu", "kappa"}));
         checkKeywords(dict, valid);
     }
     checkKeywords
@@ -474,12 +569,20 @@ Foam::mpm::eulerianFluids::eulerianFluids
         settings(properties),
         {
             "lowMach", "drainage", "mu", "Pr", "poreFloor", "faceDrag",
-            "solidFraction"
+            "solidFraction", "viscous"
         }
     );
     setEnergy(true);
     makeFields(states);
+    forAll(nuclei_, k)
+    {
+        nuclei_[k] = boundedOrDefault
+        (
+            requiredDict(properties, names[k]), "nuclei", 0, 0, 0.01
+        );
+    }
     setFaces(U_, p_);
+    readViscosity(properties);
     interfaces_.reset(new fluidInterfaces(faces_, coupled_, n_));
     if (mag(g_) > 0)
     {

@@ -567,6 +567,7 @@ void Foam::mpm::eulerianFluids::advance
     sumInside(dt, pores);
     sumBoundary(dt, pores);
     newStates(dt, pores);
+    addViscosity(dt, U_);
 }
 
 // ************************************************************************* //

@@ -82,7 +82,85 @@ void Foam::mpm::eulerianFluids::forState(const Function& f)
     f(rhoE);
 }
 
+void Foam::mpm::eulerianFluids::checkSoftened() const
+{
+    for (label k = 0; k < n_; ++k)
+    {
+        const scalar c =
+            isGas(k) ? scalar(0) : mixture_.thermo(k).equation().softened();
+        if (!(c > 0) || warned_[k])
+        {
+            continue;
+        }
+        scalar fastest = 0;
+        forAll(W_, i)
+        {
+            if (part_[n_*i + k] > 0.5*theta_[i])
+            {
+                fastest = max(fastest, mag(W_[i].u));
+            }
+        }
+        reduce(fastest, maxOp<scalar>());
+        if (fastest > 0.1*c)
+        {
+            warned_[k] = true;
+            WarningInFunction
+                << "Fluid " << mixture_.name(k) << " flows with " << fastest
+                << " m/s at time " << mesh_.time().timeName() << ", "
+                << fastest/c << " of its soundSpeed " << c << " m/s: its"
+                << " density changes by " << 100*sqr(fastest/c) << " %." << nl
+                << "    Give it a soundSpeed of " << 10*fastest
+                << " m/s or more, or pInf of the real liquid." << nl << endl;
+        }
+    }
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::mpm::eulerianFlow::heatState
+Foam::mpm::eulerianFluids::heat(const label c) const
+{
+    const scalar* theta = part_.cdata() + n_*c;
+    const scalar* m = mass_.cdata() + n_*c;
+    const scalar p = mixture_.pressure
+    (
+        theta, m, rhoE_[c] - 0.5*magSqr(rhoU_[c])/rho_[c]
+    );
+    scalar rhoCv = 0, rhoCvT = 0;
+    for (label k = 0; k < n_; ++k)
+    {
+        if (m[k] > 0)
+        {
+            const gasThermo& thermo = mixture_.thermo(k);
+            rhoCv += m[k]*thermo.Cv();
+            rhoCvT += m[k]*thermo.Cv()*thermo.T(m[k]/theta[k], p);
+        }
+    }
+
+    scalar rhoCp = 0;
+    for (label k = 0; k < n_; ++k)
+    {
+        rhoCp += m[k]*(isGas(k) ? mixture_.thermo(k).Cp() : mixture_.thermo(k).Cv());
+    }
+    return {rhoCvT/rhoCv, rhoCv, rhoCp/rho_[c]};
+}
+
+
+void Foam::mpm::eulerianFluids::needTemperature(const dictionary& dict) const
+{
+    for (label k = 0; k < n_; ++k)
+    {
+        if (!mixture_.thermo(k).hasTemperature())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Fluid " << mixture_.name(k) << " ("
+                << mixture_.description(k).c_str() << ") has no temperature and"
+                << " exchanges no heat. Add its Cv [J/kg/K], or remove this"
+                << " dictionary." << exit(FatalIOError);
+        }
+    }
+}
+
 
 void Foam::mpm::eulerianFluids::report() const
 {
@@ -119,6 +197,7 @@ void Foam::mpm::eulerianFluids::report() const
         << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back, "
         << returnReduce(dropped_, sumOp<scalar>()) << " dropped)" << endl;
     reportFilled();
+    checkSoftened();
 }
 
 

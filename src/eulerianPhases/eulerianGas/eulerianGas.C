@@ -249,6 +249,53 @@ void Foam::mpm::eulerianGas::primitives()
     {
         stop(bad);
     }
+    updateViscosity();
+}
+
+
+void Foam::mpm::eulerianGas::readViscosity(const dictionary& dict)
+{
+    if (!dict.getOrDefault<bool>("viscous", false))
+    {
+        if (dict.found("kappa"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry kappa of " << name_ << " conducts heat only with"
+                << "  viscous yes;" << exit(FatalIOError);
+        }
+        return;
+    }
+    mu_ = bounded(dict, "mu", 0, GREAT);
+    kappa_ = boundedOrDefault(dict, "kappa", 0, 0, GREAT);
+    if (kappa_ > 0 && !thermo_.hasTemperature())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry kappa of " << name_ << " ("
+            << thermo_.description().c_str() << ") needs a temperature: thermo"
+            << " perfectGas, or Cv beside an equationOfState that has one."
+            << exit(FatalIOError);
+    }
+    viscous_.reset(new viscousFlux(mesh_, faces_, coupled_));
+    viscous_->mu = mu_;
+    viscous_->kappa = kappa_;
+}
+
+
+const Foam::volScalarField* Foam::mpm::eulerianGas::transport
+(
+    scalarField& rhoCv
+)
+{
+    if (!(kappa_ > 0))
+    {
+        return nullptr;
+    }
+    if (!thermo_.isGammaLaw())
+    {
+        updateTemperature();
+    }
+    rhoCv = thermo_.Cv()*rho_;
+    return &T_();
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -283,6 +330,8 @@ Foam::mpm::eulerianGas::eulerianGas
             dimensionedScalar(dimTemperature, Zero)
         )
     ),
+    mu_(0),
+    kappa_(0),
     U_(startField<volVectorField>("U", states)),
     rho0_
     (
@@ -313,8 +362,8 @@ Foam::mpm::eulerianGas::eulerianGas
     (
         wordList
         ({
-            "type", "mu", "Pr", "poreFloor", "faceDrag", "faceFlux",
-            "pressureClosure", "solidFraction"
+            "type", "mu", "Pr", "kappa", "viscous", "poreFloor", "faceDrag",
+            "faceFlux", "pressureClosure", "solidFraction"
         })
     );
     valid.append(faceFlux_->keywords());
@@ -331,6 +380,7 @@ Foam::mpm::eulerianGas::eulerianGas
     setEnergy(thermo_.hasEnergy());
     checkConditions();
     setFaces(U_, p_);
+    readViscosity(dict);
     readState(states);
     if (T_ && !restarted_ && thermo_.isGammaLaw())
     {

@@ -290,6 +290,7 @@ void Foam::mpm::eulerianGas::advance(const scalar dt, const solidOnFaces* pores)
     {
         cells<false, false, true>(dt, pores);
     }
+    addViscosity(dt, U_);
 }
 
 // ************************************************************************* //

@@ -124,6 +124,32 @@ void Foam::mpm::eulerianGas::forState(const Function& f)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::mpm::eulerianFlow::heatState
+Foam::mpm::eulerianGas::heat(const label c) const
+{
+    const vector u(rhoU_[c]/rho_[c]);
+    const scalar Cv = thermo_.Cv();
+    return
+    {
+        (rhoE_[c]/rho_[c] - 0.5*magSqr(u))/Cv,
+        rho_[c]*Cv,
+        thermo_.Cp()
+    };
+}
+
+
+void Foam::mpm::eulerianGas::needTemperature(const dictionary& dict) const
+{
+    if (!thermo_.hasTemperature())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The gas " << name_ << " (" << thermo_.description().c_str()
+            << ") has no temperature and exchanges no heat. Use thermo"
+            << " perfectGas." << exit(FatalIOError);
+    }
+}
+
+
 void Foam::mpm::eulerianGas::report() const
 {
     // Of all cells; of those that are more gas than solid

@@ -307,6 +307,44 @@ def restart(table):
                   "atMost")
 
 
+# --- a softened liquid, nuclei ------------------------------------------------
+
+def softened(table):
+    """soundSpeed is that of the waves; a flow too fast for it is told once; nuclei."""
+    c, n = 50.0, 200
+    soft = {"rho": 1000, "nuclei": 0, "equationOfState": {
+        "type": "stiffenedGas", "gamma": 4.4, "soundSpeed": c, "p0": 1e5}}
+
+    def initial(x, y, z):
+        p = np.where(x < 0.5, 1e5 + 10, 1e5)
+        return [1.0, 0.0], [1000.0 + (p - 1e5)/c**2, 1.2], np.where(x < 0.5, 10/1000/c, 0), p
+    end = 0.3/c
+    case = fluidCase("fluidsAlone", "softened", (n, 1, 1), (1, 0.01, 0.01),
+                     {"water": soft, "air": {**REAL_AIR, "nuclei": 0}}, initial, end)
+    case.run("materialPointFoam")
+    p = fluidField(case, end, "p") - 1e5
+    x = (np.arange(n) + 0.5)/n
+    table.row("softened water: way of a weak wave [m]", 0.3, np.interp(-5, -p, x) - 0.5, 0.003)
+    table.check("softened water: a slow flow is not told of", "soundSpeed" not in
+                case.log().split("Time =")[-1])
+    for u, told in ((4.9, 0), (5.2, 1)):
+        case = fluidCase("fluidsAlone", f"softened-{u}", (10, 1, 1), (1, 0.01, 0.01),
+                         {"water": soft, "air": REAL_AIR},
+                         lambda x, y, z, u=u: ([1.0, 0.0], [1000.0, 1.2], u, 1e5), 0.01,
+                         patches=cyclicSides("x")[0])
+        case.run("materialPointFoam")
+        table.row(f"softened water: warnings at {u/c:.3f} of its sound", told,
+                  case.log().count("Give it a soundSpeed of"), 0)
+    case = fluidCase("fluidsAlone", "nuclei", (10, 1, 1), (1, 0.01, 0.01),
+                     {"water": WATER, "air": {**REAL_AIR, "nuclei": 1e-5}},
+                     lambda x, y, z: ([1.0*(x < 0.5), 1.0*(x > 0.5)], [1000.0, 1.2], 0.0, 1e5),
+                     1e-4, writeInterval=1e-6)
+    case.run("materialPointFoam")
+    a = volField(case, "1e-06", "alpha.air")
+    table.row("nuclei: least share of air", 1e-5, a.min(), 1e-9)
+    table.row("nuclei: largest share of air", 1, a.max(), 1e-12)
+
+
 # --- wrong input -------------------------------------------------------------
 
 def wrong(table):
@@ -344,6 +382,14 @@ def wrong(table):
             ("mixed", lambda: case("mixed", change=replace(
                 "constant/phaseProperties", "type fluid;\n    thermo", "type gas;\n    thermo")),
              ("type gas", "type fluid")),
+            ("twoSounds", lambda: case("twoSounds", {"water": {"rho": 1000, "equationOfState": {
+                **WATER["equationOfState"], "soundSpeed": 20}}, "air": AIR}),
+             ("pInf and soundSpeed",)),
+            ("slowSound", lambda: case("slowSound", {"water": {"rho": 1000, "equationOfState": {
+                "type": "stiffenedGas", "gamma": 4.4, "soundSpeed": 20, "p0": 1e5}}, "air": AIR}),
+             ("soundSpeed 20", "20.97")),
+            ("nuclei", lambda: case("nuclei", {"water": WATER, "air": {**AIR, "nuclei": 0.5}}),
+             ("nuclei", "0.01")),
             ("keyword", lambda: case("keyword", {"water": WATER, "air": {**AIR, "gama": 1.4}}),
              ("gama", "gamma")),
             ("setting", lambda: case("setting", settings={"lowmach": True}),
@@ -364,7 +410,8 @@ def wrong(table):
 
 def main():
     table = Report("fluidsAlone")
-    for part in (tubes, vanDerWaals, translation, disc, inflow, rest, ranks, restart, wrong):
+    for part in (tubes, vanDerWaals, translation, disc, inflow, rest, ranks, restart, softened,
+                 wrong):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
