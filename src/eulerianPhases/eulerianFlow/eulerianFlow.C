@@ -52,6 +52,7 @@ void Foam::mpm::eulerianFlow::setFaces
             faces_.wall[f - nInternal] = wall;
         }
     }
+    far_.reset(new farField(U, p));
     faces_.boundary.transfer(boundary);
     faces_.coupled.transfer(coupled);
 

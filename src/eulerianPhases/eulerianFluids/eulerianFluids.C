@@ -261,6 +261,7 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
         checkShares();
         conserve();
         primitives();
+        far_->setValues(W_, g_, U_, p_);
         updateBoundaryStates();
         updateFields();
         updateBoundaryStates();
@@ -295,6 +296,7 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
     ).field();
     rhoE_ = read("thetaRhoE", -1);
     primitives();
+    far_->setValues(W_, g_, U_, p_);
     updateBoundaryStates();
 }
 
