@@ -329,15 +329,14 @@ def burst(name, control=None, split=None, before=lambda case: None, points=False
     elif gas:
         case = gasCase("outlets", name, cells, high, initial, end, control=control, **of)
     else:
-        # Shares that come in: air
         case = fluidCase("outlets", name, cells, high, {"heavy": AIR, "air": AIR}, initial, end,
                          control=control, **of)
-        for name in ("alpha.heavy", "alpha.air"):
-            with open(case.file("0", name)) as f:
-                text = f.read()
-            with open(case.file("0", name), "w") as f:
-                f.write(text.replace("inletValue uniform 1",
-                                     f"inletValue uniform {1*(name == 'alpha.air')}"))
+    if not gas:
+        # What comes in is air
+        with open(case.file("0/alpha.heavy")) as f:
+            text = f.read()
+        with open(case.file("0/alpha.heavy"), "w") as f:
+            f.write(text.replace("inletValue uniform 1", "inletValue uniform 0"))
     if split:
         case.decompose(split)
     before(case)
