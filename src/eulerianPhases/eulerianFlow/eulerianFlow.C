@@ -12,6 +12,27 @@ License
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeName(eulerianFlow::handle);
+}
+}
+
+// * * * * * * * * * * * * * * * * Handle  * * * * * * * * * * * * * * * * * //
+
+Foam::mpm::eulerianFlow::handle::handle(const eulerianFlow& flow)
+:
+    regIOobject
+    (
+        IOobject("eulerianFlow", flow.mesh_.time().timeName(), flow.mesh_)
+    ),
+    flow_(flow)
+{}
+
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
 void Foam::mpm::eulerianFlow::setEnergy(const bool energy)
@@ -245,7 +266,8 @@ Foam::mpm::eulerianFlow::eulerianFlow
     restarted_(false),
     fixedCell_(-1),
     fixedMost_(0),
-    badCell_(-1)
+    badCell_(-1),
+    handle_(*this)
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -462,6 +462,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
     first_(W_.size() + Wb_.size(), false),
     dropped_(0),
     relaxed_(0),
+    faceMass_(n_, Zero),
     beside_(false)
 {
     for (const word& name : names)

@@ -133,7 +133,7 @@ void Foam::mpm::eulerianFluids::farFaces(const solidOnFaces* pores)
         const bool first = reconstruction_.upwind() || first_[c];
         gasState L(first ? W_[c] : reconstruction_.faces()[f].own);
         const scalar z =
-            first || interfaces_->single()[c] < 0
+            first || interfaces_->major()[c] < 0
           ? z_[c]
           : std::sqrt(L.rho*reconstruction_.terms()[f].own.K);
         L.p += faceWeight(c, f);
