@@ -98,7 +98,7 @@ def gasCase(folder, name, cells, high, initial, endTime, low=(0, 0, 0), ends=OPE
     given = {"ends": ends, "sides": sides or WALL, "frontAndBack": ("empty",)*3,
              **(conditions or {})}
     def conditionsOf(i):
-        return {n: given[n][i] if n in given else kind for n, (kind, _) in patches.items()}
+        return {n: given[n][i] if n in given else kind for n, (kind, *_) in patches.items()}
 
     x, y, z = boxCentres(low, high, cells)
     rho, u, p = (np.asarray(v, float) for v in initial(x, y, z))

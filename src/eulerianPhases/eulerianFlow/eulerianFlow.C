@@ -12,6 +12,27 @@ License
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace mpm
+{
+    defineTypeName(eulerianFlow::handle);
+}
+}
+
+// * * * * * * * * * * * * * * * * Handle  * * * * * * * * * * * * * * * * * //
+
+Foam::mpm::eulerianFlow::handle::handle(const eulerianFlow& flow)
+:
+    regIOobject
+    (
+        IOobject("eulerianFlow", flow.mesh_.time().timeName(), flow.mesh_)
+    ),
+    flow_(flow)
+{}
+
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
 void Foam::mpm::eulerianFlow::setEnergy(const bool energy)
@@ -52,6 +73,7 @@ void Foam::mpm::eulerianFlow::setFaces
             faces_.wall[f - nInternal] = wall;
         }
     }
+    far_.reset(new farField(U, p));
     faces_.boundary.transfer(boundary);
     faces_.coupled.transfer(coupled);
 
@@ -279,7 +301,8 @@ Foam::mpm::eulerianFlow::eulerianFlow
     restarted_(false),
     fixedCell_(-1),
     fixedMost_(0),
-    badCell_(-1)
+    badCell_(-1),
+    handle_(*this)
 {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

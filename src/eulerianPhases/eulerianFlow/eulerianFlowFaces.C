@@ -58,6 +58,31 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
 }
 
 
+void Foam::mpm::eulerianFlow::setFarFace
+(
+    const label f,
+    const farField::state& s,
+    const solidOnFaces* pores
+)
+{
+    const label c = mesh_.faceOwner()[f];
+    scalar& out = out_[c];
+    out -= max(phi_[f], scalar(0));
+    phi_[f] = s.u*faces_.magS[f];
+    pStar_[f] = s.p;
+    if (pores && near_[c])
+    {
+        // As at other boundary faces
+        phi_[f] *= 1 - pores->thetaS[f];
+        if (pores->area)
+        {
+            phi_[f] += pores->thetaS[f]*pores->uS[f]*faces_.magS[f];
+        }
+    }
+    out = max(out, scalar(0)) + max(phi_[f], scalar(0));
+}
+
+
 template<bool Porous>
 void Foam::mpm::eulerianFlow::limitOutflow
 (

@@ -104,6 +104,11 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
     }
 
     const scalar mass0 = mass(), energy0 = energy();
+    List<fluidSums> before;
+    if (flows_ && cells.size())
+    {
+        before = fluidContents();
+    }
     for (const column& of : columns())
     {
         // All changes before any
@@ -152,6 +157,15 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
         flows_->mass += mass() - mass0;
         flows_->impulse += impulse;
         flows_->energy += energy() - energy0;
+        if (before.size() > 1)
+        {
+            const List<fluidSums> now(fluidContents());
+            flows_->fluids.setSize(now.size(), 0);
+            forAll(now, k)
+            {
+                flows_->fluids[k] += now[k].mass - before[k].mass;
+            }
+        }
     }
 }
 

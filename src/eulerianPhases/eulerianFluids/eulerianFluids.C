@@ -271,6 +271,7 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
         checkShares();
         conserve();
         primitives();
+        far_->setValues(W_, g_, U_, p_);
         updateBoundaryStates();
         updateFields();
         updateBoundaryStates();
@@ -305,6 +306,7 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
     ).field();
     rhoE_ = read("thetaRhoE", -1);
     primitives();
+    far_->setValues(W_, g_, U_, p_);
     updateBoundaryStates();
 }
 
@@ -553,6 +555,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
     first_(W_.size() + Wb_.size(), false),
     dropped_(0),
     relaxed_(0),
+    faceMass_(n_, Zero),
     beside_(false),
     warned_(n_, false),
     nuclei_(n_, Zero)

@@ -189,6 +189,7 @@ void Foam::mpm::eulerianFluids::addFluids
     const label b = f < nInternal ? interfaces_->slot()[N] : -1;
     for (label k = 0; k < n_; ++k)
     {
+        faceMass_[k] = 0;
         if (!(alpha[k] > 0))
         {
             continue;
@@ -209,6 +210,7 @@ void Foam::mpm::eulerianFluids::addFluids
         const scalar m = volume*rho;
         const scalar e =
             volume*fluidMixture::energy(mixture_.at(k, rho), rho, p);
+        faceMass_[k] = m;
         s.rho += m;
         s.rhoE += e;
         const auto add = [&](const label slot, const label c, const scalar sign)
@@ -366,6 +368,13 @@ void Foam::mpm::eulerianFluids::sumBoundary
                 const scalar theta = pores ? 1 - pores->thetaS0[f] : 1;
                 const scalar p = theta*pStar_[f] + (1 - theta)*W_[P].p;
                 flows_->mass -= dt*face_.rho;
+                flows_->fluids.setSize(n_, 0);
+                for (label k = 0; k < n_; ++k)
+                {
+                    flows_->fluids[k] -=
+                        slot[P] >= 0 ? dt*faceMass_[k]
+                      : interfaces_->single()[P] == k ? dt*face_.rho : 0;
+                }
                 flows_->impulse -= dt*(face_.rhoU + p*S[f]);
                 flows_->energy -= dt*face_.rhoE;
             }

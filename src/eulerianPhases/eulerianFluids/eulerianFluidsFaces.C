@@ -114,6 +114,7 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
             }
         }
     }
+    updateFarStates();
     if (coupled_.empty())
     {
         return;
@@ -472,6 +473,7 @@ void Foam::mpm::eulerianFluids::faceFlux
     out_ = 0;
     insideFaces(dt, pores);
     boundaryFaces(pores);
+    farFaces(pores);
     outflow_ = out_;
     if (pores)
     {

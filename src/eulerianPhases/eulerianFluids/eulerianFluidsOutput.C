@@ -162,6 +162,47 @@ void Foam::mpm::eulerianFluids::needTemperature(const dictionary& dict) const
 }
 
 
+Foam::wordList Foam::mpm::eulerianFluids::fluidNames() const
+{
+    wordList names(n_);
+    forAll(names, k)
+    {
+        names[k] = mixture_.name(k);
+    }
+    return names;
+}
+
+
+Foam::List<Foam::mpm::eulerianFlow::fluidSums>
+Foam::mpm::eulerianFluids::fluidContents() const
+{
+    // Their energies by the common pressure, the sum is that of the cell
+    const scalarField& V = mesh_.V();
+    List<fluidSums> all(n_);
+    forAll(rho_, c)
+    {
+        for (label k = 0; k < n_; ++k)
+        {
+            const scalar m = mass_[n_*c + k], theta = part_[n_*c + k];
+            if (!(m > 0))
+            {
+                continue;
+            }
+            fluidSums& s = all[k];
+            const scalar rho = m/theta;
+            s.mass += V[c]*m;
+            s.momentum += V[c]*m*W_[c].u;
+            s.kinetic += 0.5*V[c]*m*magSqr(W_[c].u);
+            s.internal +=
+                V[c]*theta
+               *fluidMixture::energy(mixture_.at(k, rho), rho, W_[c].p);
+            s.volume += V[c]*theta;
+        }
+    }
+    return all;
+}
+
+
 void Foam::mpm::eulerianFluids::report() const
 {
     const scalarField& V = mesh_.V();

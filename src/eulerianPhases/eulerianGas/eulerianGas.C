@@ -427,6 +427,7 @@ void Foam::mpm::eulerianGas::readState(const fieldStates* states)
     {
         conserve();
         primitives();
+        far_->setValues(W_, g_, U_, p_);
         updateBoundaryStates();
         correctBoundaryFields();
         updateBoundaryStates();
@@ -475,6 +476,7 @@ void Foam::mpm::eulerianGas::readState(const fieldStates* states)
             << " run starts from p, T." << name_ << ", U." << name_ << "."
             << exit(FatalError);
     }
+    far_->setValues(W_, g_, U_, p_);
     updateBoundaryStates();
 }
 

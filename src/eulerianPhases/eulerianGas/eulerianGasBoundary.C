@@ -106,6 +106,7 @@ void Foam::mpm::eulerianGas::updateBoundaryStates()
             thetaB_[start + i] = theta_[own[pp.start() + i]];
         }
     }
+    updateFarStates();
     if (!coupled_.empty())
     {
         coupled_.swap(Wb_);

@@ -42,6 +42,7 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
         (
             allStates<false>(), {dt, theta_, thetaB_, near_, *pores}, to
         );
+        farFaces(pores);
         limitOutflow<true>(dt, pores);
         return;
     }
@@ -53,6 +54,7 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
     {
         faceFlux_->flux(allStates<true>(), to);
     }
+    farFaces(nullptr);
     limitOutflow<false>(dt, pores);
 }
 

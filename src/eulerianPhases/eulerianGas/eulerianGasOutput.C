@@ -201,6 +201,25 @@ void Foam::mpm::eulerianGas::report() const
 }
 
 
+Foam::List<Foam::mpm::eulerianFlow::fluidSums>
+Foam::mpm::eulerianGas::fluidContents() const
+{
+    // Without an energy equation there is no internal energy
+    const scalarField& V = mesh_.V();
+    fluidSums s;
+    forAll(rho_, c)
+    {
+        const scalar kinetic = 0.5*magSqr(rhoU_[c])/rho_[c];
+        s.mass += V[c]*rho_[c];
+        s.momentum += V[c]*rhoU_[c];
+        s.kinetic += V[c]*kinetic;
+        s.internal += energy_ ? V[c]*(rhoE_[c] - kinetic) : 0;
+        s.volume += V[c]*theta_[c];
+    }
+    return List<fluidSums>(1, s);
+}
+
+
 void Foam::mpm::eulerianGas::writeFields()
 {
     const fullPrecision allDigits;

@@ -96,7 +96,7 @@ void Foam::mpm::requireGas
     const wordList& names
 )
 {
-    const bool gas = phaseNames(phaseProperties, {"gas"}).size();
+    const bool gas = phaseNames(phaseProperties, {"gas", "fluid"}).size();
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(phaseProperties, name);
@@ -108,7 +108,7 @@ void Foam::mpm::requireGas
                     << "Entry " << key << " of phase " << name
                     << " acts between points and a gas, but phases "
                     << flatOutput(names) << " has none. Remove it, or add a"
-                    << " phase of  type gas;" << exit(FatalIOError);
+                    << " phase of type gas or fluid." << exit(FatalIOError);
             }
         }
     }

@@ -48,6 +48,9 @@ NOT_ENTRIES = {
     "materialPointPatchForces.C": "total", "surfaceShape.C": "triSurface",
     "phaseNames.C": "FoamFile", "meshPlaces.C": "boundaryField",
     "meshFilesCheck.C": "type nFaces startFace neighbourPatch coupleGroup",
+    "flowOutput.C": "state",
+    # A default
+    "blastProbes.C": "p",
     # Asked for where they are not read
     "simulation.C": "gas", "regionTable.C": "gas contact",
     "setMaterialPoints.C": "gas velocity stress pressure",

@@ -1,0 +1,453 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "blastProbes.H"
+#include "dictionaryTools.H"
+#include "eulerianFlow.H"
+#include "volFields.H"
+#include "Time.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(blastProbes, 0);
+    addToRunTimeSelectionTable(functionObject, blastProbes, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * History * * * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+constexpr scalar never = -ROOTVGREAT;
+
+//- A number that may not be there yet
+void writeNumber(Ostream& os, const scalar v)
+{
+    os  << tab;
+    if (v == never)
+    {
+        os  << "nan";
+    }
+    else
+    {
+        os  << v;
+    }
+}
+
+}
+
+
+Foam::functionObjects::blastProbes::history::history()
+:
+    ambient(never),
+    threshold(never),
+    arrival(never),
+    peak(never),
+    peakTime(never),
+    end(never),
+    positive(0),
+    negative(0),
+    t(never),
+    p(0)
+{}
+
+
+void Foam::functionObjects::blastProbes::history::add
+(
+    const scalar time,
+    const scalar value
+)
+{
+    const scalar b = value - ambient;
+    if (b > peak)
+    {
+        peak = b;
+        peakTime = time;
+    }
+    if (t == never)
+    {
+        arrival = b >= threshold ? time : never;
+    }
+    else if (time > t)
+    {
+        const scalar a = p - ambient, dt = time - t;
+        const auto when = [&](const scalar level)
+        {
+            return t + dt*(level - a)/(b - a);
+        };
+        if (arrival == never && b >= threshold)
+        {
+            arrival = when(threshold);
+        }
+        else if (arrival != never && end == never && b <= 0)
+        {
+            end = a > 0 ? when(0) : time;
+        }
+
+        // Trapezia on both sides of zero
+        if (a*b >= 0)
+        {
+            (a + b > 0 ? positive : negative) += 0.5*dt*(a + b);
+        }
+        else
+        {
+            const scalar first = dt*a/(a - b);
+            (a > 0 ? positive : negative) += 0.5*first*a;
+            (b > 0 ? positive : negative) += 0.5*(dt - first)*b;
+        }
+    }
+    t = time;
+    p = value;
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::blastProbes::findCells()
+{
+    // Distance to the centre, then the centre
+    typedef FixedList<scalar, 4> key;
+    const vectorField& C = mesh_.cellCentres();
+    const auto before = [](const key& a, const key& b)
+    {
+        for (label d = 0; d < 4; ++d)
+        {
+            if (mag(a[d] - b[d]) > 1e-9*(mag(a[0]) + mag(b[0])))
+            {
+                return a[d] < b[d];
+            }
+        }
+        return false;
+    };
+
+    cells_.setSize(places_.size());
+    forAll(places_, i)
+    {
+        const point& x = places_[i];
+        key best(VGREAT);
+        label found = mesh_.findCell(x);
+        const auto holds = [&](const label c)
+        {
+            for (const label f : mesh_.cells()[c])
+            {
+                const vector& S = mesh_.faceAreas()[f];
+                const scalar out =
+                    (mesh_.faceOwner()[f] == c ? 1 : -1)
+                   *((x - mesh_.faceCentres()[f]) & S);
+                if (out > 1e-9*mag(S)*std::cbrt(mesh_.cellVolumes()[c]))
+                {
+                    return false;
+                }
+            }
+            return true;
+        };
+        if (found >= 0)
+        {
+            labelHashSet around;
+            around.insert(found);
+            for (const label pointi : mesh_.cellPoints()[found])
+            {
+                around.insert(mesh_.pointCells()[pointi]);
+            }
+            const label first = found;
+            for (const label c : around)
+            {
+                if (c != first && !holds(c))
+                {
+                    continue;
+                }
+                const key k{mag(x - C[c]), C[c].x(), C[c].y(), C[c].z()};
+                if (before(k, best))
+                {
+                    best = k;
+                    found = c;
+                }
+            }
+        }
+        List<key> all(Pstream::nProcs(), key(VGREAT));
+        all[Pstream::myProcNo()] = best;
+        Pstream::gatherList(all);
+        Pstream::scatterList(all);
+        label owner = 0;
+        forAll(all, proci)
+        {
+            owner = before(all[proci], all[owner]) ? proci : owner;
+        }
+        if (all[owner][0] == VGREAT)
+        {
+            const boundBox& box = mesh_.bounds();
+            FatalIOErrorInFunction(dict_)
+                << "Place " << x << " of probeLocations is not in the mesh,"
+                << " which lies in " << box.min() << " to " << box.max() << "."
+                << exit(FatalIOError);
+        }
+        cells_[i] = owner == Pstream::myProcNo() ? found : -1;
+    }
+}
+
+
+void Foam::functionObjects::blastProbes::findPatches()
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    for (const word& name : patches_)
+    {
+        if (patches.findPatchID(name) < 0)
+        {
+            DynamicList<word> valid;
+            for (const polyPatch& pp : patches)
+            {
+                if (!pp.coupled())
+                {
+                    valid.append(pp.name());
+                }
+            }
+            FatalIOErrorInFunction(dict_)
+                << "Patch " << name << " is not in the mesh." << nl << nl
+                << "Valid patches are: " << flatOutput(valid)
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::functionObjects::blastProbes::warnOfSolid() const
+{
+    const auto* flow =
+        mesh_.findObject<mpm::eulerianFlow::handle>("eulerianFlow");
+    scalarField theta(places_.size(), -1);
+    forAll(cells_, i)
+    {
+        if (flow && cells_[i] >= 0)
+        {
+            theta[i] = flow->flow().theta()[cells_[i]];
+        }
+    }
+    reduce(theta, maxOp<scalarField>());
+    forAll(theta, i)
+    {
+        if (theta[i] >= 0 && theta[i] < 0.5)
+        {
+            WarningInFunction
+                << name() << ": place " << places_[i] << " is in solid, "
+                << field_ << " there is that of the pores." << endl;
+        }
+    }
+}
+
+
+Foam::scalarList Foam::functionObjects::blastProbes::values() const
+{
+    const volScalarField& f = mesh_.lookupObject<volScalarField>(field_);
+    const label n = places_.size();
+    scalarField v(n + 2*patches_.size(), Zero);
+    forAll(cells_, i)
+    {
+        if (cells_[i] >= 0)
+        {
+            v[i] = f[cells_[i]];
+        }
+    }
+    forAll(patches_, j)
+    {
+        const label patchi = mesh_.boundaryMesh().findPatchID(patches_[j]);
+        const scalarField& area = mesh_.magSf().boundaryField()[patchi];
+        const scalarField& b = f.boundaryField()[patchi];
+        forAll(b, i)
+        {
+            v[n + 2*j] += area[i]*b[i];
+            v[n + 2*j + 1] += area[i];
+        }
+    }
+
+    // One message of all
+    Pstream::listCombineGather(v, plusEqOp<scalar>());
+    Pstream::listCombineScatter(v);
+    forAll(patches_, j)
+    {
+        v[n + j] = v[n + 2*j]/max(v[n + 2*j + 1], VSMALL);
+    }
+    v.setSize(n + patches_.size());
+    return v;
+}
+
+
+void Foam::functionObjects::blastProbes::writeSummary() const
+{
+    if (!writeToFile())
+    {
+        return;
+    }
+    OFstream os(folder_/"summary.dat");
+    os.precision(writePrecision_);
+    os  << "# At " << time_.value() << " s. Probes are places, then patches"
+        << nl << "# Probe\tx[m]\ty[m]\tz[m]\tambient\tarrival[s]\tpeak"
+        << "\tpeakTime[s]\tduration[s]\tpositiveImpulse\tnegativeImpulse" << nl;
+    forAll(histories_, i)
+    {
+        const history& h = histories_[i];
+        os  << i;
+        for (direction d = 0; d < 3; ++d)
+        {
+            writeNumber(os, i < places_.size() ? places_[i][d] : never);
+        }
+        writeNumber(os, h.ambient);
+        writeNumber(os, h.arrival);
+        writeNumber(os, h.peak);
+        writeNumber(os, h.peakTime);
+        writeNumber(os, h.end == never ? never : h.end - h.arrival);
+        writeNumber(os, h.positive);
+        writeNumber(os, h.negative);
+        os  << nl;
+    }
+}
+
+
+Foam::wordList Foam::functionObjects::blastProbes::keywords() const
+{
+    return {"probeLocations", "patches", "field", "ambient", "threshold"};
+}
+
+
+void Foam::functionObjects::blastProbes::prepare(const scalarList& kept)
+{
+    field_ = dict_.getOrDefault<word>("field", "p");
+    if (!mesh_.foundObject<volScalarField>(field_))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "There is no scalar field " << field_ << "." << nl << nl
+            << "Valid fields are: "
+            << flatOutput(mesh_.sortedNames<volScalarField>())
+            << exit(FatalIOError);
+    }
+    places_ = dict_.getOrDefault<pointField>("probeLocations", pointField());
+    patches_ = dict_.getOrDefault<wordList>("patches", wordList());
+    if (places_.empty() && patches_.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "One of the entries (probeLocations patches) is missing in "
+            << dict_.name() << exit(FatalIOError);
+    }
+    findCells();
+    findPatches();
+    warnOfSolid();
+
+    const label n = places_.size() + patches_.size();
+    histories_ = List<history>(n);
+    if (kept.size() == n*history::size)
+    {
+        forAll(kept, i)
+        {
+            histories_[i/history::size].begin()[i % history::size] = kept[i];
+        }
+    }
+    else if (kept.size())
+    {
+        WarningInFunction
+            << name() << " had other probes when " << time_.timeName()
+            << " was written: histories start anew." << endl;
+    }
+    const scalarList now(values());
+    forAll(histories_, i)
+    {
+        history& h = histories_[i];
+        if (h.t == never)
+        {
+            h.ambient = dict_.getOrDefault<scalar>("ambient", now[i]);
+            h.threshold =
+                dict_.found("threshold")
+              ? mpm::positive(dict_, "threshold")
+              : 0.01*mag(h.ambient);
+        }
+    }
+
+    OStringStream os;
+    os  << "Probes: ";
+    forAll(places_, i)
+    {
+        os  << i << " at " << places_[i] << ", ";
+    }
+    forAll(patches_, i)
+    {
+        os  << places_.size() + i << " patch " << patches_[i] << ", ";
+    }
+    os  << "field " << field_ << nl << "Time[s]";
+    for (label i = 0; i < n; ++i)
+    {
+        os  << tab << i;
+    }
+    setFiles({field_}, {os.str()});
+}
+
+
+void Foam::functionObjects::blastProbes::see()
+{
+    const scalarList now(values());
+    forAll(histories_, i)
+    {
+        histories_[i].add(time_.value(), now[i]);
+    }
+}
+
+
+void Foam::functionObjects::blastProbes::writeRows()
+{
+    if (writeToFile())
+    {
+        Ostream& os = row(0);
+        for (const history& h : histories_)
+        {
+            os  << tab << h.p;
+        }
+        os  << endl;
+    }
+    if (time_.writeTime())
+    {
+        writeSummary();
+    }
+}
+
+
+void Foam::functionObjects::blastProbes::finish()
+{
+    writeSummary();
+}
+
+
+Foam::scalarList Foam::functionObjects::blastProbes::kept() const
+{
+    scalarList all(histories_.size()*history::size);
+    forAll(all, i)
+    {
+        all[i] = histories_[i/history::size].begin()[i % history::size];
+    }
+    return all;
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::blastProbes::blastProbes
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    flowOutput(name, runTime, dict),
+    field_("p")
+{
+    read(dict);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""Function objects of a gas and of fluids: blastProbes and fluidBalance.
+
+    wave      a period of a sine, of sound, passes a probe: arrival, peak, time of the peak,
+              duration, both impulses by the exact wave, at two resolutions
+    parallel  probes (one on the face between processors, one outside of the piece of the
+              master) and balances: 1, 2 and 3 processors to 1e-12, restart: the same digits
+    balance   gas and two fluids with far fields: what is there less what came in is constant
+    wrong     input that is refused, a probe in solid
+"""
+
+import os
+import shutil
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from coupledCases import ambient, coupledCase
+from fluidCases import AIR, fluidCase
+from foamCase import RunFailed
+from gasCases import WALL, gasCase
+from report import Report
+
+LIBS = {"libs": "(mpmFunctionObjects)", "writeControl": "timeStep", "writeInterval": 1}
+SUMMARY = ("ambient", "arrival", "peak", "peakTime", "duration", "positive", "negative")
+
+
+def probes(places, **more):
+    return {"type": "blastProbes", **LIBS, "probeLocations": list(places), **more}
+
+
+def summary(case, name, time="0"):
+    """{quantity: of each probe}"""
+    rows = np.atleast_2d(np.loadtxt(case.file("postProcessing", name, time, "summary.dat")))
+    return dict(zip(SUMMARY, rows[:, 4:].T))
+
+
+def rows(case, name, file, time="0"):
+    return np.atleast_2d(np.loadtxt(case.file("postProcessing", name, time, file)))
+
+
+# --- wave --------------------------------------------------------------------
+
+def wave(table):
+    size, length, start, c = 1e-4, 0.4, 0.5, np.sqrt(1.4)
+    for n, limit in ((200, 0.05), (800, 0.01)):
+        def initial(x, y, z):
+            s = start - x
+            p = 1 + size*np.where((s > 0) & (s < length), np.sin(2*np.pi*s/length), 0)
+            rho = p**(1/1.4)
+            return rho, 5*(np.sqrt(1.4*p/rho) - c), p
+        x = (int(0.8*n) + 0.5)/n
+        case = gasCase("flowOutput", f"wave-{n}", (n, 1, 1), (1, 0.01, 0.01), initial, 0.9,
+                       control={"functions": {"gauge": probes(
+                           [(x, 0.005, 0.005)], threshold=0.2*size, patches=["ends"])}})
+        case.run("materialPointFoam")
+        found = {k: v[0] for k, v in summary(case, "gauge").items()}
+        front = (x - start)/c
+        for quantity, exact, scale in (
+                ("ambient", 1.0, 1.0),
+                ("arrival", front + length/(2*np.pi*c)*np.arcsin(0.2), length/c),
+                ("peak", size, size), ("peakTime", front + length/4/c, length/c),
+                ("duration", length/c*(0.5 - np.arcsin(0.2)/(2*np.pi)), length/c),
+                ("positive", size*length/(np.pi*c), size*length/(np.pi*c)),
+                ("negative", -size*length/(np.pi*c), size*length/(np.pi*c))):
+            table.row(f"sine of sound, {n} cells: {quantity}, error over its scale", 0,
+                      (found[quantity] - exact)/scale, limit if quantity != "ambient" else 1e-12)
+
+        # The same from the history, by other means
+        h = rows(case, "gauge", "p.dat")
+        fine = np.linspace(0, h[-1, 0], 400001)
+        over = np.interp(fine, h[:, 0], h[:, 1]) - 1
+        table.row(f"sine of sound, {n} cells: impulse of the history, sampled finely",
+                  np.trapezoid(np.maximum(over, 0), fine) if hasattr(np, "trapezoid")
+                  else np.trapz(np.maximum(over, 0), fine), found["positive"], 1e-6, "relative")
+
+
+# --- parallel ----------------------------------------------------------------
+
+def burst(name, split=None, before=lambda case: None, fluids=True, end=0.2):
+    def initial(x, y, z):
+        p = np.where(np.hypot(x - 0.6, y - 0.5) < 0.2, 5., 1.)
+        a = 1.0*(x < 0.3)
+        return ([a, 1 - a], [3 + 0*x, 1 + 0*x], 0*x, p) if fluids else (1 + 0*x, 0*x, p)
+    far = ({"type": "farField", "farValue": "uniform 1", "value": "uniform 1"}, "zeroGradient",
+           {"type": "farField", "farValue": "uniform (0 0 0)", "value": "uniform (0 0 0)"})
+    functions = {"gauges": probes([(0.5, 0.5, 0.05), (0.9, 0.3, 0.05), (0.25, 0.51, 0.05)],
+                                  patches=["sides", "ends"]),
+                 "balance": {"type": "fluidBalance", **LIBS}}
+    options = {"ends": far, "sides": WALL, "writeInterval": end/2,
+               "control": {"functions": functions, "startFrom": "latestTime"}}
+    cells, high = (24, 24, 1), (1, 1, 0.1)
+    if fluids:
+        case = fluidCase("flowOutput", name, cells, high, {"heavy": AIR, "air": AIR}, initial, end,
+                         **options)
+    else:
+        case = gasCase("flowOutput", name, cells, high, initial, end, **options)
+    if split:
+        case.decompose(split)
+    before(case)
+    if split:
+        case.runParallel()
+    else:
+        case.run("materialPointFoam")
+    return case
+
+
+def apart(a, b):
+    return np.max(abs(a - b)/np.maximum(np.max(abs(a), axis=0), 1e-6))
+
+
+def parallel(table):
+    one = burst("parallel-1")
+    history = rows(one, "gauges", "p.dat")
+    for split in ((2, 1, 1), (1, 3, 1)):
+        n = max(split)
+        other = burst(f"parallel-{n}", split)
+        table.row(f"{n} processors: histories of probes and patches", 0,
+                  apart(history, rows(other, "gauges", "p.dat")), 1e-11, "atMost")
+        table.row(f"{n} processors: summary", 0, max(
+            np.max(abs(u - v))/np.max(abs(u)) for u, v in zip(
+                *([np.nan_to_num(u) + 1e-12 for u in summary(c, "gauges").values()]
+                  for c in (one, other)))), 1e-10, "atMost")
+        for f in ("heavy.dat", "air.dat", "total.dat"):
+            table.row(f"{n} processors: balance, {f}", 0,
+                      apart(rows(one, "balance", f), rows(other, "balance", f)), 1e-8, "atMost")
+    again = burst("again", before=lambda c: shutil.copytree(one.file("0.1"), c.file("0.1")))
+    h = rows(again, "gauges", "p.dat", "0.1")
+    table.row("restart: history", 0, np.max(abs(h - history[-len(h):])), 0, "atMost")
+    same = [np.array_equal(u, v, equal_nan=True) for u, v in zip(
+        summary(one, "gauges").values(), summary(again, "gauges", "0.1").values())]
+    table.check("restart: summary to the last digit", all(same), str(same))
+    table.row("restart: balance of all", 0, apart(
+        rows(one, "balance", "total.dat")[-len(h):], rows(again, "balance", "total.dat", "0.1")),
+        1e-8, "atMost")
+
+
+# --- balance -----------------------------------------------------------------
+
+def balance(table):
+    for fluids in (False, True):
+        label = "two fluids" if fluids else "gas"
+        case = burst(label.replace(" ", "-"), fluids=fluids, end=0.6)
+        for f in ("heavy", "air") if fluids else ("air",):
+            r = rows(case, "balance", f + ".dat")
+            table.row(f"{label}, mass of {f} less what came in, change over the mass", 0,
+                      np.max(abs(r[:, 9]))/r[0, 1], 1e-13, "atMost")
+        r = rows(case, "balance", ("total" if fluids else "air") + ".dat")
+        table.check(f"{label}: mass has gone out", r[-1, 8] < -0.01*r[0, 1], f"{r[-1, 8]}")
+        energy = r[0, 5] + r[0, 6]
+        table.row(f"{label}: rest of energy", 0, np.max(abs(r[:, 17]))/energy, 1e-12, "atMost")
+        table.row(f"{label}: rest of momentum", 0,
+                  np.max(abs(r[:, 14:17]))/np.sqrt(energy*r[0, 1]), 1e-12, "atMost")
+
+
+# --- wrong input -------------------------------------------------------------
+
+def wrong(table):
+    for label, entries, words in (
+            ("place outside", probes([(0.5, 5, 0.05)]), ("probeLocations", "not in the mesh",
+                                                         "(0 0 0)")),
+            ("no places", {"type": "blastProbes", **LIBS}, ("probeLocations", "patches")),
+            ("unknown patch", probes([], patches=["wall"]), ("wall", "Valid patches", "ends")),
+            ("unknown field", probes([(0.5, 0.5, 0.05)], field="q"), ("field q", "Valid fields")),
+            ("threshold", probes([(0.5, 0.5, 0.05)], threshold=-1), ("threshold",)),
+            ("misspelt", probes([(0.5, 0.5, 0.05)], treshold=1), ("treshold", "threshold")),
+            ("executeControl", probes([(0.5, 0.5, 0.05)], executeControl="writeTime"),
+             ("Remove executeControl",)),
+            ("misspelt of fluidBalance", {"type": "fluidBalance", **LIBS, "phase": "air"},
+             ("phase", "Valid keywords"))):
+        case = gasCase("flowOutput", "wrong-" + label.replace(" ", "-"), (4, 4, 1), (1, 1, 0.1),
+                       lambda x, y, z: (1 + 0*x, 0*x, 1 + 0*x), 1e-3,
+                       control={"functions": {"one": entries}})
+        try:
+            case.run("materialPointFoam")
+            table.check(f"wrong input: {label}", False, "ran")
+            continue
+        except RunFailed:
+            pass
+        text = case.log()
+        missing = [w for w in words if w not in text]
+        table.check(f"wrong input: {label}", not missing and "FOAM FATAL" in text
+                    and "printStack" not in text, f"message lacks {missing}")
+
+    case = coupledCase("flowOutput", "solid", (10, 10, 1), (1, 1, 0.1),
+                       lambda x, y, z: (1 + 0*x, 0*x, 1 + 0*x), 1e-3,
+                       {"body": {"constitutiveModel": {"type": "linearElastic", "rho": 50, "E": 1e4,
+                                                       "nu": 0}}},
+                       {"body": {"type": "box", "min": (0.5, 0, -1), "max": (1, 1, 1),
+                                 "stress": ambient(1)}}, ends=WALL, sides=WALL,
+                       control={"functions": {"gauges": probes([(0.85, 0.55, 0.05),
+                                                                (0.15, 0.55, 0.05)])}})
+    case.run("materialPointFoam")
+    log = case.log()
+    table.check("a probe in solid is told", "(0.85 0.55 0.05) is in solid" in log
+                and "(0.15 0.55 0.05) is in solid" not in log)
+
+
+def main():
+    table = Report("flowOutput")
+    for part in (wave, parallel, balance, wrong):
+        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
+            continue
+        try:
+            part(table)
+        except RunFailed as e:
+            table.check(f"{part.__name__} runs", False, e)
+    return table.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
