@@ -237,7 +237,10 @@ void Foam::mpm::eulerianFluids::conserve()
                 rho += theta*rhoK;
                 energy +=
                     theta
-                   *fluidMixture::energy(mixture_.at(k, rhoK), rhoK, p_[c]);
+                   *fluidMixture::energy
+                    (
+                        mixture_.at(k, rhoK, burntOf(c, k)), rhoK, p_[c]
+                    );
             }
         }
         rho_[c] = rho;
@@ -306,7 +309,8 @@ void Foam::mpm::eulerianFluids::oneFluid
 )
 {
     constexpr label room = gasThermo::room;
-    scalar rho[room], e[room], p[room], c2[room], strength[room];
+    scalar rho[room], e[room], p[room], c2[room], strength[room], F[room];
+    const bool burns = mixture_.detonates(k);
     for (label first = 0; first < cells.size(); first += room)
     {
         const label n = min(room, cells.size() - first);
@@ -319,8 +323,12 @@ void Foam::mpm::eulerianFluids::oneFluid
             w.rho = m/theta_[c];
             rho[i] = w.rho;
             e[i] = (rhoE_[c] - 0.5*(rhoU_[c] & w.u))/m;
+            F[i] = burns ? burnt_[n_*c + k] : 1;
         }
-        mixture_.pressures(k, n, rho, e, p, c2, strength);
+        mixture_.pressures
+        (
+            k, n, rho, e, p, c2, strength, burns ? F : nullptr
+        );
         for (label i = 0; i < n; ++i)
         {
             const label c = cells[first + i];
@@ -347,8 +355,9 @@ void Foam::mpm::eulerianFluids::severalFluids(const label c)
     w.rho = total/theta_[c];
     w.u = rhoU_[c]/total;
     const scalar energy = rhoE_[c] - 0.5*(rhoU_[c] & w.u);
-    w.p = mixture_.pressure(theta, m, energy);
-    const fluidMixture::moduli all(mixture_.at(theta, m, w.p));
+    const scalar* F = burntOf(c);
+    w.p = mixture_.pressure(theta, m, energy, F);
+    const fluidMixture::moduli all(mixture_.at(theta, m, w.p, F));
     t_[c].K = all.wood;
     t_[c].rhoE = energy/theta_[c];
     t_[c].strength = all.strength;
@@ -401,6 +410,18 @@ void Foam::mpm::eulerianFluids::primitives()
                 bad = bad < 0 ? c : bad;
             }
             rate = max(rate, r);
+        }
+        for (const label k : burning_)
+        {
+            // The step must see a front that has not come yet
+            const scalar D = mixture_.detonates(k)->speed();
+            forAll(W_, c)
+            {
+                if (mass_[n_*c + k] > 0 && burnt_[n_*c + k] < 1)
+                {
+                    rate = max(rate, D*faceRates_.all[c]);
+                }
+            }
         }
     }
     bad = badCell_ < 0 ? bad : badCell_;
@@ -467,6 +488,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
         const dictionary& dict = requiredDict(properties, name);
         wordList valid(gasThermo::New(dict)->keywords());
         valid.append("type");
+        valid.append("detonation");
         checkKeywords(dict, valid);
     }
     checkKeywords
@@ -479,6 +501,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
     );
     setEnergy(true);
     makeFields(states);
+    makeBurnt(states);
     setFaces(U_, p_);
     interfaces_.reset(new fluidInterfaces(faces_, coupled_, n_));
     if (mag(g_) > 0)
@@ -488,6 +511,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
         reconstruction_.checkWeight();
     }
     readState(states);
+    startBurning();
 
     Info<< "Fluids with one velocity and one pressure, "
         << returnReduce(mesh.nCells(), sumOp<label>()) << " cells:" << nl;

@@ -70,6 +70,10 @@ void Foam::mpm::eulerianFluids::forState(const Function& f)
         );
         f(mass);
     }
+    for (volScalarField& F : F_)
+    {
+        f(F);
+    }
     volVectorField::Internal rhoU
     (
         object("thetaRhoU", -1), mesh_, dimDensity*dimVelocity, rhoU_
@@ -118,6 +122,11 @@ void Foam::mpm::eulerianFluids::report() const
         << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
         << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back, "
         << returnReduce(dropped_, sumOp<scalar>()) << " dropped)" << endl;
+    for (const label k : burning_)
+    {
+        Info<< "    burnt of " << mixture_.name(k) << ": "
+            << burntShare(k) << endl;
+    }
     reportFilled();
 }
 
