@@ -198,14 +198,18 @@ void Foam::mpm::detonationFront::start
         scalar nearest = GREAT;
         bool touches = false;
 
-        // A corner of a box is 1.5 of these lengths from its centre
+        // No further from a cell's centre than its points
         forAll(charge, c)
         {
             if (charge[c])
             {
                 const vector d(from(s, c));
                 nearest = min(nearest, mag(d));
-                touches = touches || mag(d) <= 1.51*length(d, c);
+                for (const label p : mesh.cellPoints()[c])
+                {
+                    const scalar reach = mag(mesh.points()[p] - C[c]);
+                    touches = touches || mag(d) <= 1.01*reach;
+                }
             }
         }
         if (!returnReduce(touches, orOp<bool>()))
