@@ -348,7 +348,7 @@ def blast(table):
     # A pyramid has 4 tan^2 x^3/3
     m = [float(v) for v in re.findall(r"^Fluids: mass tnt (\S+)", case.log(), re.M)]
     table.row("1 kg of TNT in air: charge [kg]", 1 - (0.001/0.05271181)**3,
-              m[-1]*np.pi/0.02**2, 1e-9, "relative")
+              m[-1]*np.pi/0.02**2, 1e-6, "relative")
 
 
 # --- wrong input -------------------------------------------------------------
