@@ -6,9 +6,9 @@ A plane charge of TNT, 200 mm, is lit at a wall: speed of the front, wave of Tay
 it, at 200, 400 and 800 cells. A closed box conserves mass and energy. Two points at
 different times, a line and a plane burn where their fronts have been. A disc and an
 eighth of a sphere in air stay symmetric. QM-100 with the rate of JWL++ finds the speed of
-Chapman and Jouguet by itself. A moving charge takes its burn fraction along. Processors,
-restart in the middle of the burn, wrong input. tutorials/tntInAir against Kingery and
-Bulmash's fits.
+Chapman and Jouguet by itself. A moving charge takes its burn fraction along. A plate of
+points on a charge gets Gurney's velocity. Processors, restart in the middle of the burn,
+wrong input. tutorials/tntInAir against Kingery and Bulmash's fits.
 """
 
 import os
@@ -20,7 +20,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from detonations import QM100, QM100_RATE, TNT, PlaneDetonation, energyOf, jwlOf
-from fluidCases import WATER, fluidCase, fluidField
+from fluidCases import WATER, besidePoints, fluidCase, fluidField
 from foamCase import PROJECT, FoamCase, RunFailed
 from gasCases import WALL, boxCentres, volField
 from gasOnCells import cyclicSides
@@ -275,6 +275,34 @@ def quiet(table):
               np.max(abs(fluidField(case, end, "p") - 1e6))/1e10, 1e-12)
 
 
+def plate(table):
+    """Points driven by the charge: an aluminium plate of 10 mm on 50 mm of TNT at a wall, half
+    of Gurney's symmetric sandwich, sqrt(2 E) (M/C + 1/3)^(-1/2) with 2.44 km/s of TNT
+    (P. W. Cooper, Explosives Engineering, 1996)."""
+    n, length, charge, thick, end = 600, 0.6, 0.05, 0.01, 1.5e-4
+    fluids = {"charge": lit(), "air": AIR}
+    case = fluidCase("detonation", "plate", (n, 1, 1), (length, length/n, length/n), fluids,
+                     lambda x, y, z: ([1.0*(x < charge), 1.0*(x > charge)], [1630.0, 1.2], 0.0,
+                                      1e5), end,
+                     ends=WALL, control={"maxCo": 0.3, "deltaT": 1e-9, "reportInterval": 1})
+    besidePoints(case, fluids, {"plate": {"constitutiveModel": {
+        "type": "NewtonianFluid", "mu": 1e-3, "rho": 2785, "equationOfState": {
+            "type": "MieGrueneisen", "C0": 5328, "S": 1.338, "Gamma0": 2}}}},
+                 {"plate": {"type": "box", "min": (charge, -1, -1),
+                            "max": (charge + thick, 1, 1), "pointsPerCell": 2}})
+    case.run("materialPointFoam")
+
+    def last(pattern):
+        return [float(v) for v in re.findall(pattern, case.log(), re.M)]
+    mass = last(r"^Material points: \d+, mass ([^,]+)")[-1]
+    speed = last(r"^Material points: .*momentum \((\S+)")[-1]/mass
+    ratio = 2785*thick/(1630*charge)
+    table.row("plate of points on a charge: velocity, Gurney [m/s]",
+              2440/np.sqrt(ratio + 1/3), speed, 0.05, "relative")
+    m = last(r"^Fluids: mass charge (\S+)")
+    table.row("plate of points on a charge: mass of TNT, late over early", 1, m[-1]/m[0], 1e-13)
+
+
 # --- processors, restart -----------------------------------------------------
 
 FIELDS = ("p", "U", "rho", "alpha.charge", "alpha.air", "thetaRho.charge", "thetaRho.air",
@@ -409,8 +437,8 @@ def wrong(table):
 
 def main():
     table = Report("detonation")
-    for part in (plane, conservation, places, symmetric, inAir, rate, quiet, ranks, restart,
-                 blast, wrong):
+    for part in (plane, conservation, places, symmetric, inAir, rate, quiet, plate, ranks,
+                 restart, blast, wrong):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
