@@ -197,6 +197,22 @@ void Foam::mpm::eulerianFluids::burn(const scalar dt)
 }
 
 
+void Foam::mpm::eulerianFluids::columnsFilled(const labelUList& cells)
+{
+    for (const label k : burning_)
+    {
+        for (const label c : cells)
+        {
+            const label i = n_*c + k;
+            if (mass_[i] > 0)
+            {
+                burnt_[i] = min(max(burntMass_[i]/mass_[i], 0.0), 1.0);
+            }
+        }
+    }
+}
+
+
 Foam::scalar Foam::mpm::eulerianFluids::burntShare(const label k) const
 {
     scalar all = 0, burnt = 0;
