@@ -145,6 +145,7 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
             }
         }
     }
+    columnsFilled(cells);
     vector impulse(Zero);
     forAll(cells, i)
     {

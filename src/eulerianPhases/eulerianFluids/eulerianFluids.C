@@ -9,307 +9,9 @@ License
 #include "eulerianFluids.H"
 #include "dictionaryTools.H"
 #include "noTraps.H"
-#include "basicSymmetryFvPatchFields.H"
-#include "zeroGradientFvPatchFields.H"
-#include "emptyPolyPatch.H"
-#include "wedgePolyPatch.H"
 #include "Time.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- What stands for all fluids
-const dictionary& settings(const dictionary& properties)
-{
-    const dictionary* found = properties.findDict("fluids");
-    return found ? *found : dictionary::null;
-}
-
-}
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::IOobject Foam::mpm::eulerianFluids::header
-(
-    const word& name,
-    const IOobject::readOption read,
-    const label fluid
-) const
-{
-    return IOobject
-    (
-        fluid < 0 ? name : IOobject::groupName(name, mixture_.name(fluid)),
-        mesh_.time().timeName(),
-        mesh_,
-        read,
-        IOobject::NO_WRITE
-    );
-}
-
-
-template<class FieldType>
-FieldType Foam::mpm::eulerianFluids::startField
-(
-    const word& name,
-    const fieldStates* states,
-    const label fluid
-) const
-{
-    const IOobject io(header(name, IOobject::MUST_READ, fluid));
-    IOobject file(io);
-    if
-    (
-        !states
-     && !returnReduce(file.typeHeaderOk<regIOobject>(false), andOp<bool>())
-    )
-    {
-        FatalErrorInFunction
-            << "Field " << io.name() << " of the fluids is missing: there is no"
-            << " file " << io.objectPath() << "." << exit(FatalError);
-    }
-    return fileOrState<FieldType>(io, mesh_, states);
-}
-
-
-void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
-{
-    // Shares: one file may be missing, that of what is left
-    label missing = -1;
-    alpha_.setSize(n_);
-    state_.setSize(n_);
-    for (label k = 0; k < n_; ++k)
-    {
-        IOobject io(header("alpha", IOobject::MUST_READ, k));
-        const bool there =
-            states
-         || returnReduce(io.typeHeaderOk<regIOobject>(false), andOp<bool>());
-        if (!there && (missing < 0))
-        {
-            missing = k;
-            continue;
-        }
-        alpha_.set
-        (
-            k, new volScalarField(startField<volScalarField>("alpha", states, k))
-        );
-    }
-    if (missing >= 0)
-    {
-        const IOobject io(header("alpha", IOobject::NO_READ, missing));
-        if (n_ == 1)
-        {
-            alpha_.set
-            (
-                0,
-                new volScalarField
-                (
-                    io, mesh_, dimensionedScalar("one", dimless, 1),
-                    "zeroGradient"
-                )
-            );
-        }
-        else
-        {
-            // With the conditions of another, whose values it complements
-            const volScalarField& other = alpha_[missing ? 0 : 1];
-            alpha_.set(missing, new volScalarField(io, other));
-            volScalarField& left = alpha_[missing];
-            left.primitiveFieldRef() = 1;
-            for (fvPatchScalarField& b : left.boundaryFieldRef())
-            {
-                if (b.fixesValue() && !b.coupled())
-                {
-                    static_cast<scalarField&>(b) = 1;
-                }
-            }
-            for (label k = 0; k < n_; ++k)
-            {
-                if (k == missing)
-                {
-                    continue;
-                }
-                left.primitiveFieldRef() -= alpha_[k].primitiveField();
-                forAll(left.boundaryField(), patchi)
-                {
-                    fvPatchScalarField& b = left.boundaryFieldRef()[patchi];
-                    if (b.fixesValue() && !b.coupled())
-                    {
-                        static_cast<scalarField&>(b) -=
-                            alpha_[k].boundaryField()[patchi];
-                    }
-                }
-            }
-        }
-    }
-    for (label k = 0; k < n_; ++k)
-    {
-        const word name(isGas(k) ? "T" : "rho");
-        IOobject io(header(name, IOobject::MUST_READ, k));
-        const bool there =
-            states
-         || returnReduce(io.typeHeaderOk<regIOobject>(false), andOp<bool>());
-        state_.set
-        (
-            k,
-            there || isGas(k)
-          ? new volScalarField(startField<volScalarField>(name, states, k))
-          : new volScalarField
-            (
-                header(name, IOobject::NO_READ, k),
-                mesh_,
-                dimensionedScalar("rho", dimDensity, mixture_.rho0(k)),
-                "zeroGradient"
-            )
-        );
-    }
-}
-
-
-void Foam::mpm::eulerianFluids::checkShares()
-{
-    scalarField sum(mesh_.nCells(), Zero);
-    forAll(alpha_, k)
-    {
-        scalarField& a = alpha_[k].primitiveFieldRef();
-        forAll(a, c)
-        {
-            if (!(a[c] > -1e-9 && a[c] < 1 + 1e-9))
-            {
-                FatalErrorInFunction
-                    << "Field " << alpha_[k].name() << " in "
-                    << alpha_[k].objectPath() << " has the value " << a[c]
-                    << " in cell " << c << " at " << mesh_.cellCentres()[c]
-                    << "; a share of the volume is in [0, 1]."
-                    << exit(FatalError);
-            }
-            a[c] = min(max(a[c], scalar(0)), scalar(1));
-            sum[c] += a[c];
-        }
-    }
-    forAll(sum, c)
-    {
-        if (mag(sum[c] - 1) > 1e-6)
-        {
-            FatalErrorInFunction
-                << "The shares alpha of the fluids add up to " << sum[c]
-                << " in cell " << c << " at " << mesh_.cellCentres()[c]
-                << "; that must be 1. The file of one fluid may be left out: it"
-                << " has the rest." << exit(FatalError);
-        }
-        scalar missing = 0, others = 0;
-        forAll(alpha_, k)
-        {
-            scalar& a = alpha_[k].primitiveFieldRef()[c];
-            a /= sum[c];
-            const bool few = a < nuclei_[k];
-            missing += few ? nuclei_[k] - a : 0;
-            others += few ? 0 : a;
-        }
-        forAll(alpha_, k)
-        {
-            scalar& a = alpha_[k].primitiveFieldRef()[c];
-            a = a < nuclei_[k] ? nuclei_[k] : a*(1 - missing/others);
-        }
-    }
-}
-
-
-Foam::scalar Foam::mpm::eulerianFluids::density
-(
-    const label k,
-    const scalar state,
-    const scalar p
-) const
-{
-    return isGas(k) ? mixture_.thermo(k).rho(p, state) : state;
-}
-
-
-void Foam::mpm::eulerianFluids::conserve()
-{
-    const noTraps guard;
-    forAll(theta_, c)
-    {
-        scalar rho = 0, energy = 0;
-        for (label k = 0; k < n_; ++k)
-        {
-            const scalar theta = theta_[c]*alpha_[k][c];
-            part_[n_*c + k] = theta;
-            mass_[n_*c + k] = 0;
-            if (theta > 0)
-            {
-                const scalar rhoK = density(k, state_[k][c], p_[c]);
-                mass_[n_*c + k] = theta*rhoK;
-                rho += theta*rhoK;
-                energy +=
-                    theta
-                   *fluidMixture::energy(mixture_.at(k, rhoK), rhoK, p_[c]);
-            }
-        }
-        rho_[c] = rho;
-        rhoU_[c] = rho*U_[c];
-        rhoE_[c] = energy + 0.5*rho*magSqr(U_[c]);
-    }
-}
-
-
-void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
-{
-    IOobject io(header("thetaRhoU", IOobject::MUST_READ));
-    restarted_ =
-        states
-     || returnReduce
-        (
-            io.typeHeaderOk<volVectorField::Internal>(false), andOp<bool>()
-        );
-    if (!restarted_)
-    {
-        checkShares();
-        conserve();
-        primitives();
-        far_->setValues(W_, g_, U_, p_);
-        updateBoundaryStates();
-        updateFields();
-        updateBoundaryStates();
-        return;
-    }
-    const auto read = [&](const word& name, const label k)
-    {
-        return fileOrState<volScalarField::Internal>
-        (
-            header(name, IOobject::MUST_READ, k), mesh_, states
-        ).field();
-    };
-    theta_ = fileOrState<volScalarField>
-    (
-        header("theta", IOobject::MUST_READ), mesh_, states
-    ).primitiveField();
-    rho_ = 0;
-    for (label k = 0; k < n_; ++k)
-    {
-        const scalarField m(read("thetaRho", k));
-        forAll(theta_, c)
-        {
-            part_[n_*c + k] = alpha_[k][c];
-            mass_[n_*c + k] = m[c];
-            rho_[c] += m[c];
-        }
-    }
-    porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
-    rhoU_ = fileOrState<volVectorField::Internal>
-    (
-        header("thetaRhoU", IOobject::MUST_READ), mesh_, states
-    ).field();
-    rhoE_ = read("thetaRhoE", -1);
-    primitives();
-    far_->setValues(W_, g_, U_, p_);
-    updateBoundaryStates();
-}
-
 
 void Foam::mpm::eulerianFluids::oneFluid
 (
@@ -318,7 +20,8 @@ void Foam::mpm::eulerianFluids::oneFluid
 )
 {
     constexpr label room = gasThermo::room;
-    scalar rho[room], e[room], p[room], c2[room], strength[room];
+    scalar rho[room], e[room], p[room], c2[room], strength[room], F[room];
+    const bool burns = mixture_.detonates(k);
     for (label first = 0; first < cells.size(); first += room)
     {
         const label n = min(room, cells.size() - first);
@@ -331,8 +34,12 @@ void Foam::mpm::eulerianFluids::oneFluid
             w.rho = m/theta_[c];
             rho[i] = w.rho;
             e[i] = (rhoE_[c] - 0.5*(rhoU_[c] & w.u))/m;
+            F[i] = burns ? burnt_[n_*c + k] : 1;
         }
-        mixture_.pressures(k, n, rho, e, p, c2, strength);
+        mixture_.pressures
+        (
+            k, n, rho, e, p, c2, strength, burns ? F : nullptr
+        );
         for (label i = 0; i < n; ++i)
         {
             const label c = cells[first + i];
@@ -359,8 +66,9 @@ void Foam::mpm::eulerianFluids::severalFluids(const label c)
     w.rho = total/theta_[c];
     w.u = rhoU_[c]/total;
     const scalar energy = rhoE_[c] - 0.5*(rhoU_[c] & w.u);
-    w.p = mixture_.pressure(theta, m, energy);
-    const fluidMixture::moduli all(mixture_.at(theta, m, w.p));
+    const scalar* F = burntOf(c);
+    w.p = mixture_.pressure(theta, m, energy, F);
+    const fluidMixture::moduli all(mixture_.at(theta, m, w.p, F));
     t_[c].K = all.wood;
     t_[c].rhoE = energy/theta_[c];
     t_[c].strength = all.strength;
@@ -414,6 +122,18 @@ void Foam::mpm::eulerianFluids::primitives()
             }
             rate = max(rate, r);
         }
+        for (const label k : burning_)
+        {
+            // The step must see a front that has not come yet
+            const scalar D = mixture_.detonates(k)->speed();
+            forAll(W_, c)
+            {
+                if (mass_[n_*c + k] > 0 && burnt_[n_*c + k] < 1)
+                {
+                    rate = max(rate, D*faceRates_.all[c]);
+                }
+            }
+        }
     }
     bad = badCell_ < 0 ? bad : badCell_;
     rate_ = returnReduce(bad < 0 ? rate : VGREAT, maxOp<scalar>());
@@ -424,87 +144,6 @@ void Foam::mpm::eulerianFluids::primitives()
     updateViscosity();
 }
 
-
-void Foam::mpm::eulerianFluids::readViscosity(const dictionary& properties)
-{
-    const bool viscous =
-        settings(properties).getOrDefault<bool>("viscous", false);
-    mu_.setSize(n_, 0);
-    kappa_.setSize(n_, 0);
-    bool conducts = false;
-    for (label k = 0; k < n_; ++k)
-    {
-        const dictionary& dict = requiredDict(properties, mixture_.name(k));
-        if (viscous)
-        {
-            mu_[k] = bounded(dict, "mu", 0, GREAT);
-            kappa_[k] = boundedOrDefault(dict, "kappa", 0, 0, GREAT);
-            conducts = conducts || kappa_[k] > 0;
-        }
-        else if (dict.found("mu") || dict.found("kappa"))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entries mu and kappa of " << mixture_.name(k) << " act only"
-                << " with  fluids { viscous yes; }  (mu of drag stands in"
-                << " fluids)." << exit(FatalIOError);
-        }
-    }
-    if (!viscous)
-    {
-        return;
-    }
-    viscous_.reset(new viscousFlux(mesh_, faces_, coupled_));
-    if (conducts)
-    {
-        needTemperature(settings(properties));
-        T_.reset
-        (
-            new volScalarField
-            (
-                header("T", IOobject::NO_READ),
-                mesh_,
-                dimensionedScalar(dimTemperature, Zero),
-                "zeroGradient"
-            )
-        );
-    }
-}
-
-
-const Foam::volScalarField* Foam::mpm::eulerianFluids::transport
-(
-    scalarField& rhoCv
-)
-{
-    const noTraps guard;
-    forAll(theta_, c)
-    {
-        scalar mu = 0, kappa = 0, sumT = 0;
-        for (label k = 0; k < n_; ++k)
-        {
-            const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
-            mu += theta*mu_[k];
-            kappa += theta*kappa_[k];
-            if (T_ && m > 0)
-            {
-                const gasThermo& thermo = mixture_.thermo(k);
-                rhoCv[c] += m*thermo.Cv();
-                sumT += m*thermo.Cv()*thermo.T(m/theta, W_[c].p);
-            }
-        }
-        viscous_->mu[c] = mu/theta_[c];
-        viscous_->kappa[c] = kappa/theta_[c];
-        if (T_)
-        {
-            (*T_)[c] = sumT/rhoCv[c];
-        }
-    }
-    if (T_)
-    {
-        T_->correctBoundaryConditions();
-    }
-    return T_.get();
-}
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -564,7 +203,10 @@ Foam::mpm::eulerianFluids::eulerianFluids
     {
         const dictionary& dict = requiredDict(properties, name);
         wordList valid(gasThermo::New(dict)->keywords());
-        valid.append(wordList({"type", "nuclei", "mu", "kappa"}));
+        valid.append
+        (
+            wordList({"type", "detonation", "nuclei", "mu", "kappa"})
+        );
         checkKeywords(dict, valid);
     }
     checkKeywords
@@ -584,6 +226,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
             requiredDict(properties, names[k]), "nuclei", 0, 0, 0.01
         );
     }
+    makeBurnt(states);
     setFaces(U_, p_);
     readViscosity(properties);
     interfaces_.reset(new fluidInterfaces(faces_, coupled_, n_));
@@ -594,6 +237,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
         reconstruction_.checkWeight();
     }
     readState(states);
+    startBurning();
 
     Info<< "Fluids with one velocity and one pressure, "
         << returnReduce(mesh.nCells(), sumOp<label>()) << " cells:" << nl;

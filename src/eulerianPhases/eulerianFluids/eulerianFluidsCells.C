@@ -25,13 +25,16 @@ void Foam::mpm::eulerianFluids::startShares()
         {
             const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
             const scalar rho = m > 0 ? m/theta : 0;
+            const scalar F = burntOf(c, k);
             shares_[n_*s + k] =
             {
                 theta,
                 m,
                 m > 0
-              ? theta*fluidMixture::energy(mixture_.at(k, rho), rho, W_[c].p)
-              : 0
+              ? theta
+               *fluidMixture::energy(mixture_.at(k, rho, F), rho, W_[c].p)
+              : 0,
+                F
             };
         }
     }
@@ -208,9 +211,15 @@ void Foam::mpm::eulerianFluids::addFluids
             );
         const scalar volume = phi*alpha[k];
         const scalar m = volume*rho;
+        const scalar F =
+            behind && !ofCell ? burntBehind(i, k) : burntOf(c, k);
         const scalar e =
-            volume*fluidMixture::energy(mixture_.at(k, rho), rho, p);
+            volume*fluidMixture::energy(mixture_.at(k, rho, F), rho, p);
         faceMass_[k] = m;
+        if (mixture_.detonates(k))
+        {
+            addBurnt(k, f, m*F);
+        }
         s.rho += m;
         s.rhoE += e;
         const auto add = [&](const label slot, const label c, const scalar sign)
@@ -325,6 +334,14 @@ void Foam::mpm::eulerianFluids::sumInside
         {
             addAlone(f, sides[f].nei, terms[f].nei.rhoE);
         }
+        if (burning_.size() && slot[P] < 0 && slot[N] < 0)
+        {
+            const label k = interfaces_->single()[P];
+            if (mixture_.detonates(k))
+            {
+                addBurnt(k, f, face_.rho*burnt_[n_*(out ? P : N) + k]);
+            }
+        }
         addFace(P, 1, f, dt, pores);
         addFace(N, -1, f, dt, pores);
     }
@@ -360,7 +377,14 @@ void Foam::mpm::eulerianFluids::sumBoundary
                 const gasState& w =
                     phiLimited()[f] > 0 ? (first ? W_[P] : sides[f].own)
                   : first || !coupled ? Wb_[i] : sides[f].nei;
-                addAlone(f, w, rhoEOf(interfaces_->single()[P], w));
+                const label k = interfaces_->single()[P];
+                const scalar F =
+                    phiLimited()[f] > 0 ? burntOf(P, k) : burntBehind(i, k);
+                addAlone(f, w, rhoEOf(k, w, F));
+                if (mixture_.detonates(k))
+                {
+                    addBurnt(k, f, face_.rho*F);
+                }
             }
             addFace(P, 1, f, dt, pores);
             if (flows_ && !coupled)
@@ -545,10 +569,11 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
     }
     rho_[c] = total;
     const scalar kinetic = 0.5*magSqr(rhoU_[c])/total;
-    const scalar p = mixture_.pressure(part, mass, rhoE_[c] - kinetic);
+    const scalar* F = burntOf(c);
+    const scalar p = mixture_.pressure(part, mass, rhoE_[c] - kinetic, F);
     if (gas && !(p >= 0.3*P))
     {
-        const scalar E = mixture_.at(part, mass, P).energy + kinetic;
+        const scalar E = mixture_.at(part, mass, P, F).energy + kinetic;
         bookFixup(c, (E - rhoE_[c])*mesh_.V()[c]);
         ++relaxed_;
         rhoE_[c] = E;
@@ -575,6 +600,7 @@ void Foam::mpm::eulerianFluids::advance
     }
     sumInside(dt, pores);
     sumBoundary(dt, pores);
+    burn(dt);
     newStates(dt, pores);
     addViscosity(dt, U_);
 }

@@ -45,12 +45,14 @@ void Foam::mpm::eulerianFluids::updateFields()
         alpha_[k].correctBoundaryConditions();
         state_[k].correctBoundaryConditions();
     }
+    updateBurntFields();
 }
 
 
 void Foam::mpm::eulerianFluids::updateBoundaryStates()
 {
     const noTraps guard;
+    updateBurntBehind();
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
@@ -205,16 +207,21 @@ void Foam::mpm::eulerianFluids::sideTerms()
         label cell[room];
     };
     List<run> runs(n_);
-    scalar rho[room], p[room], K[room], rhoE[room], strength[room];
+    scalar rho[room], p[room], K[room], rhoE[room], strength[room], F[room];
     const auto flush = [&](const label k)
     {
         run& r = runs[k];
+        const bool burns = mixture_.detonates(k);
         for (label i = 0; i < r.n; ++i)
         {
             rho[i] = r.w[i]->rho;
             p[i] = r.w[i]->p;
+            F[i] = burns ? burnt_[n_*r.cell[i] + k] : 1;
         }
-        mixture_.states(k, r.n, rho, p, K, rhoE, strength);
+        mixture_.states
+        (
+            k, r.n, rho, p, K, rhoE, strength, burns ? F : nullptr
+        );
         for (label i = 0; i < r.n; ++i)
         {
             if (K[i] > 0.01*t_[r.cell[i]].K)
@@ -272,7 +279,11 @@ void Foam::mpm::eulerianFluids::sideTerms()
         stateTerms& to = terms[f].nei;
         if (k >= 0)
         {
-            mixture_.states(k, 1, &w.rho, &w.p, &to.K, &to.rhoE, &to.strength);
+            const scalar F = burntBehind(i, k);
+            mixture_.states
+            (
+                k, 1, &w.rho, &w.p, &to.K, &to.rhoE, &to.strength, &F
+            );
         }
         else
         {

@@ -16,13 +16,14 @@ Foam::mpm::farField::medium::part Foam::mpm::eulerianFluids::partOf
     const label k,
     const scalar Y,
     const scalar rho,
-    const scalar p
+    const scalar p,
+    const scalar F
 ) const
 {
     // n by a step of 1e-4 along the isentrope
     const auto K = [&](const scalar rho, const scalar p)
     {
-        return rho*fluidMixture::c2(mixture_.at(k, rho), rho, p);
+        return rho*fluidMixture::c2(mixture_.at(k, rho, F), rho, p);
     };
     const scalar K0 = K(rho, p);
     const scalar K1 = K(rho*(1 + 1e-4), p + 1e-4*K0);
@@ -63,7 +64,7 @@ Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
             const scalar m = alphaB_[n_*b + k]*rho[k];
             if (m > 0)
             {
-                of.add(partOf(k, m/all, rho[k], pFar));
+                of.add(partOf(k, m/all, rho[k], pFar, burntBehind(b, k)));
             }
         }
     };
@@ -79,7 +80,8 @@ Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
             const scalar m = mass_[n_*c + k];
             if (m > 0)
             {
-                of.add(partOf(k, m/rho_[c], m/part_[n_*c + k], of.p));
+                const scalar rho = m/part_[n_*c + k];
+                of.add(partOf(k, m/rho_[c], rho, of.p, burntOf(c, k)));
             }
         }
     }

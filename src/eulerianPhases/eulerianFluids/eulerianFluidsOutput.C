@@ -70,6 +70,10 @@ void Foam::mpm::eulerianFluids::forState(const Function& f)
         );
         f(mass);
     }
+    for (volScalarField& F : F_)
+    {
+        f(F);
+    }
     volVectorField::Internal rhoU
     (
         object("thetaRhoU", -1), mesh_, dimDensity*dimVelocity, rhoU_
@@ -124,7 +128,7 @@ Foam::mpm::eulerianFluids::heat(const label c) const
     const scalar* m = mass_.cdata() + n_*c;
     const scalar p = mixture_.pressure
     (
-        theta, m, rhoE_[c] - 0.5*magSqr(rhoU_[c])/rho_[c]
+        theta, m, rhoE_[c] - 0.5*magSqr(rhoU_[c])/rho_[c], burntOf(c)
     );
     scalar rhoCv = 0, rhoCvT = 0;
     for (label k = 0; k < n_; ++k)
@@ -195,7 +199,10 @@ Foam::mpm::eulerianFluids::fluidContents() const
             s.kinetic += 0.5*V[c]*m*magSqr(W_[c].u);
             s.internal +=
                 V[c]*theta
-               *fluidMixture::energy(mixture_.at(k, rho), rho, W_[c].p);
+               *fluidMixture::energy
+                (
+                    mixture_.at(k, rho, burntOf(c, k)), rho, W_[c].p
+                );
             s.volume += V[c]*theta;
         }
     }
@@ -237,6 +244,11 @@ void Foam::mpm::eulerianFluids::report() const
         << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
         << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back, "
         << returnReduce(dropped_, sumOp<scalar>()) << " dropped)" << endl;
+    for (const label k : burning_)
+    {
+        Info<< "    burnt of " << mixture_.name(k) << ": "
+            << burntShare(k) << endl;
+    }
     reportFilled();
     checkSoftened();
 }

@@ -30,7 +30,7 @@ bool Foam::mpm::fluidMixture::touch
         return t.C > 0;
     }
     const scalar rho = s.m/theta;
-    const terms c(at(k, rho));
+    const terms c(at(k, rho, s.F));
     const scalar Gamma = c.B/rho;
     const scalar below = theta + Gamma*(theta - s.A);
     if (!(below > 0))
@@ -249,7 +249,7 @@ Foam::mpm::fluidMixture::fluidMixture
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(properties, name);
-        fluid f{name, gasThermo::New(dict), 0, 0, 0};
+        fluid f{name, gasThermo::New(dict), 0, 0, 0, nullptr};
         const gasThermo& thermo = *f.thermo;
         if (!thermo.hasEnergy())
         {
@@ -269,6 +269,19 @@ Foam::mpm::fluidMixture::fluidMixture
             f.rho0 = thermo.equation().rho0();
             thermo.equation().isStiffened(f.gamma, f.pInf);
         }
+        if (dict.found("detonation"))
+        {
+            const dictionary& law = requiredDict(dict, "detonation");
+            if (thermo.isGammaLaw())
+            {
+                FatalIOErrorInFunction(law)
+                    << "Fluid " << name << " is a gas of thermo "
+                    << thermo.type() << ": only one with an equationOfState of"
+                    << " the products of an explosive (JWL) can detonate."
+                    << exit(FatalIOError);
+            }
+            f.law = detonation::New(law, thermo.equation());
+        }
         fluids_.append(new fluid(std::move(f)));
     }
 }
@@ -283,7 +296,8 @@ void Foam::mpm::fluidMixture::states
     const scalar* p,
     scalar* K,
     scalar* rhoE,
-    scalar* strength
+    scalar* strength,
+    const scalar* F
 ) const
 {
     const fluid& f = fluids_[k];
@@ -300,7 +314,7 @@ void Foam::mpm::fluidMixture::states
     }
     for (label i = 0; i < n; ++i)
     {
-        const terms t(at(k, rho[i]));
+        const terms t(F ? at(k, rho[i], F[i]) : at(k, rho[i]));
         K[i] = rho[i]*c2(t, rho[i], p[i]);
         rhoE[i] = energy(t, rho[i], p[i]);
         strength[i] = K[i]/(1 + t.B/rho[i]);
@@ -316,7 +330,8 @@ void Foam::mpm::fluidMixture::pressures
     const scalar* e,
     scalar* p,
     scalar* c2,
-    scalar* strength
+    scalar* strength,
+    const scalar* F
 ) const
 {
     const fluid& f = fluids_[k];
@@ -332,7 +347,7 @@ void Foam::mpm::fluidMixture::pressures
     }
     for (label i = 0; i < n; ++i)
     {
-        const terms t(at(k, rho[i]));
+        const terms t(F ? at(k, rho[i], F[i]) : at(k, rho[i]));
         p[i] = t.A + t.B*e[i];
         c2[i] = t.dA + e[i]*t.dB + p[i]*t.B/sqr(rho[i]);
         strength[i] = rho[i]*c2[i]/(1 + t.B/rho[i]);
@@ -344,7 +359,8 @@ Foam::scalar Foam::mpm::fluidMixture::pressure
 (
     const scalar* theta,
     const scalar* m,
-    const scalar energy
+    const scalar energy,
+    const scalar* F
 ) const
 {
     scalar above = energy, below = 0;
@@ -353,7 +369,7 @@ Foam::scalar Foam::mpm::fluidMixture::pressure
         if (m[k] > 0)
         {
             const scalar rho = m[k]/theta[k];
-            const terms t(at(k, rho));
+            const terms t(F ? at(k, rho, F[k]) : at(k, rho));
             const scalar w = theta[k]*rho/t.B;
             above += w*t.A;
             below += w;
@@ -367,7 +383,8 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at
 (
     const scalar* theta,
     const scalar* m,
-    const scalar p
+    const scalar p,
+    const scalar* F
 ) const
 {
     moduli all{0, 0, 0, GREAT};
@@ -377,7 +394,7 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at
         if (m[k] > 0)
         {
             const scalar rho = m[k]/theta[k];
-            const terms t(at(k, rho));
+            const terms t(F ? at(k, rho, F[k]) : at(k, rho));
             const scalar c = c2(t, rho, p);
             all.frozen += m[k]*c;
             all.energy += theta[k]*energy(t, rho, p);
@@ -482,7 +499,13 @@ Foam::scalar Foam::mpm::fluidMixture::relax
 
 Foam::string Foam::mpm::fluidMixture::description(const label k) const
 {
-    return fluids_[k].thermo->description();
+    const fluid& f = fluids_[k];
+    string words(f.thermo->description());
+    if (f.law.valid())
+    {
+        words += ", " + f.law->description();
+    }
+    return words;
 }
 
 // ************************************************************************* //

@@ -186,6 +186,119 @@ Foam::scalar Foam::mpm::viscousFlux::rate
 }
 
 
+Foam::mpm::viscousFlux::exchange Foam::mpm::viscousFlux::between
+(
+    const scalar dt,
+    const vector& S,
+    const scalar along,
+    const vector& delta,
+    const side& P,
+    const side& N
+)
+{
+    const scalar m = inRow(P.mu, P.width, N.mu, N.width);
+    scalar share = max(P.theta, N.theta);
+    if (min(P.theta, N.theta) < thin && m > 0)
+    {
+        share = min(share, 0.25*min(P.mass, N.mass)/(m*along*dt));
+    }
+    const scalar w = N.width/(P.width + N.width);
+    const tensor g(w*P.G + (1 - w)*N.G);
+    const vector skew(S - along*delta);
+    exchange x;
+    x.force =
+        share*m
+       *(along*(N.u - P.u) + (skew & g) + (g & S) - 2.0/3.0*tr(g)*S);
+    const scalar a = P.mu/P.width, b = N.mu/N.width;
+    x.power =
+        share*inRow(P.kappa, P.width, N.kappa, N.width)
+       *(along*(N.T - P.T) + (skew & (w*P.GT + (1 - w)*N.GT)));
+    if (a + b > 0)
+    {
+        x.power += x.force & ((a*P.u + b*N.u)/(a + b));
+    }
+    return x;
+}
+
+
+Foam::mpm::viscousFlux::side Foam::mpm::viscousFlux::of
+(
+    const flow& now,
+    const label c,
+    const scalar width
+) const
+{
+    return
+    {
+        mu[c],
+        kappa[c],
+        now.T ? (*now.T)[c] : 0,
+        width,
+        now.theta[c],
+        now.rho[c]*faces_.mesh.V()[c],
+        now.U[c],
+        now.G[c],
+        now.GT ? (*now.GT)[c] : vector(Zero)
+    };
+}
+
+
+void Foam::mpm::viscousFlux::give
+(
+    const scalar h,
+    const label c,
+    const exchange& x,
+    result& to
+)
+{
+    to.rhoU[c] += h*x.force;
+    if (to.rhoE.size())
+    {
+        to.rhoE[c] += h*x.power;
+    }
+}
+
+
+void Foam::mpm::viscousFlux::addBoundary
+(
+    const scalar dt,
+    const label patchi,
+    const flow& now,
+    result& to
+) const
+{
+    const fvMesh& mesh = faces_.mesh;
+    const vectorField& S = mesh.faceAreas();
+    const polyPatch& pp = mesh.boundaryMesh()[patchi];
+    const fvPatchVectorField& Ub = now.U.boundaryField()[patchi];
+    const vectorField slope(Ub.snGrad());
+    scalarField slopeT(pp.size(), 0);
+    if (now.T)
+    {
+        slopeT = now.T->boundaryField()[patchi].snGrad();
+    }
+    const bool wedge = isA<wedgePolyPatch>(pp);
+    forAll(pp, i)
+    {
+        const label f = pp.start() + i, P = mesh.faceOwner()[f];
+        const tensor& G = now.G[P];
+        exchange x;
+        x.force =
+            now.theta[P]*mu[P]
+           *(faces_.magS[f]*slope[i] + (G & S[f]) - 2.0/3.0*tr(G)*S[f]);
+        x.power =
+            (wedge ? 0 : x.force & Ub[i])
+          + now.theta[P]*kappa[P]*faces_.magS[f]*slopeT[i];
+        give(dt/mesh.V()[P], P, x, to);
+        if (!wedge)
+        {
+            to.impulse += dt*x.force;
+            to.energy += dt*x.power;
+        }
+    }
+}
+
+
 void Foam::mpm::viscousFlux::add
 (
     const scalar dt,
@@ -197,154 +310,69 @@ void Foam::mpm::viscousFlux::add
     result& to
 ) const
 {
-    const fvMesh& mesh = U.mesh();
+    const fvMesh& mesh = faces_.mesh;
     const vectorField& S = mesh.faceAreas();
     const vectorField& C = mesh.cellCentres();
     const scalarField& V = mesh.V();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
     const label nInternal = mesh.nInternalFaces();
-    const bool heat = T && to.rhoE.size() && max(kappa) > 0;
-
+    const bool heat = returnReduce
+    (
+        T && to.rhoE.size() && max(kappa) > 0, orOp<bool>()
+    );
     const tmp<volTensorField> tG(gradient(U));
-    const volTensorField& G = tG();
     tmp<volVectorField> tGT;
-    if (returnReduce(heat, orOp<bool>()))
+    if (heat)
     {
         tGT = gradient(*T);
     }
-
-    // What a face takes into its owner
-    vector force;
-    scalar power;
-    const auto between = [&]
-    (
-        const label f,
-        const scalar along,
-        const vector& delta,
-        const scalar dP,
-        const scalar dN,
-        const scalar muN,
-        const vector& uN,
-        const tensor& GN,
-        const scalar kappaN,
-        const scalar TN,
-        const vector& GTN,
-        const scalar thetaN,
-        const scalar massN
-    )
+    const flow now
     {
-        const label P = own[f];
-        const scalar muP = mu[P], w = dN/(dP + dN);
-        const scalar m = inRow(muP, dP, muN, dN);
-        scalar share = max(theta[P], thetaN);
-        if (min(theta[P], thetaN) < thin && m > 0)
-        {
-            share = min
-            (
-                share, 0.25*min(rho[P]*V[P], massN)/(m*along*dt)
-            );
-        }
-        const tensor g(w*G[P] + (1 - w)*GN);
-        const vector skew(S[f] - along*delta);
-        const vector uP(U[P]);
-        force =
-            share*m
-           *(
-                along*(uN - uP) + (skew & g) + (g & S[f])
-              - 2.0/3.0*tr(g)*S[f]
-            );
-        const scalar a = muP/dP, b = muN/dN;
-        power = a + b > 0 ? force & ((a*uP + b*uN)/(a + b)) : 0;
-        if (heat)
-        {
-            power +=
-                share*inRow(kappa[P], dP, kappaN, dN)
-               *(
-                    along*(TN - (*T)[P])
-                  + (skew & (w*tGT()[P] + (1 - w)*GTN))
-                );
-        }
-    };
-    const auto give = [&](const label c, const scalar sign)
-    {
-        to.rhoU[c] += sign*dt/V[c]*force;
-        if (to.rhoE.size())
-        {
-            to.rhoE[c] += sign*dt/V[c]*power;
-        }
+        U, tG(), heat ? T : nullptr, heat ? &tGT() : nullptr, theta, rho
     };
     for (label f = 0; f < nInternal; ++f)
     {
         const label P = own[f], N = nei[f];
-        between
+        const exchange x = between
         (
-            f, along_[f], C[N] - C[P], ownWidth_[f], neiWidth_[f],
-            mu[N], U[N], G[N], kappa[N], heat ? (*T)[N] : 0,
-            heat ? tGT()[N] : vector(Zero), theta[N], rho[N]*V[N]
+            dt, S[f], along_[f], C[N] - C[P], of(now, P, ownWidth_[f]),
+            of(now, N, neiWidth_[f])
         );
-        give(P, 1);
-        give(N, -1);
+        give(dt/V[P], P, x, to);
+        give(-dt/V[N], N, x, to);
     }
 
     // Across processors and cyclic sides, then the other boundary
-    const scalarField other(behindFaces(T, theta, rho));
+    const scalarField other(behindFaces(now.T, theta, rho));
     forAll(mesh.boundary(), patchi)
     {
         const polyPatch& pp = mesh.boundaryMesh()[patchi];
-        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
         if (isA<emptyPolyPatch>(pp))
         {
             continue;
         }
-        if (pp.coupled())
+        if (!pp.coupled())
         {
-            const tensorField GN(G.boundaryField()[patchi].patchNeighbourField());
-            vectorField GTN(pp.size(), Zero);
-            if (heat)
-            {
-                GTN = tGT().boundaryField()[patchi].patchNeighbourField();
-            }
-            forAll(pp, i)
-            {
-                const label f = pp.start() + i, b = f - nInternal;
-                const scalar* o = other.cdata() + width*b;
-                between
-                (
-                    f, alongB_[b], deltaB_[b], ownWidthB_[b], o[3], o[0],
-                    behind[b].u, GN[i], o[1], o[2], GTN[i], o[4], o[5]
-                );
-                give(own[f], 1);
-            }
+            addBoundary(dt, patchi, now, to);
             continue;
         }
-        const vectorField slope(Ub.snGrad());
-        scalarField slopeT(pp.size(), 0);
+        const tensorField GN(now.G.boundaryField()[patchi].patchNeighbourField());
+        vectorField GTN(pp.size(), Zero);
         if (heat)
         {
-            slopeT = T->boundaryField()[patchi].snGrad();
+            GTN = now.GT->boundaryField()[patchi].patchNeighbourField();
         }
-        const bool wedge = isA<wedgePolyPatch>(pp);
         forAll(pp, i)
         {
-            const label f = pp.start() + i, P = own[f];
-            force =
-                theta[P]*mu[P]
-               *(
-                    faces_.magS[f]*slope[i] + (G[P] & S[f])
-                  - 2.0/3.0*tr(G[P])*S[f]
-                );
-            power = wedge ? 0 : force & Ub[i];
-            if (heat)
-            {
-                power += theta[P]*kappa[P]*faces_.magS[f]*slopeT[i];
-            }
-            give(P, 1);
-            if (!wedge)
-            {
-                to.impulse += dt*force;
-                to.energy += dt*power;
-            }
+            const label f = pp.start() + i, b = f - nInternal, P = own[f];
+            const scalar* o = other.cdata() + width*b;
+            const exchange x = between
+            (
+                dt, S[f], alongB_[b], deltaB_[b], of(now, P, ownWidthB_[b]),
+                {o[0], o[1], o[2], o[3], o[4], o[5], behind[b].u, GN[i], GTN[i]}
+            );
+            give(dt/V[P], P, x, to);
         }
     }
 }

@@ -1,0 +1,246 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "detonationFront.H"
+#include "dictionaryTools.H"
+#include "StringStream.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::wordList Foam::mpm::detonationFront::entries
+({
+    "points", "lines", "planes", "velocity", "time", "times", "width", "radius"
+});
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::mpm::detonationFront::source::to(const vector& x) const
+{
+    const vector d(x - a);
+    if (kind == plane)
+    {
+        return (d & b)*b;
+    }
+    const vector along(b - a);
+    const scalar s = magSqr(along);
+    return s > 0 ? d - min(max((d & along)/s, scalar(0)), scalar(1))*along : d;
+}
+
+
+void Foam::mpm::detonationFront::outside
+(
+    const source& s,
+    const scalar distance
+) const
+{
+    FatalErrorInFunction
+        << "The detonation is lit outside of the charge: "
+        << (
+               s.kind == source::point ? "point "
+             : s.kind == source::line ? "line from " : "plane through "
+           )
+        << s.a;
+    if (s.kind != source::point)
+    {
+        FatalError
+            << (s.kind == source::line ? " to " : " with the normal ") << s.b;
+    }
+    if (distance < GREAT)
+    {
+        FatalError
+            << " is " << distance << " m from the centre of the nearest cell"
+            << " that has some of it.";
+    }
+    else
+    {
+        FatalError
+            << ", but no cell has any of it.";
+    }
+    FatalError
+        << " Move it (entries points, lines, planes of detonation) or the"
+        << " charge (setFluids, file alpha)." << exit(FatalError);
+}
+
+
+void Foam::mpm::detonationFront::readTimes(const dictionary& dict)
+{
+    if (dict.found("times"))
+    {
+        const scalarList times(dict.get<scalarList>("times"));
+        if (times.size() != sources_.size() || dict.found("time"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry times in " << dict.name() << " has " << times.size()
+                << " values for " << sources_.size() << " points, lines and"
+                << " planes; it needs one for each, in this order, and"
+                << " excludes the entry time." << exit(FatalIOError);
+        }
+        forAll(times, i)
+        {
+            sources_[i].time = times[i];
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::detonationFront::detonationFront(const dictionary& dict)
+:
+    velocity_(positive(dict, "velocity")),
+    width_(boundedOrDefault(dict, "width", 2, 1, 10)),
+    radius_(dict.found("radius") ? positive(dict, "radius") : GREAT)
+{
+    const scalar time = boundedOrDefault(dict, "time", 0, -GREAT, GREAT);
+    typedef List<vector> vectors;
+    for (const vector& x : dict.getOrDefault<vectors>("points", vectors()))
+    {
+        sources_.append({source::point, x, x, time});
+    }
+    for (const bool plane : {false, true})
+    {
+        const word key(plane ? "planes" : "lines");
+        for
+        (
+            const vectors& two
+          : dict.getOrDefault<List<vectors>>(key, List<vectors>())
+        )
+        {
+            if (two.size() != 2 || (plane && !(mag(two[1]) > 0)))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Entry " << key << " in " << dict.name() << " has "
+                    << two << "; each of them must be "
+                    << (
+                           plane
+                         ? "(point normal), the normal not 0, as in (((0 0 0)"
+                           " (1 0 0)))."
+                         : "(from to), as in (((0 0 0) (0 0 1)))."
+                       )
+                    << exit(FatalIOError);
+            }
+            sources_.append
+            ({
+                plane ? source::plane : source::line,
+                two[0],
+                plane ? two[1]/mag(two[1]) : two[1],
+                time
+            });
+        }
+    }
+    if (sources_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The detonation starts nowhere: one of the entries (points lines"
+            << " planes) is missing in " << dict.name() << exit(FatalIOError);
+    }
+    readTimes(dict);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::detonationFront::start
+(
+    const fvMesh& mesh,
+    const boolList& charge,
+    const bool fresh
+)
+{
+    const vectorField& C = mesh.cellCentres();
+    const vectorField& S = mesh.faceAreas();
+    begin_.setSize(mesh.nCells());
+    time_.setSize(mesh.nCells());
+    const auto from = [&](const source& s, const label c)
+    {
+        vector d(s.to(C[c]));
+        for (direction i = 0; i < 3; ++i)
+        {
+            d[i] = mesh.geometricD()[i] < 0 ? 0 : d[i];
+        }
+        return d;
+    };
+    const auto length = [&](const vector& d, const label c)
+    {
+        scalar area = 0;
+        for (const label f : mesh.cells()[c])
+        {
+            area += mag(S[f] & d);
+        }
+        return area > 0 ? 2*mesh.V()[c]*mag(d)/area : std::cbrt(mesh.V()[c]);
+    };
+    forAll(begin_, c)
+    {
+        scalar first = GREAT;
+        for (const source& s : sources_)
+        {
+            const vector d(from(s, c));
+            const scalar t = s.time + mag(d)/velocity_;
+            if (t < first)
+            {
+                first = t;
+                time_[c] = width_*length(d, c)/velocity_;
+                begin_[c] =
+                    mag(d) > radius_ ? GREAT : max(s.time, t - 0.5*time_[c]);
+            }
+        }
+    }
+    if (!fresh)
+    {
+        return;
+    }
+    for (const source& s : sources_)
+    {
+        scalar nearest = GREAT;
+        bool touches = false;
+
+        // No further from a cell's centre than its points
+        forAll(charge, c)
+        {
+            if (charge[c])
+            {
+                const vector d(from(s, c));
+                nearest = min(nearest, mag(d));
+                for (const label p : mesh.cellPoints()[c])
+                {
+                    const scalar reach = mag(mesh.points()[p] - C[c]);
+                    touches = touches || mag(d) <= 1.01*reach;
+                }
+            }
+        }
+        if (!returnReduce(touches, orOp<bool>()))
+        {
+            outside(s, returnReduce(nearest, minOp<scalar>()));
+        }
+    }
+}
+
+
+void Foam::mpm::detonationFront::burn
+(
+    const labelUList& cells,
+    const scalar t,
+    UList<scalar>& F
+) const
+{
+    forAll(cells, i)
+    {
+        const label c = cells[i];
+        F[i] = max(F[i], min(scalar(1), (t - begin_[c])/time_[c]));
+    }
+}
+
+
+Foam::string Foam::mpm::detonationFront::description() const
+{
+    OStringStream os;
+    os  << velocity_ << " m/s from " << sources_.size()
+        << (sources_.size() > 1 ? " places" : " place");
+    return os.str();
+}
+
+// ************************************************************************* //
