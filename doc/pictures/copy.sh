@@ -13,7 +13,8 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     dustyShockTube/dustyShockTube houimOran/dense darcyFlow/darcy fluidisedColumn/fluidised \
     ballThroughPlate/debris blastWall/blast kirsch/kirsch spallOnTriangles/spallOnTriangles \
     bracket/bracket pipeBlast/pipe refinedImpact/impact sphereOnSphere/spheres \
-    cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak
+    cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak \
+    fluidShockTubes/tubes
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done
