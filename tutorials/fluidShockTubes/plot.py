@@ -45,10 +45,12 @@ for column, (name, (title, fluids, equations, left, right, middle, lowest)) in z
     rho, u, p = solution.at((x - middle)/t)
     found = {f: case.field(time, f) for f in ("rho", "p")}
     found["U"] = case.field(time, "U")[:, 0]
-    # Mean of the middle 60 % between the waves; behind the shock the middle third
+    # Means around the contact, to both sides 0.8 of the way from it to the shock; behind the
+    # shock the middle third
     star = np.nonzero(abs(p/solution.p - 1) < 1e-9)[0]
-    inner = star[len(star)//5:-(len(star)//5)]
-    behind = star[(x[star] - middle)/t > solution.u]
+    contact = middle + solution.u*t
+    behind = star[x[star] > contact]
+    inner = star[abs(x[star] - contact) < 0.8*(x[behind[-1]] - contact)]
     behind = behind[len(behind)//3:2*len(behind)//3]
     alpha = case.field(time, "alpha." + fluids[0])
     print(f"{name}: between the waves p {100*(found['p'][inner].mean()/solution.p - 1):+.3f} %,"

@@ -251,7 +251,8 @@ def helium(table):
     """tutorials/shockOnHelium on 37 cells over the diameter: velocities within the 10 % of the
     experiment, of Quirk and Karni's within 5 %; the jet (100 to 300 us) wants finer cells."""
     template = os.path.join(PROJECT, "tutorials", "shockOnHelium")
-    case = FoamCase("fluidsAlone", "helium", template)
+    case = FoamCase("fluidsAlone", "helium")
+    case.copy(source=template)
     case.change("system/blockMeshDict", "^nx .*", "nx 195;")
     case.change("system/blockMeshDict", "^ny .*", "ny 67;")
     case.change("system/controlDict", "^endTime .*", "endTime 3.4e-4;")
@@ -487,7 +488,6 @@ def main():
     table = Report("fluidsAlone")
     for part in (tubes, vanDerWaals, translation, disc, inflow, helium, corner, RayleighTaylor,
                  rest, ranks, restart, wrong):
-                 ranks, restart, wrong):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
