@@ -13,7 +13,8 @@
     Taylor        an exponential wave in water on an air-backed plate: v = 2 p theta/m
                   psi^(psi/(1 - psi)) at the time theta ln(psi)/(psi - 1), psi = rho c theta/m
                   (G.I. Taylor, 1941); then the water cavitates (nuclei: a share of 1e-6 of
-                  air) and must not pull: p > 0, no fix-ups
+                  air) and must not pull: p > 0, no fix-ups; also where all the plate's pores
+                  start with water, whose dry face is then water on air
     rest          a buoyant block in water under air under gravity, 1e4 steps
     restart       bit by bit
     ranks         2 to 4 processors, 1e-10
@@ -305,30 +306,31 @@ def step(table):
 
 def Taylor(table):
     theta, pi, rho, n = 1e-4, 1e7, 2700.0, 600
-    for m, limit in ((27.0, 0.015), (80.0, 0.015)):
+    for m, limit, wet in ((27.0, 0.015, 0.5), (80.0, 0.015, 0.5), (27.0, 0.015, 1.0)):
         psi = 1000*SOUND*theta/m
         late = theta*np.log(psi)/(psi - 1)
-        end, d = 3*late, m/rho
+        end, d = 4.5*late, m/rho
 
-        def initial(x, y, z, d=d):
+        # Water fills this part of the plate's pores
+        def initial(x, y, z, end=1 + wet*d):
             p = np.where(x < 1, P0 + pi*np.exp(-(1 - x)/(SOUND*theta)), P0)
-            a = np.where(x < 1 + d/2, 1 - 1e-6, 0.0)
+            a = np.where(x < end, 1 - 1e-6, 0.0)
             return ([a, 1 - a],
                     [1000*((p + PINF)/(P0 + PINF))**(1/4.4), 1.2*(p/P0)**(1/1.4)],
                     np.where(x < 1, (p - P0)/(1000*SOUND), 0.0), p)
         fluids = {"water": WATER, "air": REAL_AIR}
-        case = fluidCase("pointsInFluids", f"Taylor-{m:g}", (n, 1, 1), (1.5, 0.01, 0.01), fluids,
+        case = fluidCase("pointsInFluids", f"Taylor-{m:g}-{wet:g}", (n, 1, 1), (1.5, 0.01, 0.01), fluids,
                          initial, end, control={"maxCo": 0.4, "deltaT": 1e-8,
                                                 "reportInterval": 2})
         besidePoints(case, fluids, {"plate": elastic(7e10, rho)}, {"plate": slab(1, 1 + d)})
         case.run("materialPointFoam")
         t, momentum = ofPoints(case)
         v = momentum/(m*1e-4)
-        label = f"wave on a plate, psi {psi:.1f}"
+        label = f"wave on a plate, psi {psi:.1f}" + (", all pores wet" if wet == 1 else "")
         table.row(f"{label}: largest velocity [m/s]",
                   2*pi*theta/m*psi**(psi/(1 - psi)), v.max(), limit, "relative")
         table.row(f"{label}: velocity at three times that time over the largest", 0.9,
-                  v[-1]/v.max(), 0.9, "atLeast")
+                  np.interp(3*late, t, momentum)/momentum.max(), 0.9, "atLeast")
         table.row(f"{label}: least pressure", 0, fluidField(case, end, "p").min(), 0, "atLeast")
         quiet(table, label, case)
 
