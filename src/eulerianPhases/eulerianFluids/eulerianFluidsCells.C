@@ -9,37 +9,9 @@ License
 #include "eulerianFluids.H"
 #include "noTraps.H"
 #include "wedgePolyPatch.H"
-#include "StringStream.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::mpm::eulerianFluids::startShares()
-{
-    const DynamicList<label>& cells = interfaces_->cells();
-    shares_.setSize(n_*cells.size());
-    forAll(cells, s)
-    {
-        const label c = cells[s];
-        for (label k = 0; k < n_; ++k)
-        {
-            const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
-            const scalar rho = m > 0 ? m/theta : 0;
-            const scalar F = burntOf(c, k);
-            shares_[n_*s + k] =
-            {
-                theta,
-                m,
-                m > 0
-              ? theta
-               *fluidMixture::energy(mixture_.at(k, rho, F), rho, W_[c].p)
-              : 0,
-                F
-            };
-        }
-    }
-}
-
 
 void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
 {
@@ -484,99 +456,6 @@ void Foam::mpm::eulerianFluids::newStates
     forAll(interfaces_->cells(), s)
     {
         relaxCell(s);
-    }
-}
-
-
-void Foam::mpm::eulerianFluids::relaxCell(const label s)
-{
-    const label c = interfaces_->cells()[s];
-    fluidMixture::share* share = shares_.begin() + n_*s;
-    scalar* part = part_.begin() + n_*c;
-    scalar* mass = mass_.begin() + n_*c;
-    label only = -1, several = 0;
-    bool gas = false;
-    FixedList<scalar, fluidMixture::most> theta;
-    for (label k = 0; k < n_; ++k)
-    {
-        fluidMixture::share& of = share[k];
-        const scalar before = mass[k] > 0 ? mass[k]/part[k] : 0;
-        const bool rounding =
-            of.A < 1e-20 || of.m <= 0
-         || (
-                of.A < 1e-12 && before > 0
-             && (of.m > 10*before*of.A || of.m < 0.1*before*of.A)
-            );
-        if (rounding)
-        {
-            if (of.A < -1e-10*theta_[c] && badCell_ < 0)
-            {
-                badCell_ = c;
-                OStringStream os;
-                os  << "Fluid " << mixture_.name(k) << " has flown out of cell "
-                    << c << " at " << mesh_.cellCentres()[c] << ", which has"
-                    << " none left, time " << mesh_.time().value() << "." << nl
-                    << "A smaller maxCoGas in system/controlDict helps.";
-                whyBad_ = os.str();
-            }
-            dropped_ += of.m*mesh_.V()[c];
-            of = {0, 0, 0};
-        }
-        else
-        {
-            only = k;
-            ++several;
-            gas = gas || isGas(k);
-        }
-    }
-    if (several <= 1)
-    {
-        for (label k = 0; k < n_; ++k)
-        {
-            part[k] = k == only ? theta_[c] : 0;
-            mass[k] = share[k].m;
-        }
-        rho_[c] = only < 0 ? 0 : mass[only];
-        return;
-    }
-    bool common = true;
-    const scalar P =
-        mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common);
-    if (!common && badCell_ < 0)
-    {
-        badCell_ = c;
-        OStringStream os;
-        os  << "The fluids of cell " << c << " at " << mesh_.cellCentres()[c]
-            << " have no pressure in common at which all have a speed of"
-            << " sound (a fluid in tension, or a share that has expanded far),"
-            << " time " << mesh_.time().value() << ":";
-        for (label k = 0; k < n_; ++k)
-        {
-            os  << ' ' << mixture_.name(k) << " volume " << share[k].A
-                << ", mass " << share[k].m << ", energy " << share[k].e0
-                << (k + 1 < n_ ? ";" : ".");
-        }
-        os  << nl << "A smaller maxCoGas in system/controlDict or upwind for"
-            << " reconstruct(...) in system/fvSchemes often helps.";
-        whyBad_ = os.str();
-    }
-    scalar total = 0;
-    for (label k = 0; k < n_; ++k)
-    {
-        part[k] = theta[k];
-        mass[k] = share[k].m;
-        total += mass[k];
-    }
-    rho_[c] = total;
-    const scalar kinetic = 0.5*magSqr(rhoU_[c])/total;
-    const scalar* F = burntOf(c);
-    const scalar p = mixture_.pressure(part, mass, rhoE_[c] - kinetic, F);
-    if (gas && !(p >= 0.3*P))
-    {
-        const scalar E = mixture_.at(part, mass, P, F).energy + kinetic;
-        bookFixup(c, (E - rhoE_[c])*mesh_.V()[c]);
-        ++relaxed_;
-        rhoE_[c] = E;
     }
 }
 

@@ -96,7 +96,9 @@ void Foam::mpm::requireGas
     const wordList& names
 )
 {
-    const bool gas = phaseNames(phaseProperties, {"gas", "fluid"}).size();
+    const bool gas =
+        phaseNames(phaseProperties, {"gas"}).size()
+     || phaseNames(phaseProperties, {"fluid"}).size();
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(phaseProperties, name);
