@@ -8,6 +8,7 @@ License
 
 #include "eulerianFluids.H"
 #include "noTraps.H"
+#include "syncTools.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
 #include "zeroGradientFvPatchFields.H"
@@ -450,6 +451,43 @@ void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
     }
 }
 
+void Foam::mpm::eulerianFluids::widenFirst()
+{
+    boolList near(mesh_.nPoints(), false);
+    const label nCells = mesh_.nCells(), nInternal = mesh_.nInternalFaces();
+    for (label c = 0; c < nCells; ++c)
+    {
+        if (first_[c])
+        {
+            for (const label p : mesh_.cellPoints()[c])
+            {
+                near[p] = true;
+            }
+        }
+    }
+    syncTools::syncPointList(mesh_, near, orEqOp<bool>(), false);
+    forAll(near, p)
+    {
+        if (near[p])
+        {
+            for (const label c : mesh_.pointCells()[p])
+            {
+                first_[c] = true;
+            }
+        }
+    }
+    scalarField behind(Wb_.size(), 0);
+    for (const label f : faces_.coupled)
+    {
+        behind[f - nInternal] = first_[mesh_.faceOwner()[f]];
+    }
+    coupled_.swap(behind);
+    for (const label f : faces_.coupled)
+    {
+        first_[nCells + f - nInternal] = behind[f - nInternal] > 0.5;
+    }
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::mpm::eulerianFluids::faceFlux
@@ -462,6 +500,10 @@ void Foam::mpm::eulerianFluids::faceFlux
     interfaces_->update(contents());
     setJumps();
     first_ = interfaces_->near();
+    if (jump_.size() && n_ > 1 && reconstruction_.byCells())
+    {
+        widenFirst();
+    }
     if (pores)
     {
         porous_ = true;
@@ -476,7 +518,7 @@ void Foam::mpm::eulerianFluids::faceFlux
         reconstruction_.update
         (
             dt,
-            {nullptr, W_, Wb_, t_, tb_, jump_.size() ? &jump_ : nullptr},
+            {nullptr, W_, Wb_, t_, tb_, jump_.size() ? &jump_ : nullptr, g_},
             rho0_, U_, p_, n_ > 1 || pores ? &first_ : nullptr
         );
         sideTerms();

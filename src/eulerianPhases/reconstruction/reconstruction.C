@@ -491,15 +491,14 @@ Foam::string Foam::mpm::reconstruction::description() const
 
 void Foam::mpm::reconstruction::checkWeight() const
 {
-    if (!upwind_ && (byCells_ || own_.empty()))
+    if (!upwind_ && !byCells_ && own_.empty())
     {
         FatalIOErrorInFunction(mesh_.schemesDict())
-            << "Several fluids under gravity need upwind, or on cells whose"
-            << " faces lie between the centres vanLeer, vanAlbada, Minmod or"
-            << " SuperBee for " << key_[0] << ", " << key_[1] << " (with V"
-            << " behind the name) and " << key_[2] << " and gradients by Gauss"
-            << " linear; here these are " << description().c_str()
-            << exit(FatalIOError);
+            << "Several fluids under gravity need upwind, MLP, or vanLeer,"
+            << " vanAlbada, Minmod or SuperBee for " << key_[0] << ", "
+            << key_[1] << " (with V behind the name) and " << key_[2]
+            << " and gradients by Gauss linear; here these are "
+            << description().c_str() << exit(FatalIOError);
     }
 }
 
@@ -522,7 +521,14 @@ void Foam::mpm::reconstruction::update
         {
             slopes_.reset(new limitedGradients(mesh_, boundary_, coupledList_));
         }
-        slopes_->update(W, Wb);
+        if (of.jump)
+        {
+            slopesAboveRest(of);
+        }
+        else
+        {
+            slopes_->update(W, Wb);
+        }
         fromSlopes();
         halfStep(dt, of, nearSolid);
         return;
