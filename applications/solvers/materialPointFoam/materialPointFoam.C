@@ -85,12 +85,23 @@ int main(int argc, char *argv[])
         // Equations (5) to (9) of the paper, then stress (section 3.1)
         scalar factor = 1;
         control.announce();
-        while (!simulation.advancePoints(runTime.deltaTValue(), factor))
+        simulation.severalSteps(control.nSub() > 1);
+        while (control.pointsLeft())
         {
-            control.redo(factor);
-            control.announce();
+            if (!simulation.advancePoints(control.pointStep(), factor))
+            {
+                control.redo(factor);
+                control.announce();
+                continue;
+            }
+            control.pointsDone();
+            if (simulation.hasRemoved() && control.pointsLeft())
+            {
+                simulation.advanceGas(control.gasStep());
+                simulation.correct();
+            }
         }
-        simulation.advanceGas(runTime.deltaTValue());
+        simulation.advanceGas(control.gasStep());
         control.endStep();
 
         ++runTime;

@@ -180,6 +180,15 @@ void Foam::mpm::simulation::readModified()
 }
 
 
+void Foam::mpm::simulation::severalSteps(const bool several)
+{
+    if (coupling_)
+    {
+        coupling_->severalSteps(several);
+    }
+}
+
+
 bool Foam::mpm::simulation::advancePoints(const scalar dt, scalar& factor)
 {
     return !points_ || points_->advance(dt, factor);

@@ -57,7 +57,8 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
         (
             gas()
          && gasRate/dict.getOrDefault<scalar>("maxCoGas", 0.4)
-          > pointRate/max(dict.getOrDefault<scalar>("maxCo", 1), VSMALL)
+          > pointRate
+           /(maxSubSteps()*max(dict.getOrDefault<scalar>("maxCo", 1), VSMALL))
         )
         {
             os  << "the gas: Courant number " << gasRate*time_.deltaTValue();

@@ -101,12 +101,21 @@ Foam::vector Foam::mpm::dragExchange::impulse
 {
     const dragModel& model = models_[phasei];
     const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
-    const vector ug((gas_.rhoU()[celli] + J_[celli])/rho);
+    vector given(J_[celli]);
+    if (before_ > 0)
+    {
+        given += Jbefore_[celli];
+    }
+    const vector ug((gas_.rhoU()[celli] + given)/rho);
     vector seen(Us - ug), relative(seen);
     if (ahead_.size())
     {
         seen -= ahead_[celli]/rho;
-        relative -= dt/rho*fraction_.gasPush()[celli];
+        relative -= (before_ + dt)/rho*fraction_.gasPush()[celli];
+        if (before_ > 0)
+        {
+            seen -= aheadBefore_[celli]/rho;
+        }
     }
 
     const scalar solid = fraction_.theta()[celli];
@@ -427,6 +436,7 @@ Foam::mpm::dragExchange::dragExchange
     K_(fraction.mesh().nFaces(), 0),
     inertia_(fraction.mesh().nFaces(), 0),
     levels_(dynamic_cast<const twoLevelShares*>(&points.gridTransfer())),
+    before_(0),
     work_(0)
 {
     forAll(points_.phases(), phasei)
@@ -503,6 +513,53 @@ void Foam::mpm::dragExchange::updateFaces()
         inertia_[f] =
             min(mass[own[f]], i < 0 ? mass[nei[f]] : massBehind[i]);
     }
+}
+
+
+void Foam::mpm::dragExchange::keep(const scalar dt)
+{
+    Jbefore_.setSize(J_.size(), Zero);
+    aheadBefore_.setSize(ahead_.size(), Zero);
+    Qbefore_.setSize(Q_.size(), 0);
+    hasBefore_.setSize(J_.size(), false);
+    for (const label c : cells_)
+    {
+        if (!hasBefore_[c])
+        {
+            hasBefore_[c] = true;
+            cellsBefore_.append(c);
+        }
+        Jbefore_[c] += J_[c];
+        Qbefore_[c] += Q_[c];
+        if (ahead_.size())
+        {
+            aheadBefore_[c] += ahead_[c];
+        }
+    }
+    before_ += dt;
+}
+
+
+void Foam::mpm::dragExchange::addToGas()
+{
+    if (!(before_ > 0))
+    {
+        gas_.addSources(cells_, J_, Q_, ahead_);
+        return;
+    }
+    gas_.addSources(cellsBefore_, Jbefore_, Qbefore_, aheadBefore_);
+    for (const label c : cellsBefore_)
+    {
+        hasBefore_[c] = false;
+        Jbefore_[c] = Zero;
+        Qbefore_[c] = 0;
+        if (aheadBefore_.size())
+        {
+            aheadBefore_[c] = Zero;
+        }
+    }
+    cellsBefore_.clear();
+    before_ = 0;
 }
 
 

@@ -31,6 +31,7 @@ Foam::mpm::gasCoupling::gasCoupling
     drag_(points, gas, *fraction_, properties),
     heat_(points, gas, *fraction_, properties),
     watch_(points, gas, *fraction_, grains_),
+    several_(false),
     ended_(false),
     removed_(false),
     books_(false)
@@ -121,6 +122,11 @@ void Foam::mpm::gasCoupling::finish(const scalar dt)
     const noTraps guard;
     fraction_->arrive(dt);
     drag_.updateFaces();
+    if (several_)
+    {
+        drag_.keep(dt);
+        steps_->add(pores_, dt);
+    }
     if (books_)
     {
         drag_.addWork(budget_);
@@ -151,11 +157,22 @@ void Foam::mpm::gasCoupling::fill()
 }
 
 
+void Foam::mpm::gasCoupling::severalSteps(const bool several)
+{
+    several_ = several;
+    if (several_ && !steps_)
+    {
+        steps_.reset(new solidOverSteps(fraction_->mesh()));
+    }
+}
+
+
 void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
 {
     drag_.addToGas();
-    gas_.faceFlux(dt, &pores_);
-    gas_.advance(dt, &pores_);
+    const solidOnFaces pores(several_ ? steps_->mean(pores_) : pores_);
+    gas_.faceFlux(dt, &pores);
+    gas_.advance(dt, &pores);
     const noTraps guard;
     heat_.exchange(dt);
     if (books_)
@@ -165,6 +182,10 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
     if (removed_)
     {
         fill();
+    }
+    if (several_)
+    {
+        steps_->clear();
     }
     watch_.check();
 }

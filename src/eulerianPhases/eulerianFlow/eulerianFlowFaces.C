@@ -28,14 +28,7 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
     }
     for (label f = 0; f < mesh_.nFaces(); ++f)
     {
-        if
-        (
-            pores.thetaS[f] > 0 || pores.thetaS0[f] > 0
-         || (
-                pores.area
-             && (magSqr(pores.area[f]) > 0 || magSqr(pores.area0[f]) > 0)
-            )
-        )
+        if (pores.at(f))
         {
             near_[own[f]] = true;
             if (f < nInternal)

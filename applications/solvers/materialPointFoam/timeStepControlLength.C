@@ -1,0 +1,343 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "timeStepControl.H"
+#include "pointErosion.H"
+#include "dictionaryTools.H"
+#include "fatalMessages.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
+{
+    // Not by Time: it takes the nearest whole number of steps, which may make
+    // the step half as large again, and counts from the last start, so that a
+    // restarted run would round differently
+    scalar dt = largest;
+
+    const dictionary& dict = time_.controlDict();
+    const word control(dict.getOrDefault<word>("writeControl", "timeStep"));
+    if (control == "adjustableRunTime" || control == "adjustable")
+    {
+        const scalar interval = positive(dict, "writeInterval");
+        const scalar passed = (time_.value() - origin_)/interval;
+        const scalar next = min
+        (
+            origin_ + (std::floor(passed + 1e-9) + 1)*interval,
+            openEnd() ? GREAT : time_.endTime().value()
+        );
+        const scalar left = next - time_.value();
+        if (left > 0 && left < labelMax*largest)
+        {
+            dt = left/std::ceil(left/largest - 1e-9);
+        }
+    }
+    time_.setDeltaT(dt, false);
+
+    // Those that must meet times of their own
+    const_cast<functionObjectList&>(time_.functionObjects()).adjustTimeStep();
+    if (time_.deltaTValue() > 1.000001*largest)
+    {
+        time_.setDeltaT(dt, false);
+    }
+}
+
+
+Foam::scalar Foam::mpm::timeStepControl::pointsDeltaT() const
+{
+    // The rate of a rigid body at rest is 0
+    return
+        points()
+      ? bounded(time_.controlDict(), "maxCo", 1e-6, 1)
+       /max(points()->courantRate(), VSMALL)
+      : GREAT;
+}
+
+
+Foam::scalar Foam::mpm::timeStepControl::gasDeltaT() const
+{
+    return
+        gas()
+      ? boundedOrDefault(time_.controlDict(), "maxCoGas", 0.4, 1e-6, 1)
+       /gas()->courantRate()
+      : GREAT;
+}
+
+
+Foam::label Foam::mpm::timeStepControl::maxSubSteps() const
+{
+    return boundedLabelOrDefault
+    (
+        time_.controlDict(), "maxSubSteps", 1, 1, 100
+    );
+}
+
+
+Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
+{
+    const scalar dt = pointsDeltaT();
+    return min(gas() ? dt*maxSubSteps() : dt, gasDeltaT());
+}
+
+
+void Foam::mpm::timeStepControl::checkSubSteps() const
+{
+    const dictionary& dict = time_.controlDict();
+    const char* lacking =
+        maxSubSteps() == 1 ? nullptr
+      : !points() || !gas() ? "a gas or fluids beside material points"
+      : !dict.getOrDefault<bool>("adjustTimeStep", false)
+      ? "adjustTimeStep yes"
+      : nullptr;
+    if (lacking)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry maxSubSteps has no effect without " << lacking << "."
+            << nl << "Remove it." << exit(FatalIOError);
+    }
+}
+
+
+void Foam::mpm::timeStepControl::setSubSteps()
+{
+    nSub_ = 1;
+    if (gas() && maxSubSteps() > 1)
+    {
+        // The gas limits: no more steps than the points need
+        const scalar n = time_.deltaTValue()/pointsDeltaT();
+        nSub_ = max(label(std::ceil(n - 1e-9)), label(1));
+    }
+    start_ = time_.value();
+    done_ = 0;
+    gasDone_ = 0;
+    sub_ = time_.deltaTValue()/nSub_;
+}
+
+
+Foam::scalar Foam::mpm::timeStepControl::gasStep()
+{
+    const scalar dt = done_ - gasDone_;
+    gasDone_ = done_;
+    return dt;
+}
+
+
+void Foam::mpm::timeStepControl::pointsDone()
+{
+    const scalar dt = time_.deltaTValue();
+    if (nSub_ == 1)
+    {
+        done_ = dt;
+        return;
+    }
+
+    // Motions and boundary values depend on time
+    if (sub_ >= dt - done_)
+    {
+        done_ = dt;
+        time_.setTime(start_, time_.timeIndex());
+        return;
+    }
+    done_ += sub_;
+    if (dt - done_ < 1.000001*sub_)
+    {
+        sub_ = dt - done_;
+    }
+    time_.setTime(start_ + done_, time_.timeIndex());
+}
+
+
+void Foam::mpm::timeStepControl::checkFirst(const scalar dt) const
+{
+    const scalar run = time_.endTime().value() - time_.startTime().value();
+    // Nothing moves: there is no limit
+    const bool limited = dt < ROOTVGREAT;
+    if
+    (
+        !nSteps_ && !time_.startTimeIndex() && !openEnd() && limited
+     && run > 0 && dt > run
+    )
+    {
+        WarningInFunction
+            << "The first time step that maxCo allows, " << dt << " s, is longer"
+            << " than the whole run of " << run << " s. It is set by "
+            << limiter().c_str() << "." << nl
+            << "    Nothing will be resolved: look for a wrong unit (E in Pa,"
+            << " rho in kg/m3, the mesh in m, endTime in s)." << endl;
+    }
+}
+
+
+void Foam::mpm::timeStepControl::setDeltaT()
+{
+    if (last_)
+    {
+        // Time::run() ends by the time step of the last step
+        return;
+    }
+    if (points() && points()->erosion().empty() && !gas())
+    {
+        // Read like this: the run before has ended with it
+        Info<< "All material points have left through the patches of outflow."
+            << nl << endl;
+        time_.setEndTime(time_.value());
+        last_ = true;
+        return;
+    }
+    const dictionary& dict = time_.controlDict();
+    const bool adjust = dict.getOrDefault<bool>("adjustTimeStep", false);
+
+    nRedo_ = 0;
+    checkSubSteps();
+
+    const scalar end = time_.endTime().value();
+    if (!nSteps_ && time_.value() >= end - 1e-9*mag(end))
+    {
+        WarningInFunction
+            << "endTime " << end << " is not after the time of the start, "
+            << time_.timeName() << ": nothing to do. Set a later endTime in"
+            << " system/controlDict, or remove the times of the last run." << endl;
+    }
+    if (!(time_.deltaTValue() > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry deltaT is " << time_.deltaTValue()
+            << "; it must be greater than 0." << exit(FatalIOError);
+    }
+
+    if (adjust)
+    {
+        const scalar maxDeltaT =
+            boundedOrDefault(dict, "maxDeltaT", GREAT, VSMALL, GREAT);
+
+        // After a step that was redone smaller, grow again by a fifth per step
+        const scalar dt = min(courantDeltaT(), maxDeltaT);
+        checkFirst(dt);
+        if (dt <= 1.2*growFrom_)
+        {
+            growFrom_ = GREAT;
+            fitDeltaT(dt);
+        }
+        else
+        {
+            growFrom_ *= 1.2;
+            fitDeltaT(growFrom_);
+        }
+    }
+
+    else
+    {
+        if (dict.found("maxCo") && !dict.found("adjustTimeStep"))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry maxCo has no effect without adjustTimeStep." << nl
+                << "Write  adjustTimeStep yes;  or, for a fixed deltaT, no."
+                << exit(FatalIOError);
+        }
+
+        // A redone step may have made it smaller
+        fixedDeltaT_ = max(fixedDeltaT_, time_.deltaTValue());
+        growFrom_ *= 1.2;
+        if (growFrom_ >= fixedDeltaT_)
+        {
+            growFrom_ = GREAT;
+        }
+        time_.setDeltaT(min(fixedDeltaT_, growFrom_), false);
+    }
+
+    if (!nSteps_)
+    {
+        announceSteps();
+    }
+    setSubSteps();
+    watchDeltaT();
+    checkAdvances();
+
+    const scalar CoPoints =
+        points() ? points()->courantRate()*sub_ : 0;
+    const scalar CoGas =
+        gas() ? gas()->courantRate()*time_.deltaTValue() : 0;
+    const scalar Co = max(CoPoints, CoGas);
+    if (!nSteps_ || reports())
+    {
+        Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
+        if (points() && gas())
+        {
+            Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
+                << CoGas << nl;
+            if (nSub_ > 1)
+            {
+                Info<< "Steps of the points in this one of the gas: " << nSub_
+                    << nl;
+            }
+        }
+        Info<< "deltaT = " << time_.deltaTValue() << nl
+            << "deltaT set by " << limiter().c_str() << endl;
+    }
+
+    if (!adjust)
+    {
+        watchCourant(Co);
+    }
+}
+
+
+void Foam::mpm::timeStepControl::redo(const scalar factor)
+{
+    const scalar dt = sub_;
+
+    if (++nRedo_ > 20)
+    {
+        FatalErrorInFunction
+            << "The step at time " << time_.timeName() << " was redone 20"
+            << " times down to " << dt << " s and still breaks maxTravel or"
+            << " maxStrain of fvSolution.materialPoints." << nl
+            << "The step is set by " << limiter().c_str() << "." << nl
+            << "The state is bad: check the last written time; a smaller"
+            << " maxCo in system/controlDict often avoids this."
+            << exit(FatalError);
+    }
+
+    if (nSub_ > 1)
+    {
+        sub_ *= factor;
+    }
+    else
+    {
+        fitDeltaT(factor*dt);
+        growFrom_ = factor*dt;
+        checkAdvances();
+        setSubSteps();
+    }
+    Info<< "Step redone: deltaT = " << sub_ << endl;
+}
+
+
+void Foam::mpm::timeStepControl::checkAdvances() const
+{
+    const scalar dt = time_.deltaTValue();
+    const scalar nLeft = (time_.endTime().value() - time_.value())/dt;
+
+    if (!(time_.value() + dt > time_.value()) || (!openEnd() && nLeft > labelMax))
+    {
+        FatalErrorInFunction
+            << "The time step " << dt << " s at time " << time_.timeName()
+            << " would take " << nLeft << " steps to the end. It is set by "
+            << limiter().c_str() << "." << nl
+            << deltaTHint_.c_str() << (deltaTHint_.empty() ? "" : "\n")
+            << (deltaTHint_.empty() ? "It follows" : "Otherwise it follows")
+            << " from maxCo, maxDeltaT or deltaT in"
+            << " system/controlDict, the wave speeds and velocities of the"
+            << " points and the size of the cells: look for a wrong unit in"
+            << " constant/phaseProperties, setMaterialPointsDict or the"
+            << " boundary values of 0/U.<velocityField>, or endTime (s)."
+            << exit(FatalError);
+    }
+}
+
+// ************************************************************************* //
