@@ -33,6 +33,7 @@ from foamCase import RunFailed
 from gasCases import UPWIND, VAN_LEER, volField
 from gasOnCells import cyclicSides
 from report import Report
+from roots import bisection
 from surfaces import prisms, surfaceRegion
 
 REAL_AIR = {"thermo": "perfectGas", "R": 287, "gamma": 1.4}
@@ -240,13 +241,6 @@ def hit(table):
 
 
 # --- dynamics ----------------------------------------------------------------
-
-def bisection(f, low, high):
-    for _ in range(200):
-        middle = 0.5*(low + high)
-        low, high = (middle, high) if f(low)*f(middle) > 0 else (low, middle)
-    return low
-
 
 def piston(table):
     """E k_s tan(k_s a) = K k_w cot(k_w L)."""
