@@ -81,7 +81,16 @@ Foam::label Foam::mpm::timeStepControl::maxSubSteps() const
 Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
 {
     const scalar dt = pointsDeltaT();
-    return min(gas() ? dt*maxSubSteps() : dt, gasDeltaT());
+    if (!gas() || maxSubSteps() == 1)
+    {
+        return min(dt, gasDeltaT());
+    }
+
+    // The solid sweeps no more of a cell in a step of the gas than gas may
+    const scalar swept =
+        boundedOrDefault(time_.controlDict(), "maxCoGas", 0.4, 1e-6, 1)
+       /max(points()->speedRate(), VSMALL);
+    return min(min(dt*maxSubSteps(), max(swept, dt)), gasDeltaT());
 }
 
 

@@ -148,8 +148,8 @@ def bar(table):
             # Projected on the mode: others of the start add nothing
             q.append(-np.mean((points["sigma"][:, 0] + P0)*np.cos(w*abs(x - 0.5)/cs)))
         down = crossings(t, np.array(q))
-        table.row(f"bar of {E:g} Pa in water, {n//5} cells: frequency of its first symmetric mode", w/(2*np.pi),
-                  1/np.mean(np.diff(down)), limit, "relative")
+        table.row(f"bar of {E:g} Pa in water, {n//5} cells: frequency of its first symmetric mode",
+                  w/(2*np.pi), 1/np.mean(np.diff(down)), limit, "relative")
 
 
 # --- oblique -----------------------------------------------------------------
