@@ -15,7 +15,7 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     bracket/bracket pipeBlast/pipe refinedImpact/impact sphereOnSphere/spheres \
     cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak \
     tntInAir/blast fluidShockTubes/tubes underwaterPlate/clamped shockOnHelium/helium \
-    wedgeEntry/wedgeEntry
+    wedgeEntry/wedgeEntry damBreakGate/damBreakGate submergedSand/submergedSand
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done
