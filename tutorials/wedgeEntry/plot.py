@@ -64,6 +64,12 @@ print(f"largest pressure over rho V^2/2, mean: {peak:.2f}, similarity {PEAK}"
       f" ({100*(peak/PEAK - 1):+.1f} %), Wagner {WAGNER**2:.2f}")
 print(f"where, over V t/tan, mean: {place:.3f}, similarity {1 + HEIGHT:.3f}"
       f" ({100*(place/(1 + HEIGHT) - 1):+.1f} %), Wagner {np.pi/2:.3f}")
+# Columns: 7 residual, 13 work of the wedge
+e = case.series("energy", "energy.dat", once=True)
+print(f"energy residual {100*abs(e[:, 7]).max()/e[-1, 13]:.3f} % of the wedge's work {e[-1, 13]:.3f} J")
+for name in ("water", "air"):
+    m = case.series("balance", f"{name}.dat", once=True)
+    print(f"mass of {name} that nobody gave: {abs(m[:, 9]).max()/m[0, 1]:.0e}")
 Theta = case.numbers("^Theta: min N, max N")
 print(f"Theta {Theta.min():.5f} to {Theta.max():.5f}; {case.nSteps()} steps,"
       f" {case.solverSeconds():.0f} s")
