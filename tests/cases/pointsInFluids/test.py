@@ -16,6 +16,7 @@
                   air) and must not pull: p > 0, no fix-ups; also where all the plate's pores
                   start with water, whose dry face is then water on air
     rest          a buoyant block in water under air under gravity, 1e4 steps
+    gate          tutorials/damBreakGate on cells of 5 mm: displacement against SPHinXsys', energy, mass
     restart       bit by bit
     ranks         2 to 4 processors, 1e-10
 """
@@ -29,7 +30,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from fluidCases import AIR, WATER, besidePoints, fluidCase, fluidField
-from foamCase import RunFailed
+from foamCase import PROJECT, FoamCase, RunFailed
 from gasCases import UPWIND, VAN_LEER, volField
 from gasOnCells import cyclicSides
 from report import Report
@@ -415,6 +416,38 @@ def heat(table):
                       (T.mean() - Tf)/0.1, 1e-3)
 
 
+def gate(table):
+    """tutorials/damBreakGate, one cell over the gate's thickness; the displacement of
+    SPHinXsys as in its plot.py."""
+    case = FoamCase("pointsInFluids", "gate", template=os.path.join(
+        PROJECT, "tutorials", "damBreakGate"))
+    for file, old, new in (("blockMeshDict", "nx      80;", "nx 40;"),
+                           ("blockMeshDict", "ny      60;", "ny 30;"),
+                           ("controlDict", "endTime         0.2;", "endTime 0.13;")):
+        path = case.file("system", file)
+        with open(path) as f:
+            text = f.read()
+        if old not in text:
+            raise RunFailed(f"{file} has no '{old}'")
+        with open(path, "w") as f:
+            f.write(text.replace(old, new))
+    shutil.copytree(case.file("0.orig"), case.file("0"), dirs_exist_ok=True)
+    for command in (("blockMesh",), ("setFluids",), ("setMaterialPoints",),
+                    (sys.executable, "rest.py"), ("materialPointFoam",)):
+        case.run(*command)
+
+    def rows(name, file):
+        return np.loadtxt(case.file("postProcessing", name, "0", file))
+    table.row("water opens a gate: largest displacement along x [m], SPHinXsys", 0.0464,
+              rows("tip", "displacement.dat")[:, 1].max(), 0.2, "relative")
+    e, m = rows("energy", "energy.dat"), rows("balance", "water.dat")
+    table.row("water opens a gate: energy residual over gravity's work", 0,
+              np.max(abs(e[:, 7]))/np.ptp(e[:, 12]), 0.01)
+    table.row("water opens a gate: mass of water that nobody gave", 0,
+              np.max(abs(m[:, 9]))/m[0, 1], 1e-13)
+    quiet(table, "water opens a gate", case)
+
+
 def restart(table):
     end = 2e-4
     whole = struck("restart-whole", end)
@@ -443,8 +476,8 @@ def ranks(table):
 
 def main():
     table = Report("pointsInFluids")
-    for part in (translation, bodies, eroding, hit, piston, step, Taylor, rest, heat, restart,
-                 ranks):
+    for part in (translation, bodies, eroding, hit, piston, step, Taylor, rest, heat, gate,
+                 restart, ranks):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:
