@@ -14,7 +14,8 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     ballThroughPlate/debris blastWall/blast kirsch/kirsch spallOnTriangles/spallOnTriangles \
     bracket/bracket pipeBlast/pipe refinedImpact/impact sphereOnSphere/spheres \
     cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak \
-    tntInAir/blast fluidShockTubes/tubes underwaterPlate/clamped shockOnHelium/helium
+    tntInAir/blast fluidShockTubes/tubes underwaterPlate/clamped shockOnHelium/helium \
+    blastOnWall/wall explosiveRing/ring
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done
