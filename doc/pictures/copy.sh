@@ -15,7 +15,8 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     bracket/bracket pipeBlast/pipe refinedImpact/impact sphereOnSphere/spheres \
     cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak \
     tntInAir/blast fluidShockTubes/tubes underwaterPlate/clamped shockOnHelium/helium \
-    wedgeEntry/wedgeEntry damBreakGate/damBreakGate submergedSand/submergedSand
+    wedgeEntry/wedgeEntry damBreakGate/damBreakGate submergedSand/submergedSand \
+    blastOnWall/wall explosiveRing/ring
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done
