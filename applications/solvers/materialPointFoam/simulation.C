@@ -108,6 +108,8 @@ void Foam::mpm::simulation::makeFlow(const rows* from)
     {
         return;
     }
+    requireClosed(properties_.name());
+    requireClosed(mesh_->schemesDict().name());
     if (names.size() && fluids.size())
     {
         FatalIOErrorInFunction(properties_)

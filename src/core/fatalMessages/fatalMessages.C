@@ -38,6 +38,54 @@ template<class Error>
 }
 
 
+//- What has been read of the entry at hand
+struct lastEntry
+{
+    string keyword;
+
+    //- The token before
+    token before;
+
+    //- Values of lists stand in braces, too: 3{0}
+    bool inList = false;
+
+    //- Without its semicolon? Directives (#) and macros ($) need none
+    bool open() const
+    {
+        return
+            keyword.size() && keyword[0] != '#' && keyword[0] != '$' && !inList;
+    }
+
+    void add(const token& t)
+    {
+        if (t == token::BEGIN_BLOCK && before.isNumber())
+        {
+            inList = true;
+        }
+        else if (t == token::END_BLOCK && inList)
+        {
+            inList = false;
+        }
+        else if
+        (
+            t == token::END_STATEMENT || t == token::BEGIN_BLOCK
+         || t == token::END_BLOCK
+        )
+        {
+            keyword.clear();
+        }
+        else if (keyword.empty())
+        {
+            keyword =
+                t.isWord() ? t.wordToken()
+              : t.isString() ? t.stringToken()
+              : string("of a list");
+        }
+        before = t;
+    }
+};
+
+
 //- Called in place of unwinding: the end of argList would exit with status 0
 [[noreturn]] void endOnError()
 {
@@ -119,6 +167,7 @@ void Foam::mpm::requireClosed(const fileName& file)
     }
 
     label nOpen = 0;
+    lastEntry last;
     token t;
     while (is.read(t).good() && t.good())
     {
@@ -128,6 +177,14 @@ void Foam::mpm::requireClosed(const fileName& file)
         {
             break;
         }
+        if (t == token::END_BLOCK && last.open())
+        {
+            FatalIOErrorInFunction(is)
+                << "File " << file << ": entry " << last.keyword
+                << " has no semicolon before the closing brace in line "
+                << t.lineNumber() << "." << exit(FatalIOError);
+        }
+        last.add(t);
     }
     if (nOpen)
     {

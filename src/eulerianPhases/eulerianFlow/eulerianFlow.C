@@ -8,6 +8,7 @@ License
 
 #include "eulerianFlow.H"
 #include "dictionaryTools.H"
+#include "noTraps.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
@@ -256,9 +257,17 @@ void Foam::mpm::eulerianFlow::stop(const label celli)
         celli < 0 ? Pstream::nProcs() : Pstream::myProcNo(),
         minOp<label>()
     );
+    if (teller == Pstream::nProcs())
+    {
+        FatalErrorInFunction
+            << "The time step of " << name_ << " would be 0 although the state"
+            << " of each cell is good: a speed in constant/phaseProperties has"
+            << " no value of a fluid." << exit(FatalError);
+    }
     string text;
     if (teller == Pstream::myProcNo())
     {
+        const noTraps guard;
         text = whyBad_.size() ? whyBad_ : stateOf(celli);
     }
     List<string> texts(Pstream::nProcs());

@@ -8,6 +8,8 @@ License
 
 
 #include "eulerianFluids.H"
+#include "noTraps.H"
+#include "startFields.H"
 #include "zeroGradientFvPatchFields.H"
 #include "Time.H"
 
@@ -36,10 +38,8 @@ void Foam::mpm::eulerianFluids::makeBurnt(const fieldStates* states)
     {
         const label k = burning_[j];
         burntOut_[j].setSize(mesh_.nCells(), 0);
-        IOobject io(header("F", IOobject::MUST_READ, k));
         const bool there =
-            states
-         || returnReduce(io.typeHeaderOk<regIOobject>(false), andOp<bool>());
+            states || isThere(header("F", IOobject::MUST_READ, k));
         F_.set
         (
             j,
@@ -51,6 +51,7 @@ void Foam::mpm::eulerianFluids::makeBurnt(const fieldStates* states)
                 dimensionedScalar("F", dimless, 0), "zeroGradient"
             )
         );
+        const noTraps guard;
         forAll(F_[j], c)
         {
             const scalar F = F_[j][c];

@@ -28,9 +28,10 @@ Foam::string Foam::mpm::eulerianFluids::stateOf(const label celli) const
     }
     os  << ")." << nl
         << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.*, 0/rho.* and"
-        << " constant/phaseProperties. Later: a smaller maxCoGas in"
-        << " system/controlDict or upwind for reconstruct(...) in"
-        << " system/fvSchemes often helps.";
+        << " constant/phaseProperties. After a restart: into theta,"
+        << " thetaRho.*, thetaRhoU, thetaRhoE, alpha.*, F.* of its time. Later:"
+        << " a smaller maxCoGas in system/controlDict or upwind for"
+        << " reconstruct(...) in system/fvSchemes often helps.";
     return os.str();
 }
 

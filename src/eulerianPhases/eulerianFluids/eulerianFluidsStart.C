@@ -9,7 +9,29 @@ License
 #include "eulerianFluids.H"
 #include "dictionaryTools.H"
 #include "noTraps.H"
+#include "startFields.H"
 #include "Time.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Dimensions of a field of the start or of the state
+dimensionSet dimensionsOf(const word& name)
+{
+    return
+        name == "p" || name == "thetaRhoE" ? dimPressure
+      : name == "U" ? dimVelocity
+      : name == "T" ? dimTemperature
+      : name == "rho" || name == "thetaRho" ? dimDensity
+      : name == "thetaRhoU" ? dimDensity*dimVelocity
+      : dimless;
+}
+
+}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -18,8 +40,9 @@ const Foam::dictionary& Foam::mpm::eulerianFluids::settings
     const dictionary& properties
 )
 {
-    const dictionary* found = properties.findDict("fluids");
-    return found ? *found : dictionary::null;
+    return
+        properties.found("fluids")
+      ? requiredDict(properties, "fluids") : dictionary::null;
 }
 
 
@@ -50,33 +73,77 @@ FieldType Foam::mpm::eulerianFluids::startField
 ) const
 {
     const IOobject io(header(name, IOobject::MUST_READ, fluid));
-    IOobject file(io);
-    if
-    (
-        !states
-     && !returnReduce(file.typeHeaderOk<regIOobject>(false), andOp<bool>())
-    )
+    if (!states && !isThere(io))
     {
         FatalErrorInFunction
             << "Field " << io.name() << " of the fluids is missing: there is no"
             << " file " << io.objectPath() << "." << exit(FatalError);
     }
-    return fileOrState<FieldType>(io, mesh_, states);
+    FieldType field(fileOrState<FieldType>(io, mesh_, states));
+    checkDimensions(field, dimensionsOf(name));
+    return field;
+}
+
+
+bool Foam::mpm::eulerianFluids::hasState(const fieldStates* states) const
+{
+    if (states)
+    {
+        return true;
+    }
+    DynamicList<word> found, missing;
+    const auto look = [&](const word& name, const label k)
+    {
+        const IOobject io(header(name, IOobject::MUST_READ, k));
+        bool here;
+        isThere(io, &here);
+        (here ? found : missing).append(io.name());
+    };
+    look("thetaRhoU", -1);
+    look("thetaRhoE", -1);
+    for (label k = 0; k < n_; ++k)
+    {
+        look("thetaRho", k);
+    }
+    if (returnReduce(found.empty(), andOp<bool>()))
+    {
+        return false;
+    }
+    for (label k = 0; k < n_; ++k)
+    {
+        look("alpha", k);
+        if (mixture_.detonates(k))
+        {
+            look("F", k);
+        }
+    }
+    if (tells(missing.size()))
+    {
+        FatalErrorInFunction
+            << "Time " << mesh_.time().timeName() << " has not all of the state"
+            << " of the fluids: there are " << flatOutput(found)
+            << ", but no " << flatOutput(missing) << " in "
+            << mesh_.time().timePath() << "." << nl
+            << "Start from another time. Without any of the files thetaRho.*,"
+            << " thetaRhoU, thetaRhoE the run starts from p, U, alpha.*, T.*"
+            << " and rho.*." << exit(FatalError);
+    }
+    return true;
 }
 
 
 void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
 {
+    restarted_ = hasState(states);
+
     // Shares: one file may be missing, that of what is left
     label missing = -1;
     alpha_.setSize(n_);
     state_.setSize(n_);
     for (label k = 0; k < n_; ++k)
     {
-        IOobject io(header("alpha", IOobject::MUST_READ, k));
         const bool there =
-            states
-         || returnReduce(io.typeHeaderOk<regIOobject>(false), andOp<bool>());
+            states || isThere(header("alpha", IOobject::MUST_READ, k));
         if (!there && (missing < 0))
         {
             missing = k;
@@ -138,10 +205,8 @@ void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
     for (label k = 0; k < n_; ++k)
     {
         const word name(isGas(k) ? "T" : "rho");
-        IOobject io(header(name, IOobject::MUST_READ, k));
         const bool there =
-            states
-         || returnReduce(io.typeHeaderOk<regIOobject>(false), andOp<bool>());
+            states || isThere(header(name, IOobject::MUST_READ, k));
         state_.set
         (
             k,
@@ -161,6 +226,7 @@ void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
 
 void Foam::mpm::eulerianFluids::checkShares()
 {
+    const noTraps guard;
     scalarField sum(mesh_.nCells(), Zero);
     forAll(alpha_, k)
     {
@@ -204,6 +270,70 @@ void Foam::mpm::eulerianFluids::checkShares()
             scalar& a = alpha_[k].primitiveFieldRef()[c];
             a = a < nuclei_[k] ? nuclei_[k] : a*(1 - missing/others);
         }
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::checkDensities() const
+{
+    const noTraps guard;
+    forAll(state_, k)
+    {
+        forAll(state_[k], c)
+        {
+            const scalar rho = density(k, state_[k][c], p_[c]);
+            if (alpha_[k][c] > 0 && !(rho > 0 && rho < GREAT))
+            {
+                FatalErrorInFunction
+                    << "Field " << state_[k].name() << " in "
+                    << state_[k].objectPath() << " has the value "
+                    << state_[k][c] << " in cell " << c << " at "
+                    << mesh_.cellCentres()[c] << ", where " << mixture_.name(k)
+                    << " has the share " << alpha_[k][c] << " and p is "
+                    << p_[c] << " Pa: the density " << rho << " kg/m3 must be"
+                    << " greater than 0." << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::eulerianFluids::checkState(const scalarField& p) const
+{
+    const noTraps guard;
+    forAll(p, c)
+    {
+        scalar sum = 0, least = 0;
+        for (label k = 0; k < n_; ++k)
+        {
+            sum += part_[n_*c + k];
+            least = min(least, min(part_[n_*c + k], mass_[n_*c + k]));
+        }
+        const bool shares = mag(sum - theta_[c]) <= 1e-6*theta_[c] && least >= 0;
+        if (shares && mag(p[c] - p_[c]) <= 1e-5*t_[c].K)
+        {
+            continue;
+        }
+        OStringStream why;
+        if (shares)
+        {
+            why << "p is " << p[c] << " Pa, that of the state " << p_[c]
+                << " Pa, which is more than 1e-5 of rho c^2 away.";
+        }
+        else
+        {
+            why << "alpha.* add up to " << sum << ", theta is " << theta_[c]
+                << (least < 0 ? ", and a share or mass is negative." : ".");
+        }
+        FatalErrorInFunction
+            << "The fields p, theta, alpha.* and F.* of time "
+            << mesh_.time().timeName() << " do not belong to the state"
+            << " thetaRho.*, thetaRhoU, thetaRhoE of the fluids in that time: "
+            << why.str().c_str() << " That is in cell " << c << " at "
+            << mesh_.cellCentres()[c] << "." << nl
+            << "If some were changed on purpose, remove the files thetaRho.*,"
+            << " thetaRhoU, thetaRhoE and the run starts from p, U, alpha.*,"
+            << " T.*, rho.*, F.*." << exit(FatalError);
     }
 }
 
@@ -252,16 +382,10 @@ void Foam::mpm::eulerianFluids::conserve()
 
 void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
 {
-    IOobject io(header("thetaRhoU", IOobject::MUST_READ));
-    restarted_ =
-        states
-     || returnReduce
-        (
-            io.typeHeaderOk<volVectorField::Internal>(false), andOp<bool>()
-        );
     if (!restarted_)
     {
         checkShares();
+        checkDensities();
         conserve();
         primitives();
         far_->setValues(W_, g_, U_, p_);
@@ -272,15 +396,17 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
     }
     const auto read = [&](const word& name, const label k)
     {
-        return fileOrState<volScalarField::Internal>
+        const volScalarField::Internal field
         (
-            header(name, IOobject::MUST_READ, k), mesh_, states
-        ).field();
+            fileOrState<volScalarField::Internal>
+            (
+                header(name, IOobject::MUST_READ, k), mesh_, states
+            )
+        );
+        checkDimensions(field, dimensionsOf(name));
+        return field.field();
     };
-    theta_ = fileOrState<volScalarField>
-    (
-        header("theta", IOobject::MUST_READ), mesh_, states
-    ).primitiveField();
+    theta_ = startField<volScalarField>("theta", states).primitiveField();
     rho_ = 0;
     for (label k = 0; k < n_; ++k)
     {
@@ -293,12 +419,19 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
         }
     }
     porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
-    rhoU_ = fileOrState<volVectorField::Internal>
+    const volVectorField::Internal rhoU
     (
-        header("thetaRhoU", IOobject::MUST_READ), mesh_, states
-    ).field();
+        fileOrState<volVectorField::Internal>
+        (
+            header("thetaRhoU", IOobject::MUST_READ), mesh_, states
+        )
+    );
+    checkDimensions(rhoU, dimensionsOf("thetaRhoU"));
+    rhoU_ = rhoU.field();
     rhoE_ = read("thetaRhoE", -1);
+    const scalarField p(p_.primitiveField());
     primitives();
+    checkState(p);
     far_->setValues(W_, g_, U_, p_);
     updateBoundaryStates();
 }

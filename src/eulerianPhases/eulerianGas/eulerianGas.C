@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianGas.H"
+#include "startFields.H"
 #include "dictionaryTools.H"
 #include "noTraps.H"
 #include "basicSymmetryFvPatchFields.H"
@@ -26,8 +27,7 @@ using namespace Foam;
 //- Fatal if the file of a field that the gas needs is not there
 const IOobject& present(const IOobject& header, const word& gas)
 {
-    IOobject io(header);
-    if (!returnReduce(io.typeHeaderOk<regIOobject>(false), andOp<bool>()))
+    if (!mpm::isThere(header))
     {
         FatalErrorInFunction
             << "Field " << header.name() << " of gas " << gas
@@ -156,18 +156,6 @@ void warnOfBar(const volScalarField& T, const volScalarField& p)
     }
 }
 
-
-template<class Field>
-void checkDimensions(const Field& field, const dimensionSet& dimensions)
-{
-    if (field.dimensions() != dimensions)
-    {
-        FatalErrorInFunction
-            << "Field " << field.name() << " in " << field.objectPath()
-            << " has dimensions " << field.dimensions() << "; they must be "
-            << dimensions << "." << exit(FatalError);
-    }
-}
 
 }
 
@@ -414,15 +402,7 @@ FieldType Foam::mpm::eulerianGas::startField
 
 void Foam::mpm::eulerianGas::readState(const fieldStates* states)
 {
-    IOobject io(header("thetaRho", IOobject::MUST_READ));
-    restarted_ =
-        states
-     || returnReduce
-        (
-            io.typeHeaderOk<volScalarField::Internal>(false),
-            andOp<bool>()
-        );
-
+    restarted_ = states || isThere(header("thetaRho", IOobject::MUST_READ));
     if (!restarted_)
     {
         conserve();
@@ -434,35 +414,52 @@ void Foam::mpm::eulerianGas::readState(const fieldStates* states)
         return;
     }
 
-    const auto read = [&](const word& name)
+    const auto read = [&](const word& name, const dimensionSet& dimensions)
     {
-        return fileOrState<volScalarField::Internal>
+        const volScalarField::Internal field
         (
-            header(name, IOobject::MUST_READ), mesh_, states
-        ).field();
+            fileOrState<volScalarField::Internal>
+            (
+                header(name, IOobject::MUST_READ), mesh_, states
+            )
+        );
+        checkDimensions(field, dimensions);
+        return field.field();
     };
-    theta_ = fileOrState<volScalarField>
+    const volScalarField theta
     (
-        header("theta", IOobject::MUST_READ), mesh_, states
-    ).primitiveField();
-    rho_ = read("thetaRho");
-    rhoU_ = fileOrState<volVectorField::Internal>
+        fileOrState<volScalarField>
+        (
+            header("theta", IOobject::MUST_READ), mesh_, states
+        )
+    );
+    checkDimensions(theta, dimless);
+    theta_ = theta.primitiveField();
+    rho_ = read("thetaRho", dimDensity);
+    const volVectorField::Internal rhoU
     (
-        header("thetaRhoU", IOobject::MUST_READ), mesh_, states
-    ).field();
+        fileOrState<volVectorField::Internal>
+        (
+            header("thetaRhoU", IOobject::MUST_READ), mesh_, states
+        )
+    );
+    checkDimensions(rhoU, dimDensity*dimVelocity);
+    rhoU_ = rhoU.field();
     if (thermo_.hasEnergy())
     {
-        rhoE_ = read("thetaRhoE");
+        rhoE_ = read("thetaRhoE", dimPressure);
     }
     porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
 
     const scalarField p(p_.primitiveField());
     primitives();
+    const noTraps guard;
     scalar change = 0;
     forAll(p, c)
     {
         const scalar size = t_.empty() ? p_[c] : t_[c].K;
-        change = max(change, mag(p[c] - p_[c])/size);
+        const scalar d = mag(p[c] - p_[c])/size;
+        change = d < GREAT ? max(change, d) : GREAT;
     }
     reduce(change, maxOp<scalar>());
     if (!(change < 1e-6))

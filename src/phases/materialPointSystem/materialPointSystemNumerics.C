@@ -15,6 +15,16 @@ License
 
 void Foam::mpm::materialPointSystem::readNumerics()
 {
+    if (!from_ && !mesh_.solutionDict().found("materialPoints"))
+    {
+        FatalIOErrorInFunction(mesh_.solutionDict())
+            << "Entry materialPoints is missing in "
+            << mesh_.solutionDict().name() << ". It has the numerics of the"
+            << " phases " << flatOutput(materialPointPhase::names(properties_))
+            << ", which are of material points: they have neither  type gas"
+            << "  nor  type fluid  in constant/phaseProperties."
+            << exit(FatalIOError);
+    }
     const dictionary& dict =
         from_
       ? from_->numerics

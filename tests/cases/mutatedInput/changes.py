@@ -194,6 +194,48 @@ def fieldChanges(file, data):
                      header + b"%d\n(\n" % n + b"\n".join(new) + b"\n)\n")
 
 
+def cellFieldChanges(file, data):
+    """A field of the cells with values of its own, binary or ascii: one of them, their
+    number, dimensions, the conditions."""
+    head = re.match(rb"(.*?(?:value|internalField)\s+nonuniform List<(\w+)>\s*)(\d+)(\s*)\(",
+                    data, re.S)
+    if not head:
+        return
+    n, start = int(head[3]), head.end()
+    width = {b"scalar": 1, b"vector": 3}[head[2]]
+    for count in (n - 1, n + 1, 3*n):
+        yield Change(file, "size", f"size {count - n:+d}",
+                     head[1] + str(count).encode() + head[4] + data[start - 1:])
+    isBinary = re.search(rb"format\s+binary", head[1])
+    end = start + 8*width*n if isBinary else data.index(b"\n)", start)
+    point = n//2
+    for name, text in (("nan", "nan"), ("inf", "inf"), ("huge", "1e300"), ("zero", "0"),
+                       ("negative", None), ("tiny", "1e-300"), ("two", "2")):
+        if isBinary:
+            at = start + 8*width*point
+            old, = struct.unpack("d", data[at:at + 8])
+            new = -abs(old) - 1 if text is None else float(text)
+            yield Change(file, f"cell {point}", name,
+                         data[:at] + struct.pack("d", new) + data[at + 8:])
+        else:
+            words = data[start:end].split(b"\n")
+            i = point + (not words[0].strip())
+            words[i] = re.sub(rb"[^\s()]+", lambda m, text=text: b"-" + m[0].lstrip(b"-") + b"1"
+                              if text is None else text.encode(), words[i], count=1)
+            yield Change(file, f"cell {point}", name,
+                         data[:start] + b"\n".join(words) + data[end:])
+    for name, old, new in (
+            ("dimensions", rb"dimensions\s+\[[^\]]*\]", b"dimensions [1 2 3 0 0 0 0]"),
+            ("class", rb"class\s+\w+", b"class volTensorField"),
+            ("internalField", rb"internalField\s+nonuniform", b"internalField uniform")):
+        yield Change(file, name, "header", re.sub(old, new, data[:start], count=1) + data[start:])
+    tail = data[end:]
+    for kind, new in (("unknown condition", b"type zeroGradietn;"), ("no type", b"")):
+        if re.search(rb"type\s+\w+;", tail):
+            yield Change(file, "boundaryField", kind, data[:end]
+                         + re.sub(rb"type\s+\w+;", new, tail, count=1))
+
+
 def allChanges(case, files, unread):
     """Changes of the files of a case, which are given by their paths in it; of
     those that match the pattern unread only as a whole."""
@@ -206,6 +248,8 @@ def allChanges(case, files, unread):
             yield from fieldChanges(file, data)
         elif isRead and b"nonuniform" not in data:
             yield from dictionaryChanges(file, data.decode("latin-1"))
+        elif isRead:
+            yield from cellFieldChanges(file, data)
 
 
 def spread(changes, n):

@@ -5,6 +5,8 @@ The spall strip with failure and Weibull scatter, GIMP, FLIP, FMPM and APIC
 with USAVG, points crossing cells: from every written time on, binary bit by bit, ascii (17 digits,
 writePrecision 6) to 1e-13 of each field's maximum. A run that is killed while it
 writes goes on from the last complete time, says so, and ends at the same result.
+The same of a detonating charge in water and air beside points, on 1 and 2 processors;
+a file of its last time that is cut off or gone is named.
 The end of a run is written, SIGTERM and SIGINT write and end, limits of the time step
 and the energy end with the state written, fvSolution may be edited meanwhile.
 """
@@ -21,7 +23,11 @@ import time
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from detonations import TNT
+from fluidCases import WATER, besidePoints, fluidCase
 from foamCase import VERIFY, FoamCase, RunFailed
+from gasCases import WALL
+from killedRuns import kills, sameBits, times
 from plates import plateCase
 from report import Report
 
@@ -114,6 +120,75 @@ def killed(table, tries):
                 "was not written to its end" in c.log(), f"{fellBack} times before")
     table.row(f"kill -9 {tries} times or more: largest difference to the straight run at the end",
               0, difference(straight, c, end), 0, "atMost")
+
+
+def burning(name, split=None):
+    """A charge that burns in water under air beside a plate of points; its front takes
+    9 us through the charge."""
+    fluids = {"tnt": {**TNT, "detonation": {
+        "type": "programmedBurn", "velocity": 6930, "points": [(0.15, 0.1, 0.005)]}},
+        "water": WATER, "air": {"thermo": "perfectGas", "R": 287, "gamma": 1.4}}
+
+    def initial(x, y, z):
+        charge = 1.0*(np.hypot(x - 0.15, y - 0.1) < 0.06)
+        water = (1 - charge)*(y < 0.2)
+        return [charge, water, 1 - charge - water], [1630.0, 1000.0, 1.2], 0.0, 1e5
+    c = fluidCase("restart", name, (40, 40, 1), (0.3, 0.3, 0.01), fluids, initial, 2e-5, ends=WALL,
+                  writeInterval=5e-7, control={"maxCo": 0.3, "deltaT": 1e-8,
+                                               "startFrom": "latestTime"})
+    besidePoints(c, fluids, {"plate": {"constitutiveModel": {
+        "type": "linearElastic", "rho": 2700, "E": 7e10, "nu": 0.3}}},
+        {"plate": {"type": "box", "min": (0.05, 0.02, -1), "max": (0.07, 0.25, 1),
+                   "stress": "ambient", "pressure": 1e5}})
+    if split:
+        c.decompose(split)
+    return c
+
+
+def killedFluids(table):
+    for n, split in ((1, None), (2, (2, 1, 1))):
+        def run(c, n=n):
+            return c.run("materialPointFoam") if n == 1 else c.runParallel()
+        straight, c = burning(f"burning-{n}", split), burning(f"burningKilled-{n}", split)
+        run(straight)
+        folders = c.processors() or [c.path]
+        end = times(straight)[-1]
+        done, _ = kills(c, 6)
+        label = f"charge beside points, {n} processor{'s'*(n > 1)}"
+        table.check(f"{label}: killed on the way", 0 < float(times(c)[-1]) < float(end),
+                    times(c)[-1])
+
+        # A file of the last time that is cut off or gone, then the time without its mark
+        run(c)
+        t, folder = times(c)[-1], folders[-1]
+        for file, words in (("thetaRhoE", "thetaRhoE"), ("F.tnt", "F.tnt"),
+                            ("alpha.water", "alpha.water")):
+            name = os.path.join(folder, t, file)
+            for what in ("cut off", "empty", "gone"):
+                os.rename(name, name + ".kept")
+                if what != "gone":
+                    with open(name + ".kept", "rb") as f, open(name, "wb") as g:
+                        g.write(f.read()[:os.path.getsize(name + ".kept")//2
+                                         if what == "cut off" else 0])
+                try:
+                    run(c)
+                    text = ""
+                except RunFailed:
+                    text = c.log()
+                if os.path.exists(name):
+                    os.remove(name)
+                os.rename(name + ".kept", name)
+                table.check(f"{label}: {file} of the last time is {what}, one message names it",
+                            text.count("--> FOAM FATAL") == 1 and words in text
+                            and "printStack" not in text, " ".join(text.split()[-40:])[:100])
+        os.remove(os.path.join(folder, t, "uniform", "materialPointState"))
+        os.truncate(os.path.join(folder, t, "thetaRhoE"), 999)
+        run(c)
+        table.check(f"{label}: a last time without its mark, the run goes back and says so",
+                    "was not written to its end" in c.log())
+        differ, count = sameBits(straight, c, end)
+        table.check(f"{label}: {done} kills, files of the end that differ",
+                    not differ and count > 20*n, f"{differ} of {count}")
 
 
 def ended(table):
@@ -288,7 +363,8 @@ def main():
                 restarts(table, scheme, writeFormat)
             except RunFailed as e:
                 table.check(f"{scheme}, {writeFormat} runs", False, e)
-    for part in (lambda t: killed(t, 20), ended, limits, contactGains, drivenContact, edited):
+    for part in (lambda t: killed(t, 20), killedFluids, ended, limits, contactGains,
+                 drivenContact, edited):
         try:
             part(table)
         except RunFailed as e:

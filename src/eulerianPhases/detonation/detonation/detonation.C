@@ -33,7 +33,7 @@ Foam::mpm::detonation::detonation
     q_(products.e0()),
     K_
     (
-        dict.found("K") ? positive(dict, "K") : products.rho0()*sqr(2500.0)
+        dict.found("K") ? bounded(dict, "K", SMALL, 1e15) : products.rho0()*sqr(2500.0)
     ),
     n_(boundedOrDefault(dict, "n", 7, 1.000001, 20))
 {

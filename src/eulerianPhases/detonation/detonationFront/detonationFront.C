@@ -8,6 +8,7 @@ License
 
 #include "detonationFront.H"
 #include "dictionaryTools.H"
+#include "noTraps.H"
 #include "StringStream.H"
 #include <cmath>
 
@@ -68,6 +69,29 @@ void Foam::mpm::detonationFront::outside
 }
 
 
+void Foam::mpm::detonationFront::checkSources(const dictionary& dict) const
+{
+    const noTraps guard;
+    constexpr scalar most = 1e30;
+    for (const source& s : sources_)
+    {
+        if (!(cmptMax(cmptMag(s.a)) < most && cmptMax(cmptMag(s.b)) < most))
+        {
+            FatalIOErrorInFunction(dict)
+                << "An entry of points, lines or planes in " << dict.name()
+                << " has the place " << s.a << ' ' << s.b
+                << "; it must be one of the charge [m]." << exit(FatalIOError);
+        }
+        if (!(mag(s.time) < most))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry time or times in " << dict.name() << " has the value "
+                << s.time << "; it must be a time [s]." << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::mpm::detonationFront::readTimes(const dictionary& dict)
 {
     if (dict.found("times"))
@@ -92,7 +116,7 @@ void Foam::mpm::detonationFront::readTimes(const dictionary& dict)
 
 Foam::mpm::detonationFront::detonationFront(const dictionary& dict)
 :
-    velocity_(positive(dict, "velocity")),
+    velocity_(bounded(dict, "velocity", 1, 1e6)),
     width_(boundedOrDefault(dict, "width", 2, 1, 10)),
     radius_(dict.found("radius") ? positive(dict, "radius") : GREAT)
 {
@@ -111,6 +135,7 @@ Foam::mpm::detonationFront::detonationFront(const dictionary& dict)
           : dict.getOrDefault<List<vectors>>(key, List<vectors>())
         )
         {
+            const noTraps guard;
             if (two.size() != 2 || (plane && !(mag(two[1]) > 0)))
             {
                 FatalIOErrorInFunction(dict)
@@ -140,6 +165,7 @@ Foam::mpm::detonationFront::detonationFront(const dictionary& dict)
             << " planes) is missing in " << dict.name() << exit(FatalIOError);
     }
     readTimes(dict);
+    checkSources(dict);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -24,10 +24,16 @@ namespace
 using namespace Foam;
 using namespace Foam::mpm;
 
-//- The equation linear of a bulk modulus
-autoPtr<equationOfState> linearOf(const scalar K, const scalar rho0)
+//- The equation linear of a bulk modulus that a dictionary gives
+autoPtr<equationOfState> linearOf
+(
+    const dictionary& dict,
+    const scalar K,
+    const scalar rho0
+)
 {
     dictionary d;
+    d.name() = dict.name();
     d.add("type", "linear");
     d.add("K", K);
     return equationOfState::New(d, rho0);
@@ -45,7 +51,7 @@ autoPtr<equationOfState> readEquation(const dictionary& dict, const scalar rho0)
     }
     return
         dict.found("K")
-      ? linearOf(positive(dict, "K"), rho0)
+      ? linearOf(dict, positive(dict, "K"), rho0)
       : equationOfState::New(requiredDict(dict, "equationOfState"), rho0);
 }
 
@@ -61,7 +67,7 @@ Foam::mpm::pressurePart::pressurePart
     const scalar pMin
 )
 :
-    equation_(K > 0 ? linearOf(K, rho0) : readEquation(dict, rho0)),
+    equation_(K > 0 ? linearOf(dict, K, rho0) : readEquation(dict, rho0)),
     linear_(0),
     quadratic_(0),
     pMin_(pMin),

@@ -8,6 +8,7 @@ License
 
 #include "equationOfState.H"
 #include "dictionaryTools.H"
+#include "noTraps.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -51,13 +52,39 @@ Foam::autoPtr<Foam::mpm::equationOfState> Foam::mpm::equationOfState::New
     const scalar rho0
 )
 {
-    return selectFromTable<equationOfState>
+    // Values of no material overflow; what comes of them is checked here
+    const noTraps guard;
+    constexpr scalar light = 299792458, most = 1e30;
+    if (!(rho0 > 0 && rho0 < most))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The density rho of " << dict.name() << " is " << rho0
+            << " kg/m3; it must be that of a material."
+            << exit(FatalIOError);
+    }
+    autoPtr<equationOfState> equation
     (
-        dict,
-        dictionaryConstructorTablePtr_,
-        dict,
-        rho0
+        selectFromTable<equationOfState>
+        (
+            dict,
+            dictionaryConstructorTablePtr_,
+            dict,
+            rho0
+        )
     );
+    const scalar e0 = equation->e0();
+    const scalar c2 = equation->c2(rho0, e0), p = equation->p(rho0, e0);
+    if (!(c2 < sqr(light) && mag(p) < most && mag(e0) < most))
+    {
+        FatalIOErrorInFunction(dict)
+            << "At the density " << rho0 << " kg/m3 the equation of state "
+            << equation->type() << " in " << dict.name() << " has energy "
+            << e0 << " J/kg, pressure " << p << " Pa and speed of sound "
+            << std::sqrt(max(c2, scalar(0))) << " m/s, which is that of no"
+            << " material: look at its entries and at rho."
+            << exit(FatalIOError);
+    }
+    return equation;
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

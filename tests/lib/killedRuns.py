@@ -1,0 +1,61 @@
+"""Runs that are killed with kill -9 again and again, and the bits of their last time.
+
+    kills(case, 8, split)       starts the solver 8 times and kills it
+    sameBits(a, b, time)        names of files that differ in this time
+"""
+
+import os
+import random
+import re
+import signal
+import subprocess
+import time
+
+from foamCase import PATIENCE, mpirun
+
+
+def _children(pid):
+    out = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], capture_output=True, text=True)
+    return [int(p) for p in out.stdout.split()]
+
+
+def times(case):
+    """Time folders, of the last processor if the case is decomposed, in order."""
+    folder = (case.processors() or [case.path])[-1]
+    return sorted((f for f in os.listdir(folder) if re.fullmatch(r"\d[\d.e-]*", f)), key=float)
+
+
+def kills(case, n, wait=0.25, fewest=2, seed=7):
+    """Starts and kills; how many, what the runs said. Until some times are there."""
+    rng, done = random.Random(seed), 0
+    parallel = len(case.processors())
+    command = ([*mpirun(parallel), "materialPointFoam", "-parallel"] if parallel
+               else ["materialPointFoam"])
+    with open(case.file("log.killed"), "w") as log:
+        while done < n or (len(times(case)) <= fewest and done < n + 20):
+            p = subprocess.Popen(command, cwd=case.path, stdout=log, stderr=log,
+                                 env={**os.environ, "PWD": case.path})
+            time.sleep(PATIENCE*(wait + 0.15*rng.random()))
+            for pid in _children(p.pid) if parallel else []:
+                os.kill(pid, signal.SIGKILL)
+            p.send_signal(signal.SIGKILL)
+            p.wait()
+            done += 1
+            wait *= 1.0 if done < n else 1.3
+    with open(case.file("log.killed")) as log:
+        return done, log.read()
+
+
+def sameBits(a, b, timeName, unlike=("uniform",)):
+    """Files of this time that are not the same in both cases, and how many there are."""
+    differ, count = [], 0
+    for part, other in zip(a.processors() or [a.path], b.processors() or [b.path]):
+        for root, folders, names in os.walk(os.path.join(part, timeName)):
+            folders[:] = [f for f in folders if f not in unlike]
+            for name in names:
+                here = os.path.join(root, name)
+                there = os.path.join(other, os.path.relpath(here, part))
+                count += 1
+                if not os.path.exists(there) or open(here, "rb").read() != open(there, "rb").read():
+                    differ.append(os.path.relpath(here, part))
+    return differ, count
