@@ -1,6 +1,6 @@
 """Runs that are killed with kill -9 again and again, and the bits of their last time.
 
-    kills(case, 8, split)       starts the solver 8 times and kills it
+    kills(case, 8)              starts the solver 8 times and kills it
     sameBits(a, b, time)        names of files that differ in this time
 """
 
@@ -25,25 +25,28 @@ def times(case):
     return sorted((f for f in os.listdir(folder) if re.fullmatch(r"\d[\d.e-]*", f)), key=float)
 
 
-def kills(case, n, wait=0.25, fewest=2, seed=7):
-    """Starts and kills; how many, what the runs said. Until some times are there."""
-    rng, done = random.Random(seed), 0
+def kills(case, n, seed=7):
+    """Starts and kills n times, each soon after a new time is there, at any moment of its
+    writing; how many, what the runs said."""
+    rng = random.Random(seed)
     parallel = len(case.processors())
     command = ([*mpirun(parallel), "materialPointFoam", "-parallel"] if parallel
                else ["materialPointFoam"])
     with open(case.file("log.killed"), "w") as log:
-        while done < n or (len(times(case)) <= fewest and done < n + 20):
+        for _ in range(n):
+            before = len(times(case))
             p = subprocess.Popen(command, cwd=case.path, stdout=log, stderr=log,
                                  env={**os.environ, "PWD": case.path})
-            time.sleep(PATIENCE*(wait + 0.15*rng.random()))
+            last = time.monotonic() + 30*PATIENCE
+            while p.poll() is None and len(times(case)) <= before and time.monotonic() < last:
+                time.sleep(0.001)
+            time.sleep(0.02*rng.random())
             for pid in _children(p.pid) if parallel else []:
                 os.kill(pid, signal.SIGKILL)
             p.send_signal(signal.SIGKILL)
             p.wait()
-            done += 1
-            wait *= 1.0 if done < n else 1.3
     with open(case.file("log.killed")) as log:
-        return done, log.read()
+        return n, log.read()
 
 
 def sameBits(a, b, timeName, unlike=("uniform",)):

@@ -26,11 +26,13 @@ void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
     {
         const scalar interval = positive(dict, "writeInterval");
         const scalar passed = (time_.value() - origin_)/interval;
-        const scalar next = min
-        (
-            origin_ + (std::floor(passed + 1e-9) + 1)*interval,
-            openEnd() ? GREAT : time_.endTime().value()
-        );
+        scalar next = origin_ + (std::floor(passed + 1e-9) + 1)*interval;
+        const scalar end = time_.endTime().value();
+        // A start at the end may be less than it by the last digit
+        if (!openEnd() && end - time_.value() > 1e-9*largest)
+        {
+            next = min(next, end);
+        }
         const scalar left = next - time_.value();
         if (left > 0 && left < labelMax*largest)
         {

@@ -103,7 +103,7 @@ HARMLESS = [
      "OpenFOAM takes the closing brace for the end of the entry", SAME),
     (r"[\d.e-]+/U\..*", r"boundaryField\.\w+\.value", "negative in list",
      "a legal velocity of the wall"),
-    (r"[\d.e-]+/U\..*", "internalField|boundaryField.*", ".*",
+    (r"[\d.e-]+/U\..*", r"internalField|boundaryField.*|cell \d+", ".*",
      "the velocity of the nodes comes from the points; a condition that is the"
      " same in another spelling", SAME),
 

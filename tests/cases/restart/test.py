@@ -151,6 +151,11 @@ def killedFluids(table):
             return c.run("materialPointFoam") if n == 1 else c.runParallel()
         straight, c = burning(f"burning-{n}", split), burning(f"burningKilled-{n}", split)
         run(straight)
+        # The time of the end may be less than endTime by the last digit
+        run(straight)
+        table.check(f"charge beside points, {n} processor{'s'*(n > 1)}: a run that has ended"
+                    " ends at once", "nothing to do" in straight.log()
+                    or "No step" in straight.log(), straight.log()[-80:])
         folders = c.processors() or [c.path]
         end = times(straight)[-1]
         done, _ = kills(c, 6)

@@ -253,7 +253,8 @@ def variants(table, case):
     point = "mkdir -p 0/lagrangian/slab\ncat > 0/lagrangian/slab/x <<END\n" \
         + fileHeader("x", "vectorField") + "1\n(\n(0.5 0 0)\n)\nEND\n"
     with tempfile.TemporaryDirectory() as folder:
-        for program in ("blockMesh", "setFields", "setMaterialPoints", "materialPointFoam"):
+        for program in ("blockMesh", "setFields", "setFluids", "setMaterialPoints",
+                        "materialPointFoam"):
             with open(os.path.join(folder, program), "w") as f:
                 f.write("#!/bin/sh\n" + (point if program == "setMaterialPoints" else ""))
             os.chmod(f.name, 0o755)
