@@ -97,11 +97,13 @@ int main(int argc, char *argv[])
             control.pointsDone();
             if (simulation.hasRemoved() && control.pointsLeft())
             {
-                simulation.advanceGas(control.gasStep());
+                simulation.advanceGas(control.startGas());
+                control.gasDone();
                 simulation.correct();
             }
         }
-        simulation.advanceGas(control.gasStep());
+        simulation.advanceGas(control.startGas());
+        control.gasDone();
         control.endStep();
 
         ++runTime;

@@ -130,36 +130,50 @@ void Foam::mpm::timeStepControl::setSubSteps()
 }
 
 
-Foam::scalar Foam::mpm::timeStepControl::gasStep()
+void Foam::mpm::timeStepControl::setPointTime()
 {
-    const scalar dt = done_ - gasDone_;
+    if (nSub_ > 1)
+    {
+        time_.setTime(start_ + (pointsLeft() ? done_ : 0), time_.timeIndex());
+    }
+}
+
+
+Foam::scalar Foam::mpm::timeStepControl::startGas()
+{
+    if (nSub_ > 1)
+    {
+        time_.setTime(start_ + gasDone_, time_.timeIndex());
+    }
+    return done_ - gasDone_;
+}
+
+
+void Foam::mpm::timeStepControl::gasDone()
+{
     gasDone_ = done_;
-    return dt;
+    setPointTime();
 }
 
 
 void Foam::mpm::timeStepControl::pointsDone()
 {
     const scalar dt = time_.deltaTValue();
-    if (nSub_ == 1)
+    if (nSub_ == 1 || sub_ >= dt - done_)
     {
         done_ = dt;
-        return;
+    }
+    else
+    {
+        done_ += sub_;
+        if (dt - done_ < 1.000001*sub_)
+        {
+            sub_ = dt - done_;
+        }
     }
 
     // Motions and boundary values depend on time
-    if (sub_ >= dt - done_)
-    {
-        done_ = dt;
-        time_.setTime(start_, time_.timeIndex());
-        return;
-    }
-    done_ += sub_;
-    if (dt - done_ < 1.000001*sub_)
-    {
-        sub_ = dt - done_;
-    }
-    time_.setTime(start_ + done_, time_.timeIndex());
+    setPointTime();
 }
 
 

@@ -90,6 +90,27 @@ def plane(table):
               np.log2(errors[200]/errors[800])/2, 0.9, "atLeast")
 
 
+def travelling(table):
+    """A charge that moves with 800 m/s, lit in its middle: the same waves, carried along."""
+    exact = PlaneDetonation(jwlOf(TNT), energyOf(TNT))
+    n, length, U0, end = 400, 0.4, 800.0, 0.12/D
+    for label, moving in (("moving", U0), ("at rest", 0.0)):
+        case = fluidCase(
+            "detonation", f"travelling-{moving:g}", (n, 1, 1), (length, 0.001, 0.001),
+            {"charge": lit(points=[(0.2, 0, 0)], moving=(moving, 0, 0))},
+            lambda x, y, z, moving=moving: ([1.0], [1630.0], moving, 1e5), end,
+            control={"deltaT": 1e-10})
+        case.run("materialPointFoam")
+        x = (np.arange(n) + 0.5)*length/n - 0.2 - moving*end
+        _, pExact = exact.at(abs(x)/end)
+        p = fluidField(case, end, "p")
+        table.row(f"charge {label}, 120 cells each way: L1 of p over p_CJ", 0,
+                  np.mean(abs(p - pExact)[abs(x) < 0.13])/exact.p, 0.012, "atMost")
+        F = fluidField(case, end, "F.charge")
+        table.row(f"charge {label}: burnt length [m]", 2*D*end, np.sum(F)*length/n, 1e-2,
+                  "relative")
+
+
 def conservation(table):
     """All of it burns in a closed box; e at the start is q + p0/(omega rho0)."""
     n, length = 100, 0.2
@@ -437,8 +458,8 @@ def wrong(table):
 
 def main():
     table = Report("detonation")
-    for part in (plane, conservation, places, symmetric, inAir, rate, quiet, plate, ranks,
-                 restart, blast, wrong):
+    for part in (plane, travelling, conservation, places, symmetric, inAir, rate, quiet, plate,
+                 ranks, restart, blast, wrong):
         if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
             continue
         try:

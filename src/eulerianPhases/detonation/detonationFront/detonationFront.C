@@ -16,7 +16,8 @@ License
 
 const Foam::wordList Foam::mpm::detonationFront::entries
 ({
-    "points", "lines", "planes", "velocity", "time", "times", "width", "radius"
+    "points", "lines", "planes", "velocity", "time", "times", "width", "radius",
+    "moving"
 });
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -31,6 +32,52 @@ Foam::vector Foam::mpm::detonationFront::source::to(const vector& x) const
     const vector along(b - a);
     const scalar s = magSqr(along);
     return s > 0 ? d - min(max((d & along)/s, scalar(0)), scalar(1))*along : d;
+}
+
+
+Foam::vector Foam::mpm::detonationFront::from
+(
+    const source& s,
+    const vector& x
+) const
+{
+    vector d(s.to(x));
+    for (direction i = 0; i < 3; ++i)
+    {
+        d[i] = mesh_->geometricD()[i] < 0 ? 0 : d[i];
+    }
+    return d;
+}
+
+
+Foam::mpm::detonationFront::arrival Foam::mpm::detonationFront::arrivalAt
+(
+    const label celli,
+    const vector& x
+) const
+{
+    const scalar V = mesh_->V()[celli];
+    arrival at{GREAT, 1};
+    scalar first = GREAT;
+    for (const source& s : sources_)
+    {
+        const vector d(from(s, x));
+        const scalar t = s.time + mag(d)/velocity_;
+        if (t < first)
+        {
+            first = t;
+            scalar area = 0;
+            for (const label f : mesh_->cells()[celli])
+            {
+                area += mag(mesh_->faceAreas()[f] & d);
+            }
+            at.time =
+                width_/velocity_*(area > 0 ? 2*V*mag(d)/area : std::cbrt(V));
+            at.begin =
+                mag(d) > radius_ ? GREAT : max(s.time, t - 0.5*at.time);
+        }
+    }
+    return at;
 }
 
 
@@ -118,7 +165,9 @@ Foam::mpm::detonationFront::detonationFront(const dictionary& dict)
 :
     velocity_(bounded(dict, "velocity", 1, 1e6)),
     width_(boundedOrDefault(dict, "width", 2, 1, 10)),
-    radius_(dict.found("radius") ? positive(dict, "radius") : GREAT)
+    radius_(dict.found("radius") ? positive(dict, "radius") : GREAT),
+    moving_(dict.getOrDefault<vector>("moving", Zero)),
+    mesh_(nullptr)
 {
     const scalar time = boundedOrDefault(dict, "time", 0, -GREAT, GREAT);
     typedef List<vector> vectors;
@@ -166,6 +215,14 @@ Foam::mpm::detonationFront::detonationFront(const dictionary& dict)
     }
     readTimes(dict);
     checkSources(dict);
+    const noTraps guard;
+    if (!(mag(moving_) < velocity_))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry moving in " << dict.name() << " is " << moving_
+            << "; the velocity of the charge [m/s] must be less than that of"
+            << " the detonation, " << velocity_ << "." << exit(FatalIOError);
+    }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -177,43 +234,15 @@ void Foam::mpm::detonationFront::start
     const bool fresh
 )
 {
+    mesh_ = &mesh;
     const vectorField& C = mesh.cellCentres();
-    const vectorField& S = mesh.faceAreas();
     begin_.setSize(mesh.nCells());
     time_.setSize(mesh.nCells());
-    const auto from = [&](const source& s, const label c)
-    {
-        vector d(s.to(C[c]));
-        for (direction i = 0; i < 3; ++i)
-        {
-            d[i] = mesh.geometricD()[i] < 0 ? 0 : d[i];
-        }
-        return d;
-    };
-    const auto length = [&](const vector& d, const label c)
-    {
-        scalar area = 0;
-        for (const label f : mesh.cells()[c])
-        {
-            area += mag(S[f] & d);
-        }
-        return area > 0 ? 2*mesh.V()[c]*mag(d)/area : std::cbrt(mesh.V()[c]);
-    };
     forAll(begin_, c)
     {
-        scalar first = GREAT;
-        for (const source& s : sources_)
-        {
-            const vector d(from(s, c));
-            const scalar t = s.time + mag(d)/velocity_;
-            if (t < first)
-            {
-                first = t;
-                time_[c] = width_*length(d, c)/velocity_;
-                begin_[c] =
-                    mag(d) > radius_ ? GREAT : max(s.time, t - 0.5*time_[c]);
-            }
-        }
+        const arrival at(arrivalAt(c, C[c]));
+        begin_[c] = at.begin;
+        time_[c] = at.time;
     }
     if (!fresh)
     {
@@ -229,7 +258,7 @@ void Foam::mpm::detonationFront::start
         {
             if (charge[c])
             {
-                const vector d(from(s, c));
+                const vector d(from(s, C[c]));
                 nearest = min(nearest, mag(d));
                 for (const label p : mesh.cellPoints()[c])
                 {
@@ -253,6 +282,19 @@ void Foam::mpm::detonationFront::burn
     UList<scalar>& F
 ) const
 {
+    if (magSqr(moving_) > 0)
+    {
+        const vectorField& C = mesh_->cellCentres();
+        forAll(cells, i)
+        {
+            if (F[i] < 1)
+            {
+                const arrival at(arrivalAt(cells[i], C[cells[i]] - t*moving_));
+                F[i] = max(F[i], min(scalar(1), (t - at.begin)/at.time));
+            }
+        }
+        return;
+    }
     forAll(cells, i)
     {
         const label c = cells[i];
@@ -266,6 +308,10 @@ Foam::string Foam::mpm::detonationFront::description() const
     OStringStream os;
     os  << velocity_ << " m/s from " << sources_.size()
         << (sources_.size() > 1 ? " places" : " place");
+    if (magSqr(moving_) > 0)
+    {
+        os  << " that move with " << moving_ << " m/s";
+    }
     return os.str();
 }
 
