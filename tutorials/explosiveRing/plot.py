@@ -96,11 +96,6 @@ if filled:
           f" {gurney(INNER, loss)[1]:.0f}; here "
           + ", ".join(f"{s:.0f} at {1e6*float(t):.0f} us, radius {1e3*filled.meanRadius(t):.0f} mm"
                       for s, t in zip(speeds, filled.times) if float(t) > 0))
-pores, tight = ends("variants/pores"), ends(f"variants/{min(CELLS)}-1")
-if pores and tight:
-    time = pores.times[-1]
-    print(f"products outside at {1e6*float(time):.0f} us with the default drainage"
-          f" {100*pores.outside(time)/inside:.3f} %, without {100*tight.outside(time)/inside:.6f} %")
 
 figure, axes = plt.subplots(1, 4, figsize=(14, 3.6), gridspec_kw={"width_ratios": (1, 1, 1, 0.9)})
 edges = np.linspace(-500*SIDE, 500*SIDE, run.n + 1)

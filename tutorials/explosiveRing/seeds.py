@@ -1,6 +1,6 @@
 """In variants/: <cells>-<seed>, eight scatters of the ring's strength on two meshes, with the
-same points in both; filled, with a charge that fills the ring; pores,
-with the default drainage. Arguments: the first part of names of those to run (all)."""
+same points in both; filled, with a charge that fills the ring. Arguments: the first part of
+names of those to run (all)."""
 
 import os
 import shutil
@@ -13,8 +13,7 @@ from mpm.variants import runVariants
 CELLS, SEEDS = {120: 3, 180: 2}, range(1, 9)
 VARIANTS = {
     **{f"{n}-{seed}": (n, points, seed) for n, points in CELLS.items() for seed in SEEDS},
-    "filled": (120, 3, 1, "filled"),
-    "pores": (120, 3, 1, "pores")}
+    "filled": (120, 3, 1, "filled")}
 
 
 def change(case, n, points, seed, what=None):
@@ -26,9 +25,6 @@ def change(case, n, points, seed, what=None):
     if what == "filled":
         case.change("system/setFluidsDict", r"radius .*;", "radius  0.04;")
         case.change("system/controlDict", r"^endTime .*", "endTime 4e-5;")
-    if what == "pores":
-        case.change("constant/phaseProperties", r"drainage .*;", "drainage        0.1;")
-        case.change("system/controlDict", r"^endTime .*", "endTime 5e-5;")
 
 
 if __name__ == "__main__":

@@ -120,6 +120,15 @@ Foam::mpm::fluidRegion::fluidRegion
     checkKeywords(dict, valid);
     readDensity();
     readVelocity();
+    if (shape_ && hasP_ && mixture_.detonates(fluid_))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Region " << name_ << " has a pressure p, and its fluid "
+            << mixture_.name(fluid_) << " a detonation: what has not burnt has"
+            << " the pressure around it, p would add to its chemical energy."
+            << nl << "Remove p; or, for products that have burnt, the entry"
+            << " detonation in constant/phaseProperties." << exit(FatalIOError);
+    }
     if (hasP_ && rho_ > 0)
     {
         checkPressure(p_);

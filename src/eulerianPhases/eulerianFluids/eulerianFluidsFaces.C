@@ -326,6 +326,16 @@ inline void Foam::mpm::eulerianFluids::face
 }
 
 
+Foam::scalar Foam::mpm::eulerianFluids::liquid
+(
+    const scalar z,
+    const gasState& w
+)
+{
+    return min(max(sqr(z)/(w.rho*max(w.p, VSMALL)) - 3.5, 0.0), 1.0);
+}
+
+
 void Foam::mpm::eulerianFluids::insideFaces
 (
     const scalar dt,
@@ -365,13 +375,15 @@ void Foam::mpm::eulerianFluids::insideFaces
                 WN, KN, same ? z : zN, WN.p + wN,
                 i < 0 ? theta_[N] : thetaB_[i], i < 0 ? V[N] : faces_.Vb[i]
             };
+            const scalar chi =
+                chi_*max(liquid(z_[P], W_[P]), liquid(zN, WN));
             if (pores->area)
             {
-                porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi_, to);
+                porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi, to);
             }
             else
             {
-                porousFlux_.porousFace<false>(f, L, R, dt, *pores, chi_, to);
+                porousFlux_.porousFace<false>(f, L, R, dt, *pores, chi, to);
             }
             return;
         }

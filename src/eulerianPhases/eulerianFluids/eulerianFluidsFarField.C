@@ -44,7 +44,8 @@ Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
     const scalar pFar = far_->p(i);
     const bool ofCell = alphaB_[n_*b] < 0;
     farField::medium of;
-    of.outside = !ofCell && alpha_[0].boundaryField()[a.patch].fixesValue();
+    of.outside =
+        !ofCell && farField::fixes(alpha_[0].boundaryField()[a.patch]);
 
     // The shares of the conditions at the pressure far away
     const auto given = [&]

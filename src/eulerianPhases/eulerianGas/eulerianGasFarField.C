@@ -57,7 +57,7 @@ Foam::mpm::farField::state Foam::mpm::eulerianGas::farState
         readsRho() ? &rho0_ : thermo_.isGammaLaw() ? T_.get() : nullptr;
     const fvPatchScalarField* b =
         field ? &field->boundaryField()[a.patch] : nullptr;
-    if (b && b->fixesValue())
+    if (b && farField::fixes(*b))
     {
         of.p = pFar;
         of.outside = true;

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "farField.H"
+#include "mixedFvPatchFields.H"
 #include "farFieldFvPatchField.H"
 
 // * * * * * * * * * * * * * * * * * Medium  * * * * * * * * * * * * * * * * //
@@ -248,6 +249,13 @@ Foam::mpm::farField::state Foam::mpm::farField::at
         s.u > 0 ? L.u + (s.u - uL)*n : u_[i] + (s.u - uFar)*n;
     s.behind.rho = of.rho(s.p);
     return s;
+}
+
+
+bool Foam::mpm::farField::fixes(const fvPatchScalarField& condition)
+{
+    return
+        condition.fixesValue() && !isA<mixedFvPatchScalarField>(condition);
 }
 
 // ************************************************************************* //

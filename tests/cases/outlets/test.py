@@ -134,6 +134,7 @@ def bubbles(x, y, z):
 
 WATER_GAS = {"rho": 1000, "equationOfState": WATER["equationOfState"]}
 FIXED = {"type": "fixedValue", "value": "uniform 1"}
+INLET = {"type": "inletOutlet", "phi": "phi.air", "inletValue": "uniform 1", "value": "uniform 1"}
 
 
 def tubes(table):
@@ -142,7 +143,8 @@ def tubes(table):
     scenes += [("pulse of 1 %", simpleWave(0.01, 0.5, 0.08), 0.8, 0.25, 1.0, OPEN, {}, 0.02),
                ("pulse of 200 %", simpleWave(2, 0.3, 0.1), 1.2, 0.07, 1.0, OPEN, {}, 0.02),
                ("blast", hot, 1.6, 0.06, 1.0, WALL, {}, 0.02),
-               ("blast, T fixed", hot, 1.6, 0.06, 1.0, WALL, {"ofT": FIXED}, 0.02)]
+               ("blast, T fixed", hot, 1.6, 0.06, 1.0, WALL, {"ofT": FIXED}, 0.02),
+               ("shock of ratio 2, T inletOutlet", *front(2), 1.0, OPEN, {"ofT": INLET}, 0.02)]
     for size, ratio in (("1 MPa", 11.0), ("1 GPa", 1e4)):
         for fluids in (None, {"water": WATER}):
             scenes.append((f"water, {'type fluid' if fluids else 'type gas'}, shock of {size}",
