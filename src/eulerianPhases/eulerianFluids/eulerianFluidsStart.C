@@ -77,7 +77,8 @@ FieldType Foam::mpm::eulerianFluids::startField
     {
         FatalErrorInFunction
             << "Field " << io.name() << " of the fluids is missing: there is no"
-            << " file " << io.objectPath() << "." << exit(FatalError);
+            << " file " << io.objectPath() << ". setFluids writes those of"
+            << " system/setFluidsDict." << exit(FatalError);
     }
     FieldType field(fileOrState<FieldType>(io, mesh_, states));
     checkDimensions(field, dimensionsOf(name));
