@@ -114,7 +114,7 @@ def charge(folder):
                      "fluid": "water", "rho": 1000},
             "charge": {"type": "cylinder", "point1": (0.03, 0.09, -1),
                        "point2": (0.03, 0.09, 1), "radius": 0.025, "fluid": "tnt",
-                       "mass": 0.03, "p": 1e5, "U": (0, 0, 0)}}})
+                       "mass": 0.03, "U": (0, 0, 0)}}})
     case.write("system/setMaterialPointsDict", {"regions": {"plate": {
         "phase": "plate", "type": "box", "min": (0.06, 0.05, -1), "max": (0.08, 0.13, 1),
         "pointsPerCell": 2, "stress": "ambient", "pressure": 1e5, "temperature": 300}}})
@@ -202,8 +202,11 @@ def harmless(same, close):
         (r"0/(p|U|T\.\w+|rho\.\w+|U\.\w+|alpha\.\w+)", "boundaryField.*", ".*",
          "OpenFOAM: words that it does not know, and empty patches by their type", same),
         (r"0/U(\.air)?", "internalField", "negative in list|huge in list", "a legal velocity"),
-        (r"0/\w+(\.\w+)?", "internalField", "number for word",
+        (r"0/\w+(\.\w+)?", "internalField", "number for word|misspelt value",
          "OpenFOAM reads the number alone, with a warning", "deprecated"),
+        (r"0/(p|U|alpha\.\w+|T\.\w+|rho\.\w+)", "internalField", "misspelt value",
+         "setFluids writes the values anew", same),
+        ("system/controlDict", "reportInterval", "deleted", "default: every tenth step", same),
         (r"0/(rho|T)\.\w+", "cell .*", ".*", "no such fluid in the cell", same),
         (r"0/(p|U(\.\w+)?|rho\.\w+|T\.\w+)", "cell .*|internalField.*",
          LEGAL + "|two|negative in list", "a legal state"),
