@@ -21,10 +21,9 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from detonations import QM100, QM100_RATE, TNT, PlaneDetonation, energyOf, jwlOf
 from fluidCases import WATER, besidePoints, fluidCase, fluidField
-from foamCase import PROJECT, FoamCase, RunFailed
+from foamCase import FoamCase, PROJECT, RunFailed, runParts
 from gasCases import WALL, boxCentres, volField
 from gasOnCells import cyclicSides
-from report import Report
 from riemannEquation import JWL
 
 D = 6930.0
@@ -456,18 +455,6 @@ def wrong(table):
                     f"message lacks {missing}")
 
 
-def main():
-    table = Report("detonation")
-    for part in (plane, travelling, conservation, places, symmetric, inAir, rate, quiet, plate,
-                 ranks, restart, blast, wrong):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(runParts("detonation", plane, travelling, conservation, places, symmetric, inAir,
+                      rate, quiet, plate, ranks, restart, blast, wrong))

@@ -18,9 +18,8 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from coupledCases import ambient, coupledCase
 from fluidCases import AIR, fluidCase
-from foamCase import RunFailed
+from foamCase import RunFailed, runParts
 from gasCases import WALL, gasCase
-from report import Report
 
 LIBS = {"libs": "(mpmFunctionObjects)", "writeControl": "timeStep", "writeInterval": 1}
 SUMMARY = ("ambient", "arrival", "peak", "peakTime", "duration", "positive", "negative")
@@ -197,17 +196,5 @@ def wrong(table):
                 and "(0.15 0.55 0.05) is in solid" not in log)
 
 
-def main():
-    table = Report("flowOutput")
-    for part in (wave, parallel, balance, wrong):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(runParts("flowOutput", wave, parallel, balance, wrong))

@@ -24,10 +24,9 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import riemannEquation as exact
 from fluidCases import AIR, WATER, fluidCase, fluidField
-from foamCase import PROJECT, FoamCase, RunFailed
+from foamCase import FoamCase, PROJECT, RunFailed, runParts
 from gasCases import boxCentres, volField
 from gasOnCells import cyclicSides
-from report import Report
 
 TNT = {"rho": 1630, "equationOfState": {"type": "JWL", "A": 3.712e11, "B": 3.231e9, "R1": 4.15,
                                         "R2": 0.95, "omega": 0.3, "E0": 7e9}}
@@ -530,18 +529,6 @@ def wrong(table):
                     f"message lacks {missing}")
 
 
-def main():
-    table = Report("fluidsAlone")
-    for part in (tubes, vanDerWaals, translation, disc, inflow, helium, corner, RayleighTaylor,
-                 rest, ranks, restart, softened, wrong):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(runParts("fluidsAlone", tubes, vanDerWaals, translation, disc, inflow, helium,
+                      corner, RayleighTaylor, rest, ranks, restart, softened, wrong))

@@ -25,9 +25,8 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from coupledCases import ambient, coupledCase
 from fluidCases import AIR, WATER, besidePoints, fluidCase, fluidField
-from foamCase import RunFailed
+from foamCase import RunFailed, runParts
 from gasCases import UPWIND, WALL, gasCase, volField, writeVolField
-from report import Report
 from wedge import wedgeMesh
 
 OPEN = ("zeroGradient",)*3
@@ -397,17 +396,5 @@ def wedge(table):
     table.row("burst on a wedge: t = 1: symmetry along the axis", 0, np.max(abs(p - p[:, ::-1])), 1e-10)
 
 
-def main():
-    table = Report("outlets")
-    for part in (tubes, oblique, blast, rest, whole, wedge):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(runParts("outlets", tubes, oblique, blast, rest, whole, wedge))

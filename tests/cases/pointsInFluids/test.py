@@ -30,10 +30,9 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from fluidCases import AIR, WATER, besidePoints, fluidCase, fluidField
-from foamCase import PROJECT, FoamCase, RunFailed
-from gasCases import UPWIND, VAN_LEER, volField
+from foamCase import FoamCase, PROJECT, RunFailed, runParts
+from gasCases import UPWIND, volField
 from gasOnCells import cyclicSides
-from report import Report
 from roots import bisection
 from surfaces import prisms, surfaceRegion
 
@@ -186,7 +185,6 @@ def eroding(table):
         table.row(f"{label}: volume filled over that of the points gone", 0.99,
                   volume*2700/float(sums), 0.02)
         time = f"{end:g}" if case.processors() else case.timeName(end)
-        theta = volField(case, time, "theta")
         Theta = volField(case, time, "Theta")
         table.row(f"{label}: sum of all fractions, least", 1, Theta.min(), 0.02)
         table.row(f"{label}: sum of all fractions, most", 1, Theta.max(), 0.02)
@@ -500,18 +498,6 @@ def ranks(table):
                       np.max(abs(a - b))/np.max(abs(a)), 1e-10)
 
 
-def main():
-    table = Report("pointsInFluids")
-    for part in (translation, bodies, eroding, hit, piston, step, leak, Taylor, rest, heat, gate,
-                 restart, ranks):
-        if len(sys.argv) > 1 and part.__name__ not in sys.argv[1:]:
-            continue
-        try:
-            part(table)
-        except RunFailed as e:
-            table.check(f"{part.__name__} runs", False, e)
-    return table.finish()
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(runParts("pointsInFluids", translation, bodies, eroding, hit, piston, step, leak,
+                      Taylor, rest, heat, gate, restart, ranks))
