@@ -29,7 +29,8 @@ void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
         scalar next = origin_ + (std::floor(passed + 1e-9) + 1)*interval;
         const scalar end = time_.endTime().value();
         // A start at the end may be less than it by the last digit
-        if (!openEnd() && end - time_.value() > 1e-9*largest)
+        const scalar rounding = 1e-9*min(min(largest, interval), mag(end));
+        if (!openEnd() && end - time_.value() > rounding)
         {
             next = min(next, end);
         }
@@ -203,6 +204,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
     if (last_)
     {
         // Time::run() ends by the time step of the last step
+        setSubSteps();
         return;
     }
     if (points() && points()->erosion().empty() && !gas())

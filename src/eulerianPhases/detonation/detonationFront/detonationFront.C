@@ -258,7 +258,7 @@ void Foam::mpm::detonationFront::start
         {
             if (charge[c])
             {
-                const vector d(from(s, C[c]));
+                const vector d(from(s, C[c] - mesh.time().value()*moving_));
                 nearest = min(nearest, mag(d));
                 for (const label p : mesh.cellPoints()[c])
                 {
