@@ -67,7 +67,9 @@ void Foam::mpm::eulerianFluids::severalFluids(const label c)
     w.u = rhoU_[c]/total;
     const scalar energy = rhoE_[c] - 0.5*(rhoU_[c] & w.u);
     const scalar* F = burntOf(c);
-    w.p = mixture_.pressure(theta, m, energy, F);
+    w.p =
+        relaxedP_[c] > 0
+      ? relaxedP_[c] : mixture_.pressure(theta, m, energy, F);
     const fluidMixture::moduli all(mixture_.at(theta, m, w.p, F));
     t_[c].K = all.wood;
     t_[c].rhoE = energy/theta_[c];
@@ -165,6 +167,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
     porousFlux_(settings(properties), faces_),
     part_(n_*mesh.nCells(), Zero),
     mass_(n_*mesh.nCells(), Zero),
+    relaxedP_(mesh.nCells(), -1),
     t_(W_.size()),
     tb_(Wb_.size(), stateTerms{1, 0, 1}),
     z_(W_.size()),
@@ -194,6 +197,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
     first_(W_.size() + Wb_.size(), false),
     dropped_(0),
     relaxed_(0),
+    voids_(0),
     faceMass_(n_, Zero),
     beside_(false),
     warned_(n_, false),

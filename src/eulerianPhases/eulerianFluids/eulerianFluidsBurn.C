@@ -200,6 +200,10 @@ void Foam::mpm::eulerianFluids::burn(const scalar dt)
 
 void Foam::mpm::eulerianFluids::columnsFilled(const labelUList& cells)
 {
+    for (const label c : cells)
+    {
+        relaxedP_[c] = -1;
+    }
     for (const label k : burning_)
     {
         for (const label c : cells)

@@ -328,11 +328,11 @@ inline void Foam::mpm::eulerianFluids::face
 
 Foam::scalar Foam::mpm::eulerianFluids::liquid
 (
-    const scalar z,
-    const gasState& w
+    const scalar K,
+    const scalar p
 )
 {
-    return min(max(sqr(z)/(w.rho*max(w.p, VSMALL)) - 3.5, 0.0), 1.0);
+    return min(max(K/max(p, VSMALL) - 3.5, 0.0), 1.0);
 }
 
 
@@ -376,7 +376,7 @@ void Foam::mpm::eulerianFluids::insideFaces
                 i < 0 ? theta_[N] : thetaB_[i], i < 0 ? V[N] : faces_.Vb[i]
             };
             const scalar chi =
-                chi_*max(liquid(z_[P], W_[P]), liquid(zN, WN));
+                chi_*max(liquidBy(z_[P], W_[P]), liquidBy(zN, WN));
             if (pores->area)
             {
                 porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi, to);

@@ -241,7 +241,8 @@ void Foam::mpm::eulerianFluids::report() const
         << returnReduce(fixups_.theta, sumOp<label>())
         << ", pressure of relaxation kept "
         << returnReduce(relaxed_, sumOp<label>()) << ", isentropic "
-        << returnReduce(fixups_.isentropic, sumOp<label>()) << " (energy "
+        << returnReduce(fixups_.isentropic, sumOp<label>()) << ", voids "
+        << returnReduce(voids_, sumOp<label>()) << " (energy "
         << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
         << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back, "
         << returnReduce(dropped_, sumOp<scalar>()) << " dropped)" << endl;
@@ -287,6 +288,7 @@ Foam::dictionary Foam::mpm::eulerianFluids::state() const
 {
     dictionary state(fixupState());
     state.add("relaxed", returnReduce(relaxed_, sumOp<label>()));
+    state.add("voids", returnReduce(voids_, sumOp<label>()));
     state.add("dropped", returnReduce(dropped_, sumOp<scalar>()));
     return state;
 }
@@ -297,6 +299,7 @@ void Foam::mpm::eulerianFluids::setState(const dictionary& state)
     setFixups(state);
     const bool keeps = Pstream::master();
     relaxed_ = keeps ? required<label>(state, "relaxed") : 0;
+    voids_ = keeps ? required<label>(state, "voids") : 0;
     dropped_ = keeps ? required<scalar>(state, "dropped") : 0;
 }
 

@@ -10,6 +10,16 @@ License
 #include "StringStream.H"
 #include "Time.H"
 
+namespace
+{
+
+//- Least pressure of a void in a liquid over its frozen modulus (260 Pa of
+//  water, a tenth of its vapour's at 20 degrees C): traces of gas would reach
+//  1e-45 Pa, and what closes such voids follows from rounding
+constexpr Foam::scalar leastOfVoid = 1e-7;
+
+} // End anonymous namespace
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::eulerianFluids::startShares()
@@ -80,6 +90,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
             gas = gas || isGas(k);
         }
     }
+    relaxedP_[c] = -1;
     if (several <= 1)
     {
         for (label k = 0; k < n_; ++k)
@@ -91,7 +102,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         return;
     }
     bool common = true;
-    const scalar P =
+    scalar P =
         mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common);
     if (!common && badCell_ < 0)
     {
@@ -121,13 +132,34 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
     rho_[c] = total;
     const scalar kinetic = 0.5*magSqr(rhoU_[c])/total;
     const scalar* F = burntOf(c);
-    const scalar p = mixture_.pressure(part, mass, rhoE_[c] - kinetic, F);
+    const scalar energy = rhoE_[c] - kinetic;
+    const fluidMixture::moduli at = mixture_.at(part, mass, P, F);
+    const scalar wet = liquid(at.frozen, P);
+    if (wet > 0)
+    {
+        P = mixture_.heat(share, P, wet*(energy - at.energy), part);
+    }
+    const scalar least = leastOfVoid*at.frozen;
+    if (gas && wet == 1 && P < least)
+    {
+        const scalar E = mixture_.raise(share, P, least, part);
+        bookFixup(c, E*mesh_.V()[c]);
+        rhoE_[c] += E;
+        ++voids_;
+    }
+    const scalar p =
+        wet == 1
+      ? P : mixture_.pressure(part, mass, rhoE_[c] - kinetic, F);
     if (gas && !(p >= 0.3*P))
     {
         const scalar E = mixture_.at(part, mass, P, F).energy + kinetic;
         bookFixup(c, (E - rhoE_[c])*mesh_.V()[c]);
-        ++relaxed_;
         rhoE_[c] = E;
+        ++relaxed_;
+    }
+    else if (wet > 0)
+    {
+        relaxedP_[c] = p;
     }
 }
 

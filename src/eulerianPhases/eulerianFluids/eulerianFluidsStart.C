@@ -431,6 +431,7 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
     rhoU_ = rhoU.field();
     rhoE_ = read("thetaRhoE", -1);
     const scalarField p(p_.primitiveField());
+    relaxedP_ = p;
     primitives();
     checkState(p);
     far_->setValues(W_, g_, U_, p_);

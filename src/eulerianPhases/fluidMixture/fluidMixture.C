@@ -497,6 +497,89 @@ Foam::scalar Foam::mpm::fluidMixture::relax
 }
 
 
+Foam::scalar Foam::mpm::fluidMixture::relaxAgain
+(
+    const share* s,
+    const scalar P,
+    const scalar* Q,
+    scalar* theta
+) const
+{
+    FixedList<share, most> heated;
+    FixedList<scalar, most> volumes;
+    scalar volume = 0;
+    forAll(fluids_, k)
+    {
+        share& h = heated[k];
+        h = s[k];
+        if (h.m > 0)
+        {
+            const scalar rho = h.m/theta[k];
+            h.A = theta[k];
+            h.e0 = h.A*energy(at(k, rho, h.F), rho, P) + Q[k];
+            volume += h.A;
+        }
+    }
+    bool found = true;
+    const scalar next =
+        relax(heated.cdata(), volume, volumes.begin(), nullptr, &found);
+    if (!found || !(next > 0))
+    {
+        return P;
+    }
+    std::copy_n(volumes.begin(), size(), theta);
+    return next;
+}
+
+
+Foam::scalar Foam::mpm::fluidMixture::heat
+(
+    const share* s,
+    const scalar P,
+    const scalar Q,
+    scalar* theta
+) const
+{
+    FixedList<scalar, most> to;
+    scalar mass = 0;
+    forAll(fluids_, k)
+    {
+        to[k] = Q > 0 || !thermo(k).isGammaLaw() ? s[k].m : scalar(0);
+        mass += to[k];
+    }
+    forAll(fluids_, k)
+    {
+        to[k] *= Q/max(mass, VSMALL);
+    }
+    return relaxAgain(s, P, to.cdata(), theta);
+}
+
+
+Foam::scalar Foam::mpm::fluidMixture::raise
+(
+    const share* s,
+    scalar& P,
+    const scalar least,
+    scalar* theta
+) const
+{
+    FixedList<scalar, most> to;
+    scalar added = 0;
+    forAll(fluids_, k)
+    {
+        to[k] = 0;
+        if (thermo(k).isGammaLaw() && s[k].m > 0)
+        {
+            const scalar rho = s[k].m/theta[k];
+            to[k] = theta[k]*(least - P)*rho/at(k, rho, s[k].F).B;
+            added += to[k];
+        }
+    }
+    P = relaxAgain(s, P, to.cdata(), theta);
+    return added;
+}
+
+
 Foam::string Foam::mpm::fluidMixture::description(const label k) const
 {
     const fluid& f = fluids_[k];
