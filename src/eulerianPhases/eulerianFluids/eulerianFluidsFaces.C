@@ -326,16 +326,6 @@ inline void Foam::mpm::eulerianFluids::face
 }
 
 
-Foam::scalar Foam::mpm::eulerianFluids::liquid
-(
-    const scalar K,
-    const scalar p
-)
-{
-    return min(max(K/max(p, VSMALL) - 3.5, 0.0), 1.0);
-}
-
-
 void Foam::mpm::eulerianFluids::insideFaces
 (
     const scalar dt,
@@ -376,7 +366,7 @@ void Foam::mpm::eulerianFluids::insideFaces
                 i < 0 ? theta_[N] : thetaB_[i], i < 0 ? V[N] : faces_.Vb[i]
             };
             const scalar chi =
-                chi_*max(liquidBy(z_[P], W_[P]), liquidBy(zN, WN));
+                chi_*max(liquid(z_[P], W_[P]), liquid(zN, WN));
             if (pores->area)
             {
                 porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi, to);

@@ -134,10 +134,10 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
     const scalar* F = burntOf(c);
     const scalar energy = rhoE_[c] - kinetic;
     const fluidMixture::moduli at = mixture_.at(part, mass, P, F);
-    const scalar wet = liquid(at.frozen, P);
+    const scalar wet = min(at.liquid/0.8, scalar(1));
     if (wet > 0)
     {
-        P = mixture_.heat(share, P, wet*(energy - at.energy), part);
+        P = mixture_.heat(share, P, wet*(energy - at.energy), wet, part);
     }
     const scalar least = leastOfVoid*at.frozen;
     if (gas && wet == 1 && P < least)

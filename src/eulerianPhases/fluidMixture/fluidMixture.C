@@ -387,8 +387,8 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at
     const scalar* F
 ) const
 {
-    moduli all{0, 0, 0, GREAT};
-    scalar volume = 0, soft = 0;
+    moduli all{0, 0, 0, GREAT, 0};
+    scalar volume = 0, soft = 0, mass = 0;
     forAll(fluids_, k)
     {
         if (m[k] > 0)
@@ -399,12 +399,15 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at
             all.frozen += m[k]*c;
             all.energy += theta[k]*energy(t, rho, p);
             all.strength = min(all.strength, rho*c/(1 + t.B/rho));
+            all.liquid += m[k]*liquid(rho*c, p);
             soft += theta[k]/(rho*c);
             volume += theta[k];
+            mass += m[k];
         }
     }
     all.frozen /= volume;
     all.wood = volume/soft;
+    all.liquid /= mass;
     return all;
 }
 
@@ -537,19 +540,43 @@ Foam::scalar Foam::mpm::fluidMixture::heat
     const share* s,
     const scalar P,
     const scalar Q,
+    const scalar part,
     scalar* theta
 ) const
 {
     FixedList<scalar, most> to;
-    scalar mass = 0;
+    scalar mass = 0, rest = Q;
     forAll(fluids_, k)
     {
-        to[k] = Q > 0 || !thermo(k).isGammaLaw() ? s[k].m : scalar(0);
-        mass += to[k];
+        to[k] = 0;
+        if (thermo(k).isGammaLaw() && s[k].m > 0)
+        {
+            // Of work by the last pressure to that of the mean one, but no
+            // colder than the isentrope
+            const scalar A = s[k].A, more = theta[k] - A;
+            const scalar p = (fluids_[k].gamma - 1)*s[k].e0/A;
+            to[k] = 0.5*(P - p)*more;
+            if (mag(more) > 1e-3*A)
+            {
+                const scalar ps = p*std::pow(A/theta[k], fluids_[k].gamma);
+                to[k] =
+                    max(to[k], theta[k]*(ps - P)/(fluids_[k].gamma - 1));
+            }
+            to[k] *= part;
+            rest -= to[k];
+        }
+    }
+    const bool liquids = rest < 0;
+    forAll(fluids_, k)
+    {
+        mass += liquids && thermo(k).isGammaLaw() ? scalar(0) : s[k].m;
     }
     forAll(fluids_, k)
     {
-        to[k] *= Q/max(mass, VSMALL);
+        if (!liquids || !thermo(k).isGammaLaw())
+        {
+            to[k] += rest*s[k].m/max(mass, VSMALL);
+        }
     }
     return relaxAgain(s, P, to.cdata(), theta);
 }
