@@ -1,0 +1,121 @@
+/*---------------------------------------------------------------------------*\
+    materialPointFoam: material point method on OpenFOAM's mesh
+-------------------------------------------------------------------------------
+License
+    GPL-3.0-or-later, see LICENSE in the project's top folder.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fluidMixture.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::fluidMixture::relaxAgain
+(
+    const share* s,
+    const scalar P,
+    const scalar* Q,
+    scalar* theta
+) const
+{
+    FixedList<share, most> heated;
+    FixedList<scalar, most> volumes;
+    scalar volume = 0;
+    forAll(fluids_, k)
+    {
+        share& h = heated[k];
+        h = s[k];
+        if (h.m > 0)
+        {
+            const scalar rho = h.m/theta[k];
+            h.A = theta[k];
+            h.e0 = h.A*energy(at(k, rho, h.F), rho, P) + Q[k];
+            volume += h.A;
+        }
+    }
+    bool found = true;
+    const scalar next =
+        relax(heated.cdata(), volume, volumes.begin(), nullptr, &found);
+    if (!found || !(next > 0))
+    {
+        return P;
+    }
+    std::copy_n(volumes.begin(), size(), theta);
+    return next;
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::fluidMixture::heat
+(
+    const share* s,
+    const scalar P,
+    const scalar Q,
+    const scalar part,
+    scalar* theta
+) const
+{
+    FixedList<scalar, most> to;
+    scalar mass = 0, rest = Q;
+    forAll(fluids_, k)
+    {
+        to[k] = 0;
+        if (thermo(k).isGammaLaw() && s[k].m > 0)
+        {
+            // Of work by the last pressure to that of the mean one, but no
+            // colder than the isentrope
+            const scalar A = s[k].A, more = theta[k] - A;
+            const scalar p = (fluids_[k].gamma - 1)*s[k].e0/A;
+            to[k] = 0.5*(P - p)*more;
+            if (mag(more) > 1e-3*A)
+            {
+                const scalar ps = p*std::pow(A/theta[k], fluids_[k].gamma);
+                to[k] =
+                    max(to[k], theta[k]*(ps - P)/(fluids_[k].gamma - 1));
+            }
+            to[k] *= part;
+            rest -= to[k];
+        }
+    }
+    const bool liquids = rest < 0;
+    forAll(fluids_, k)
+    {
+        mass += liquids && thermo(k).isGammaLaw() ? scalar(0) : s[k].m;
+    }
+    forAll(fluids_, k)
+    {
+        if (!liquids || !thermo(k).isGammaLaw())
+        {
+            to[k] += rest*s[k].m/max(mass, VSMALL);
+        }
+    }
+    return relaxAgain(s, P, to.cdata(), theta);
+}
+
+
+Foam::scalar Foam::mpm::fluidMixture::raise
+(
+    const share* s,
+    scalar& P,
+    const scalar least,
+    scalar* theta
+) const
+{
+    FixedList<scalar, most> to;
+    scalar added = 0;
+    forAll(fluids_, k)
+    {
+        to[k] = 0;
+        if (thermo(k).isGammaLaw() && s[k].m > 0)
+        {
+            const scalar rho = s[k].m/theta[k];
+            to[k] = theta[k]*(least - P)*rho/at(k, rho, s[k].F).B;
+            added += to[k];
+        }
+    }
+    P = relaxAgain(s, P, to.cdata(), theta);
+    return added;
+}
+
+// ************************************************************************* //
