@@ -56,7 +56,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
     scalar* part = part_.begin() + n_*c;
     scalar* mass = mass_.begin() + n_*c;
     label only = -1, several = 0;
-    bool gas = false;
+    bool gas = false, other = false;
     FixedList<scalar, fluidMixture::most> theta;
     for (label k = 0; k < n_; ++k)
     {
@@ -87,7 +87,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         {
             only = k;
             ++several;
-            gas = gas || isGas(k);
+            (isGas(k) ? gas : other) = true;
         }
     }
     relaxedP_[c] = -1;
@@ -102,7 +102,7 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         return;
     }
     bool common = true;
-    scalar P =
+    const scalar P =
         mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common);
     if (!common && badCell_ < 0)
     {
@@ -130,22 +130,41 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         total += mass[k];
     }
     rho_[c] = total;
-    const scalar kinetic = 0.5*magSqr(rhoU_[c])/total;
+    heatCell(c, share, P, gas, other);
+}
+
+
+void Foam::mpm::eulerianFluids::heatCell
+(
+    const label c,
+    const fluidMixture::share* share,
+    scalar P,
+    const bool gas,
+    const bool other
+)
+{
+    scalar* part = part_.begin() + n_*c;
+    const scalar* mass = mass_.cdata() + n_*c;
+    const scalar kinetic = 0.5*magSqr(rhoU_[c])/rho_[c];
     const scalar* F = burntOf(c);
     const scalar energy = rhoE_[c] - kinetic;
-    const fluidMixture::moduli at = mixture_.at(part, mass, P, F);
-    const scalar wet = min(at.liquid/0.8, scalar(1));
-    if (wet > 0)
+    scalar wet = 0;
+    if (other)
     {
-        P = mixture_.heat(share, P, wet*(energy - at.energy), wet, part);
-    }
-    const scalar least = leastOfVoid*at.frozen;
-    if (gas && wet == 1 && P < least)
-    {
-        const scalar E = mixture_.raise(share, P, least, part);
-        bookFixup(c, E*mesh_.V()[c]);
-        rhoE_[c] += E;
-        ++voids_;
+        const fluidMixture::moduli at = mixture_.at(part, mass, P, F);
+        wet = min(at.liquid/0.8, scalar(1));
+        if (wet > 0)
+        {
+            P = mixture_.heat(share, P, wet*(energy - at.energy), wet, part);
+        }
+        const scalar least = leastOfVoid*at.frozen;
+        if (gas && wet == 1 && P < least)
+        {
+            const scalar E = mixture_.raise(share, P, least, part);
+            bookFixup(c, E*mesh_.V()[c]);
+            rhoE_[c] += E;
+            ++voids_;
+        }
     }
     const scalar p =
         wet == 1

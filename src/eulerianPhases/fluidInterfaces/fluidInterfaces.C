@@ -46,19 +46,19 @@ Foam::scalar Foam::mpm::fluidInterfaces::tangent
 )
 {
     // y = b x: where the tangent passes 1/2
-    const scalar E = std::exp(sign*b*(2*a - 1));
-    const scalar T = (std::cosh(b) - E)/std::sinh(b);
+    const scalar E = std::exp(sign*b*(2*a - 1)), e = std::exp(b);
+    const scalar T = (0.5*(e + 1/e) - E)/(0.5*(e - 1/e));
     if (lambda < 1e-3)
     {
         // In the middle of the short end
         const scalar t = std::tanh(b*(1 - 0.5*lambda));
         return 0.5*(1 + sign*(t - T)/(1 - t*T));
     }
-    const scalar to = b*(1 - lambda);
+    const scalar o = std::exp(b*(1 - lambda));
     return
         0.5
       + 0.5*sign/(b*lambda)
-       *std::log(E/(std::cosh(to) - std::sinh(to)*T));
+       *std::log(E/(0.5*(o + 1/o) - 0.5*(o - 1/o)*T));
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -76,6 +76,7 @@ Foam::mpm::fluidInterfaces::fluidInterfaces
     nShares_(nFluids == 2 ? 1 : nFluids)
 {
     setWidths();
+    setWeights();
     const label nCells = faces.mesh.nCells();
     const label nBoundary = faces.mesh.nFaces() - faces.mesh.nInternalFaces();
     single_.setSize(nCells + nBoundary, 0);
@@ -232,8 +233,12 @@ void Foam::mpm::fluidInterfaces::shares
         {
             a = halfStep(a, s, k, n, 0.5*dt/(V*theta));
             const vector& g = gradient_[nShares_*s + k];
-            const scalar along = (g & n)/max(mag(g), VSMALL);
-            const scalar b = beta*mag(along);
+            const scalar size = mag(g), own = part[k]/theta;
+            const scalar along = (g & n)/max(size, VSMALL);
+            const scalar contrast = size*h/(V*own*(1 - own));
+            const scalar b =
+                beta*mag(along)
+               *min(max((contrast - mixed)/(sharp - mixed), 0.0), 1.0);
             if (b > 1e-3)
             {
                 a = tangent(a, along > 0 ? 1 : -1, b, lambda);

@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fluidInterfaces.H"
+#include "emptyPolyPatch.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -150,14 +151,55 @@ void Foam::mpm::fluidInterfaces::setSlots()
 }
 
 
-void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
+void Foam::mpm::fluidInterfaces::setWeights()
 {
     const fvMesh& mesh = faces_.mesh;
-    const label width = nShares_ + 1;
+    weightStart_.setSize(mesh.nPoints() + 1, 0);
+    forAll(mesh.pointCells(), p)
+    {
+        weightStart_[p + 1] = weightStart_[p] + mesh.pointCells()[p].size();
+    }
+    weights_.setSize(weightStart_.last());
+    scalarList sum(mesh.nPoints(), Zero);
+    forAll(sum, p)
+    {
+        scalar* w = weights_.begin() + weightStart_[p];
+        for (const label c : mesh.pointCells()[p])
+        {
+            *w = 1/mag(mesh.points()[p] - mesh.cellCentres()[c]);
+            sum[p] += *w++;
+        }
+    }
+    if (Pstream::parRun() || !coupled_.empty())
+    {
+        syncTools::syncPointList(mesh, sum, plusEqOp<scalar>(), scalar(0));
+    }
+    forAll(sum, p)
+    {
+        for (label i = weightStart_[p]; i < weightStart_[p + 1]; ++i)
+        {
+            weights_[i] /= sum[p];
+        }
+    }
+    const label nInternal = mesh.nInternalFaces();
+    empty_.setSize(mesh.nFaces() - nInternal, false);
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        for (label f = pp.start(); f < pp.start() + pp.size(); ++f)
+        {
+            empty_[f - nInternal] = isA<emptyPolyPatch>(pp);
+        }
+    }
+}
+
+
+void Foam::mpm::fluidInterfaces::setMeans(const contents& of)
+{
+    const fvMesh& mesh = faces_.mesh;
     marked_.setSize(mesh.nPoints());
-    pointSums_.setSize(width*mesh.nPoints());
+    pointMeans_.setSize(nShares_*mesh.nPoints());
+    shares_.setSize(nShares_*mesh.nCells());
     marked_ = false;
-    DynamicList<label> points;
     for (const label c : cells_)
     {
         for (const label p : mesh.cellPoints()[c])
@@ -165,48 +207,68 @@ void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
             marked_[p] = true;
         }
     }
-    if (Pstream::parRun() || !coupled_.empty())
+    const bool sync = Pstream::parRun() || !coupled_.empty();
+    if (sync)
     {
         syncTools::syncPointList(mesh, marked_, orEqOp<bool>(), false);
     }
+    forAll(of.theta, c)
+    {
+        for (label k = 0; k < nShares_; ++k)
+        {
+            shares_[nShares_*c + k] = of.part[n_*c + k]/of.theta[c];
+        }
+    }
+    const labelListList& pointCells = mesh.pointCells();
     forAll(marked_, p)
     {
+        scalar* mean = pointMeans_.begin() + nShares_*p;
+        std::fill_n(mean, nShares_, 0.0);
         if (marked_[p])
         {
-            points.append(p);
-            scalar* sum = pointSums_.begin() + width*p;
-            std::fill_n(sum, width, 0.0);
-            for (const label c : mesh.pointCells()[p])
+            const scalar* w = weights_.cdata() + weightStart_[p];
+            for (const label c : pointCells[p])
             {
-                const scalar w = 1/mag(mesh.points()[p] - mesh.cellCentres()[c]);
-                sum[nShares_] += w;
                 for (label k = 0; k < nShares_; ++k)
                 {
-                    sum[k] += w*of.part[n_*c + k]/of.theta[c];
+                    mean[k] += *w*shares_[nShares_*c + k];
                 }
+                ++w;
             }
         }
     }
-    if (Pstream::parRun() || !coupled_.empty())
+    if (sync)
     {
         scalarList one(mesh.nPoints(), Zero);
-        for (label k = 0; k < width; ++k)
+        for (label k = 0; k < nShares_; ++k)
         {
-            for (const label p : points)
+            forAll(one, p)
             {
-                one[p] = pointSums_[width*p + k];
+                one[p] = pointMeans_[nShares_*p + k];
             }
             syncTools::syncPointList
             (
                 mesh, one, plusEqOp<scalar>(), scalar(0)
             );
-            for (const label p : points)
+            forAll(one, p)
             {
-                pointSums_[width*p + k] = one[p];
+                pointMeans_[nShares_*p + k] = one[p];
             }
         }
     }
+}
 
+
+void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
+{
+    setMeans(of);
+    const fvMesh& mesh = faces_.mesh;
+    const label nInternal = mesh.nInternalFaces();
+    const labelUList& owner = mesh.faceOwner();
+    const vectorField& S = mesh.faceAreas();
+    const faceList& faces = mesh.faces();
+    const cellList& cells = mesh.cells();
+    const Vector<label>& directions = mesh.geometricD();
     gradient_.setSize(nShares_*cells_.size());
     forAll(cells_, s)
     {
@@ -215,27 +277,29 @@ void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
         {
             vector& g = gradient_[nShares_*s + k];
             g = Zero;
-            const scalar own = of.part[n_*c + k]/of.theta[c];
+            const scalar own = shares_[nShares_*c + k];
             if (!(own > wisp && own < 1 - wisp))
             {
                 continue;
             }
-            for (const label f : mesh.cells()[c])
+            for (const label f : cells[c])
             {
-                scalar mean = 0;
-                for (const label p : mesh.faces()[f])
+                if (f >= nInternal && empty_[f - nInternal])
                 {
-                    const scalar* sum = pointSums_.begin() + width*p;
-                    mean += sum[k]/sum[nShares_];
+                    continue;
                 }
-                mean /= mesh.faces()[f].size();
-                g +=
-                    (mean - own)*(mesh.faceOwner()[f] == c ? 1 : -1)
-                   *mesh.faceAreas()[f];
+                const face& points = faces[f];
+                scalar mean = 0;
+                for (const label p : points)
+                {
+                    mean += pointMeans_[nShares_*p + k];
+                }
+                mean /= points.size();
+                g += (mean - own)*(owner[f] == c ? 1 : -1)*S[f];
             }
             for (direction d = 0; d < 3; ++d)
             {
-                if (mesh.geometricD()[d] < 0)
+                if (directions[d] < 0)
                 {
                     g[d] = 0;
                 }

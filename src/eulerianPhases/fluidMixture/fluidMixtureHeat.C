@@ -78,14 +78,13 @@ Foam::scalar Foam::mpm::fluidMixture::heat
             rest -= to[k];
         }
     }
-    const bool liquids = rest < 0;
     forAll(fluids_, k)
     {
-        mass += liquids && thermo(k).isGammaLaw() ? scalar(0) : s[k].m;
+        mass += s[k].m;
     }
     forAll(fluids_, k)
     {
-        if (!liquids || !thermo(k).isGammaLaw())
+        if (rest > 0 || !thermo(k).isGammaLaw())
         {
             to[k] += rest*s[k].m/max(mass, VSMALL);
         }

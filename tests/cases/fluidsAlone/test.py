@@ -249,6 +249,9 @@ def sheared(table):
     T, U = fluidField(case, e, "T.air")[on], fluidField(case, e, "U")
     table.row("sheared water with air: what is left of the shear", 0,
               np.max(abs(U[:, 1]))/v, 0.05, "atMost")
+    a = fluidField(case, e, "alpha.air")
+    table.row("sheared water with air: largest share of air over the least, less 1", 0,
+              a.max()/a.min() - 1, 0.05, "atMost")
     table.row("sheared water with air: largest T [K]", 0, T.max(),
               1.01*hottest, "atMost")
     table.row("sheared water with air: least T [K]", 0, T.min(), 0.99*T0, "atLeast")
