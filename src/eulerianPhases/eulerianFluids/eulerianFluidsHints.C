@@ -231,14 +231,13 @@ void Foam::mpm::eulerianFluids::warnOfTemperature(const label k) const
 
 bool Foam::mpm::eulerianFluids::canTear() const
 {
+    bool liquid = false, nuclei = false;
     for (label k = 0; k < n_; ++k)
     {
-        if (nuclei_[k] > 0)
-        {
-            return true;
-        }
+        liquid = liquid || !isGas(k);
+        nuclei = nuclei || nuclei_[k] > 0;
     }
-    return false;
+    return !liquid || nuclei;
 }
 
 
@@ -318,9 +317,11 @@ void Foam::mpm::eulerianFluids::tellDisplaced
             << " kg (" << text(100*share[k]).c_str() << " %)";
     }
     Info<< nl << endl;
-    for (const label k : burning_)
+    for (label k = 0; k < n_; ++k)
     {
-        if (share[k] > 0.01)
+        const bool charge =
+            !isGas(k) && mixture_.thermo(k).equation().ofReaction();
+        if (charge && share[k] > 0.01)
         {
             WarningInFunction
                 << "Points lie where " << mixture_.name(k) << " is: they"
