@@ -51,7 +51,7 @@ struct range
 Ostream& operator<<(Ostream& os, const range& r)
 {
     os  << text(r.low).c_str();
-    if (r.high > r.low*(1 + 1e-3))
+    if (r.high - r.low > 1e-3*mag(r.low))
     {
         os  << " to " << text(r.high).c_str();
     }
@@ -138,7 +138,8 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
     const noTraps guard;
     for (label k = 0; k < n_; ++k)
     {
-        range rho, c, ofStrength;
+        const gasThermo& thermo = mixture_.thermo(k);
+        range rho, c, T, ofStrength;
         forAll(theta_, i)
         {
             const scalar m = mass_[n_*i + k];
@@ -151,10 +152,12 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
                 rho.add(r);
                 c.add(std::sqrt(c2));
                 ofStrength.add(p*(1 + t.B/r)/(r*c2));
+                T.add(thermo.hasTemperature() ? thermo.T(r, p) : scalar(0));
             }
         }
         rho.gather();
         c.gather();
+        T.gather();
         ofStrength.gather();
         Info<< "    " << mixture_.name(k) << ": "
             << mixture_.description(k).c_str() << nl;
@@ -162,13 +165,17 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
         {
             continue;
         }
-        Info<< "        starts with rho " << rho << " kg/m3, speed of sound "
-            << c << " m/s" << nl;
+        Info<< "        starts with rho " << rho << " kg/m3, ";
+        if (thermo.hasTemperature())
+        {
+            Info<< "T " << T << " K, ";
+        }
+        Info<< "speed of sound " << c << " m/s" << nl;
         if (restarted_)
         {
             continue;
         }
-        const bool liquid = !isGas(k) && isLiquid(mixture_.thermo(k).equation());
+        const bool liquid = !isGas(k) && isLiquid(thermo.equation());
         const std::string wrong
         (
             doubts(rho, c, ofStrength, isGas(k), liquid)
