@@ -110,14 +110,6 @@ void Foam::mpm::simulation::makeFlow(const rows* from)
     }
     requireClosed(properties_.name());
     requireClosed(mesh_->schemesDict().name());
-    if (names.size() && fluids.size())
-    {
-        FatalIOErrorInFunction(properties_)
-            << "There are phases of type gas " << flatOutput(names)
-            << " and of type fluid " << flatOutput(fluids)
-            << ". Those that share cells are all of type fluid."
-            << exit(FatalIOError);
-    }
     if (names.size() > 1)
     {
         FatalIOErrorInFunction(properties_)

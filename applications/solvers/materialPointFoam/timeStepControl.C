@@ -31,6 +31,21 @@ fileName stateFile(const fileName& path, const word& instance)
     return path/instance/"uniform"/"materialPointState";
 }
 
+
+//- Has a run only begun to write this time (or not at all): neither a field
+//  nor a mesh?
+bool isHollow(const fileName& folder)
+{
+    for (const fileName& name : readDir(folder, fileName::DIRECTORY))
+    {
+        if (name != "uniform" && name != cloud::prefix)
+        {
+            return false;
+        }
+    }
+    return readDir(folder, fileName::FILE).empty();
+}
+
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -143,6 +158,22 @@ void Foam::mpm::timeStepControl::setAsideIncomplete(const argList& args)
         }
     }
 
+    // The last ones that were only begun: no run can start there
+    DynamicList<word> incomplete;
+    while (times.size() > 1)
+    {
+        const auto last = std::prev(times.end());
+        const bool hollow =
+            isHollow(path/last->second)
+         && !isFile(stateFile(path, last->second));
+        if (!returnReduce(hollow, andOp<bool>()))
+        {
+            break;
+        }
+        incomplete.append(last->second);
+        times.erase(last);
+    }
+
     // Those with points or a state on some processor, complete on all. The
     // first one with points is that of setMaterialPoints; later ones are of a
     // run
@@ -171,8 +202,7 @@ void Foam::mpm::timeStepControl::setAsideIncomplete(const argList& args)
         }
     }
 
-    DynamicList<word> incomplete;
-    word start;
+    word start(names.empty() && times.size() ? times.rbegin()->second : word());
     for (label i = names.size() - 1; i >= 0 && start.empty(); --i)
     {
         if (i == 0 || complete[i] || !(known || points[i]))

@@ -175,4 +175,16 @@ void Foam::mpm::fluidRegion::checkPressure(const scalar p) const
     }
 }
 
+
+void Foam::mpm::fluidRegion::warnOfCelsius(const scalar p) const
+{
+    if (T_ > 10 && T_ < 60 && p > 5e4)
+    {
+        IOWarningInFunction(dict_)
+            << "Entry T of region " << name_ << " is " << T_ << " K: it is in"
+            << " K. " << T_ << " degrees Celsius are " << T_ + 273.15 << " K."
+            << endl;
+    }
+}
+
 // ************************************************************************* //

@@ -255,6 +255,7 @@ void Foam::mpm::fluidStart::makePressure()
         {
             regions_[r].checkPressure(low);
             regions_[r].checkPressure(high);
+            regions_[r].warnOfCelsius(low);
         }
     }
 }

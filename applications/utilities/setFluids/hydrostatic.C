@@ -9,6 +9,7 @@ License
 #include "hydrostatic.H"
 #include "cyclicPolyPatch.H"
 #include "dictionaryTools.H"
+#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -121,9 +122,29 @@ Foam::mpm::hydrostatic::hydrostatic
     checkKeywords(dict, {"point", "p"});
     if (!(mag(g) > 0))
     {
+        // Down along a wedge's axis, or the last direction that is computed
+        direction along = 0;
+        for (direction d = 0; d < 3; ++d)
+        {
+            along = mesh.geometricD()[d] > 0 ? d : along;
+        }
+        for (const polyPatch& patch : mesh.boundaryMesh())
+        {
+            if (isA<wedgePolyPatch>(patch))
+            {
+                const vector axis
+                (
+                    cmptMag(refCast<const wedgePolyPatch>(patch).axis())
+                );
+                along = axis.y() > 0.5 ? 1 : axis.z() > 0.5 ? 2 : 0;
+            }
+        }
+        vector down(Zero);
+        down[along] = -9.81;
         FatalIOErrorInFunction(dict)
             << "Entry hydrostatic needs gravity: a file constant/g with"
-            << "  dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);"
+            << "  dimensions [0 1 -2 0 0 0 0]; value " << down << ";  or"
+            << " another direction of the mesh that points down."
             << exit(FatalIOError);
     }
     boundBox bb(mesh.bounds());

@@ -218,7 +218,9 @@ int main(int argc, char *argv[])
     if (names.empty())
     {
         FatalIOErrorInFunction(phaseProperties)
-            << "No phase has the type fluid." << exit(FatalIOError);
+            << "No phase has the type fluid: there is nothing to fill cells"
+            << " with. The files of a phase of type gas are written by hand, or"
+            << " by OpenFOAM's setFields." << exit(FatalIOError);
     }
     Info<< "Reading " << dictIO.objectPath() << nl << endl;
     const IOdictionary dict(read(dictIO));

@@ -141,6 +141,10 @@ void Foam::mpm::eulerianFluids::primitives()
     rate_ = returnReduce(bad < 0 ? rate : VGREAT, maxOp<scalar>());
     if (rate_ >= VGREAT)
     {
+        if (whyBad_.size() && !canTear())
+        {
+            whyBad_ += "\n" + aboutNuclei();
+        }
         stop(bad);
     }
     updateViscosity();
@@ -201,6 +205,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
     faceMass_(n_, Zero),
     beside_(false),
     warned_(n_, false),
+    tension_(false),
     nuclei_(n_, Zero)
 {
     for (const word& name : names)
@@ -245,11 +250,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
 
     Info<< "Fluids with one velocity and one pressure, "
         << returnReduce(mesh.nCells(), sumOp<label>()) << " cells:" << nl;
-    for (label k = 0; k < n_; ++k)
-    {
-        Info<< "    " << names[k] << ": " << mixture_.description(k).c_str()
-            << nl;
-    }
+    tellStart(properties);
     Info<< "    reconstruction: " << reconstruction_.description().c_str()
         << nl << endl;
 }
@@ -262,6 +263,8 @@ bool Foam::mpm::eulerianFluids::setTheta(const UList<scalar>& theta)
     {
         return true;
     }
+
+    const List<fluidSums> before(fluidContents());
 
     // The fields have shares of the cell
     forAll(theta_, c)
@@ -276,6 +279,7 @@ bool Foam::mpm::eulerianFluids::setTheta(const UList<scalar>& theta)
     primitives();
     updateFields();
     updateBoundaryStates();
+    tellDisplaced(before);
     return false;
 }
 

@@ -32,6 +32,10 @@ Foam::string Foam::mpm::eulerianFluids::stateOf(const label celli) const
         << " thetaRho.*, thetaRhoU, thetaRhoE, alpha.*, F.* of its time. Later:"
         << " a smaller maxCoGas in system/controlDict or upwind for"
         << " reconstruct(...) in system/fvSchemes often helps.";
+    if (w.p < 0 && !canTear())
+    {
+        os  << nl << aboutNuclei().c_str();
+    }
     return os.str();
 }
 
@@ -216,14 +220,18 @@ void Foam::mpm::eulerianFluids::report() const
     const scalarField& V = mesh_.V();
     scalar pMin = GREAT, pMax = -GREAT;
     scalarField mass(n_, 0);
+    label shared = 0;
     forAll(W_, c)
     {
+        scalar largest = 0;
         pMin = min(pMin, W_[c].p);
         pMax = max(pMax, W_[c].p);
         for (label k = 0; k < n_; ++k)
         {
             mass[k] += V[c]*mass_[n_*c + k];
+            largest = max(largest, part_[n_*c + k]);
         }
+        shared += largest < (1 - fluidInterfaces::foreign)*theta_[c];
     }
     Info<< "Fluids: mass";
     for (label k = 0; k < n_; ++k)
@@ -235,8 +243,9 @@ void Foam::mpm::eulerianFluids::report() const
         << ", energy " << returnReduce(energy(), sumOp<scalar>()) << nl
         << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
         << returnReduce(pMax, maxOp<scalar>()) << ", cells at interfaces "
+        << returnReduce(shared, sumOp<label>()) << " (mixed "
         << returnReduce(interfaces_->cells().size(), sumOp<label>())
-        << ", outflow limited "
+        << "), outflow limited "
         << returnReduce(fixups_.limited, sumOp<label>()) << ", theta kept "
         << returnReduce(fixups_.theta, sumOp<label>())
         << ", pressure of relaxation kept "
@@ -253,6 +262,7 @@ void Foam::mpm::eulerianFluids::report() const
     }
     reportFilled();
     checkSoftened();
+    checkTension();
 }
 
 

@@ -390,6 +390,7 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
         conserve();
         primitives();
         far_->setValues(W_, g_, U_, p_);
+        far_->warnOfPressure(W_, p_);
         updateBoundaryStates();
         updateFields();
         updateBoundaryStates();

@@ -408,6 +408,7 @@ void Foam::mpm::eulerianGas::readState(const fieldStates* states)
         conserve();
         primitives();
         far_->setValues(W_, g_, U_, p_);
+        far_->warnOfPressure(W_, p_);
         updateBoundaryStates();
         correctBoundaryFields();
         updateBoundaryStates();

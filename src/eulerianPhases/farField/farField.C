@@ -215,6 +215,55 @@ void Foam::mpm::farField::setValues
 }
 
 
+void Foam::mpm::farField::warnOfPressure
+(
+    const UList<gasState>& W,
+    const volScalarField& p
+) const
+{
+    DynamicList<word> patches;
+    scalar value = 0, cells = 0;
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        if (!isA<farFieldFvPatchField<scalar>>(p.boundaryField()[patchi]))
+        {
+            continue;
+        }
+        const scalarField& far = refCast<const farFieldFvPatchField<scalar>>
+        (
+            p.boundaryField()[patchi]
+        ).far();
+        scalar low = GREAT, high = -GREAT;
+        for (const label c : patch.faceCells())
+        {
+            low = min(low, W[c].p);
+            high = max(high, W[c].p);
+        }
+        reduce(low, minOp<scalar>());
+        reduce(high, maxOp<scalar>());
+        const scalar least = gMin(far), most = gMax(far);
+        const bool below = 1000*most < low;
+        if (low > 0 && high > -GREAT && (below || least > 1000*high))
+        {
+            patches.append(patch.name());
+            value = below ? most : least;
+            cells = below ? low : high;
+        }
+    }
+    if (patches.size())
+    {
+        WarningInFunction
+            << "The farField of " << p.objectPath() << " on patch "
+            << patches[0] << (patches.size() > 1 ? " and others" : "")
+            << " has the farValue " << value
+            << " Pa, but the cells there start with " << cells << " Pa: a wave"
+            << " of that difference will run in. 1 bar is 1e5 Pa; without"
+            << " farValue it is the pressure of the cells." << endl;
+    }
+}
+
+
 Foam::mpm::farField::state Foam::mpm::farField::at
 (
     const label i,

@@ -64,7 +64,7 @@ Foam::wordList Foam::mpm::phaseNames
     }
     checkKeywords(dict, valid);
 
-    DynamicList<word> found;
+    DynamicList<word> found, gases, fluids;
     for (const word& name : names)
     {
         const word kind
@@ -81,6 +81,19 @@ Foam::wordList Foam::mpm::phaseNames
         {
             found.append(name);
         }
+        if (kind == "gas" || kind == "fluid")
+        {
+            (kind == "gas" ? gases : fluids).append(name);
+        }
+    }
+    if (gases.size() && fluids.size())
+    {
+        FatalIOErrorInFunction(requiredDict(dict, gases[0]))
+            << "Phase " << gases[0] << " is of type gas, but phase "
+            << fluids[0] << " of type fluid. What shares cells with a fluid is"
+            << " a fluid too: write  type fluid;  here, with the files p,"
+            << " U, alpha." << gases[0] << " and T." << gases[0]
+            << " in place of U." << gases[0] << "." << exit(FatalIOError);
     }
     return wordList(std::move(found));
 }

@@ -32,6 +32,7 @@ CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
 
 sys.path.insert(0, os.path.join(PROJECT, "tests", "lib"))
 from report import Report  # noqa: E402
+from fluidRows import fluidRows  # noqa: E402
 from gasRows import air, gasRows  # noqa: E402
 from runRows import gravity, runRows  # noqa: E402
 from unitRows import unitRows  # noqa: E402
@@ -1240,6 +1241,8 @@ ROWS += [
 ROWS += gasRows(SOLVE, replace, remove, several, withPoints, line)
 ROWS += runRows(SOLVE, replace, remove, several, withPoints, meshOf, line)
 ROWS += unitRows(SOLVE, replace, remove, several, withPoints, meshOf, line, air, gravity)
+
+ROWS += fluidRows(SOLVE, line)
 
 for traps in ("true", "false"):
     for name, n in (("first step", 50), ("middle", 1234), ("write time", 900)):

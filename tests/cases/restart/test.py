@@ -122,6 +122,24 @@ def killed(table, tries):
               0, difference(straight, c, end), 0, "atMost")
 
 
+def begun(table):
+    """A run that was killed when its first time was a folder and little more."""
+    for label, make in (("points", lambda: case("begun", "FLIP", "binary")),
+                        ("fluids alone", lambda: fluidCase(
+                            "restart", "begunFluids", (8, 1, 1), (1, 0.1, 0.1), {"water": WATER},
+                            lambda x, y, z: ([1.0], [1000.0], 0.0, 1e5), 1e-5, ends=WALL,
+                            control={"startFrom": "latestTime"}))):
+        c = make()
+        for folder in ("1e-09", "2e-09/uniform/lagrangian/target"):
+            os.makedirs(c.file(folder))
+        c.run("materialPointFoam")
+        table.check(f"{label}: last times without a field, the run starts before them",
+                    c.log().count("was not written to its end") == 2
+                    and "run starts from 0" in c.log()
+                    and {"1e-09.incomplete", "2e-09.incomplete"} <= set(os.listdir(c.path))
+                    and c.log().rstrip().endswith("End"), c.times())
+
+
 def burning(name, split=None):
     """A charge that burns in water under air beside a plate of points; its front takes
     9 us through the charge."""
@@ -368,7 +386,7 @@ def main():
                 restarts(table, scheme, writeFormat)
             except RunFailed as e:
                 table.check(f"{scheme}, {writeFormat} runs", False, e)
-    for part in (lambda t: killed(t, 20), killedFluids, ended, limits, contactGains,
+    for part in (lambda t: killed(t, 20), begun, killedFluids, ended, limits, contactGains,
                  drivenContact, edited):
         try:
             part(table)

@@ -442,7 +442,7 @@ def wrong(table):
              ("covered", "on top")),
             ("noPressure", {"a": ball}, {"fluid": "air", "T": 300}, None,
              ("nowhere", "hydrostatic")),
-            ("twoPressures", {"a": ball}, None, top, ("gravity", "constant/g")),
+            ("twoPressures", {"a": ball}, None, top, ("gravity", "constant/g", "(0 -9.81 0)")),
             ("negative", {"a": {**ball, "fluid": "air", "T": 300, "p": -1}}, None, None,
              ("p", "greater than 0")),
             ("noSound", {"a": {**ball, "p": -7e8}}, None, None, ("speed of sound",)),
@@ -464,6 +464,10 @@ def wrong(table):
         table.check(f"wrong input: {label}",
                     not missing and text.count("FOAM FATAL") == 1 and "printStack" not in text,
                     f"message lacks {missing}")
+    for T, told in ((20, 1), (300, 0)):
+        case = fluidStart(f"T-{T}", mesh, {"a": {**ball, "fluid": "air", "T": T}})
+        table.row(f"air of T {T}: warnings of degrees Celsius", told,
+                  case.log("setFluids").count("20 degrees Celsius are 293.15 K"), 0)
 
 
 if __name__ == "__main__":

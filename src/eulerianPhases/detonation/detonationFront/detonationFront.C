@@ -10,6 +10,7 @@ License
 #include "dictionaryTools.H"
 #include "noTraps.H"
 #include "StringStream.H"
+#include "Time.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -159,6 +160,32 @@ void Foam::mpm::detonationFront::readTimes(const dictionary& dict)
     }
 }
 
+
+void Foam::mpm::detonationFront::warnOfTimes() const
+{
+    const scalar end = mesh_->time().endTime().value();
+    label late = 0;
+    scalar first = GREAT;
+    for (const source& s : sources_)
+    {
+        if (s.time > end)
+        {
+            ++late;
+            first = min(first, s.time);
+        }
+    }
+    if (late)
+    {
+        WarningInFunction
+            << "The detonation is lit at " << first << " s"
+            << (late < sources_.size() ? " in some of its places" : "")
+            << " (entries time, times of detonation in constant/phaseProperties)"
+            << ", after endTime " << end << " s of system/controlDict: "
+            << (late < sources_.size() ? "they do" : "it does")
+            << " not burn in this run." << endl;
+    }
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::detonationFront::detonationFront(const dictionary& dict)
@@ -248,6 +275,7 @@ void Foam::mpm::detonationFront::start
     {
         return;
     }
+    warnOfTimes();
     for (const source& s : sources_)
     {
         scalar nearest = GREAT;
