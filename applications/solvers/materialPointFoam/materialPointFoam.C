@@ -86,6 +86,7 @@ int main(int argc, char *argv[])
         scalar factor = 1;
         control.announce();
         simulation.severalSteps(control.nSub() > 1);
+        simulation.severalOfGas(control.severalOfGas(), control.gasDeltaT());
         while (control.pointsLeft())
         {
             if (!simulation.advancePoints(control.pointStep(), factor))
@@ -97,17 +98,28 @@ int main(int argc, char *argv[])
             control.pointsDone();
             if (simulation.hasRemoved() && control.pointsLeft())
             {
-                simulation.advanceGas(control.startGas());
+                const scalar dt = control.startGas();
+                simulation.advanceGas(dt, dt, true);
                 control.gasDone();
                 simulation.correct();
             }
         }
-        simulation.advanceGas(control.startGas());
-        control.gasDone();
+        while (control.gasStepsLeft())
+        {
+            const scalar dt = control.startGas();
+            simulation.advanceGas(dt, control.gasShare(), control.lastOfGas());
+            control.gasDone();
+            if (control.gasStepsLeft())
+            {
+                simulation.correct();
+            }
+        }
         control.endStep();
 
         ++runTime;
+        control.showGasStep(true);
         simulation.correct();
+        control.showGasStep(false);
         if (control.reports())
         {
             control.printTime();

@@ -95,7 +95,14 @@ void Foam::mpm::simulation::makePhases(rows* from)
     makeFlow(from);
     if (points_ && gas_)
     {
-        coupling_.reset(new gasCoupling(*points_, *gas_, properties_));
+        coupling_.reset
+        (
+            new gasCoupling
+            (
+                *points_, *gas_, properties_,
+                from ? &from->points.cellFields : nullptr
+            )
+        );
     }
 }
 
@@ -183,18 +190,36 @@ void Foam::mpm::simulation::severalSteps(const bool several)
 }
 
 
+void Foam::mpm::simulation::severalOfGas
+(
+    const bool several,
+    const scalar gasDeltaT
+)
+{
+    if (coupling_)
+    {
+        coupling_->severalOfGas(several, gasDeltaT);
+    }
+}
+
+
 bool Foam::mpm::simulation::advancePoints(const scalar dt, scalar& factor)
 {
     return !points_ || points_->advance(dt, factor);
 }
 
 
-void Foam::mpm::simulation::advanceGas(const scalar dt)
+void Foam::mpm::simulation::advanceGas
+(
+    const scalar dt,
+    const scalar all,
+    const bool last
+)
 {
     const timer t(gasSeconds());
     if (coupling_)
     {
-        coupling_->advanceGas(dt);
+        coupling_->advanceGas(dt, all, last);
     }
     else if (gas_)
     {

@@ -81,12 +81,33 @@ Foam::label Foam::mpm::timeStepControl::maxSubSteps() const
 }
 
 
+Foam::label Foam::mpm::timeStepControl::maxGasSubSteps() const
+{
+    return boundedLabelOrDefault
+    (
+        time_.controlDict(), "maxGasSubSteps", 1, 1, 100
+    );
+}
+
+
+Foam::scalar Foam::mpm::timeStepControl::severalGasDeltaT() const
+{
+    const scalar dt = gasDeltaT();
+    if (!gas() || maxGasSubSteps() == 1)
+    {
+        return dt;
+    }
+    const scalar lag = 1/max(simulation_.lagRate(), VSMALL);
+    return max(dt, min(maxGasSubSteps()*dt, lag));
+}
+
+
 Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
 {
     const scalar dt = pointsDeltaT();
     if (!gas() || maxSubSteps() == 1)
     {
-        return min(dt, gasDeltaT());
+        return min(dt, severalGasDeltaT());
     }
 
     // The solid sweeps no more of a cell in a step of the gas than gas may
@@ -100,17 +121,30 @@ Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
 void Foam::mpm::timeStepControl::checkSubSteps() const
 {
     const dictionary& dict = time_.controlDict();
+    if (maxSubSteps() == 1 && maxGasSubSteps() == 1)
+    {
+        return;
+    }
+    const char* name = maxSubSteps() > 1 ? "maxSubSteps" : "maxGasSubSteps";
     const char* lacking =
-        maxSubSteps() == 1 ? nullptr
-      : !points() || !gas() ? "a gas or fluids beside material points"
+        !points() || !gas() ? "a gas or fluids beside material points"
       : !dict.getOrDefault<bool>("adjustTimeStep", false)
       ? "adjustTimeStep yes"
       : nullptr;
     if (lacking)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry maxSubSteps has no effect without " << lacking << "."
+            << "Entry " << name << " has no effect without " << lacking << "."
             << nl << "Remove it." << exit(FatalIOError);
+    }
+    if (maxSubSteps() > 1 && maxGasSubSteps() > 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are maxSubSteps " << maxSubSteps() << " and"
+            << " maxGasSubSteps " << maxGasSubSteps() << ": one of them may be"
+            << " greater than 1." << nl << "maxSubSteps is for points that need"
+            << " a smaller step than the gas, maxGasSubSteps for a gas that"
+            << " needs a smaller step than the points." << exit(FatalIOError);
     }
 }
 
@@ -127,7 +161,11 @@ void Foam::mpm::timeStepControl::setSubSteps()
     start_ = time_.value();
     done_ = 0;
     gasDone_ = 0;
-    sub_ = time_.deltaTValue()/nSub_;
+    whole_ = time_.deltaTValue();
+    sub_ = whole_/nSub_;
+    nGas_ = 0;
+    severalOfGas_ =
+        maxGasSubSteps() > 1 && whole_ > (1 + 1e-9)*gasDeltaT();
 }
 
 
@@ -146,14 +184,49 @@ Foam::scalar Foam::mpm::timeStepControl::startGas()
     {
         time_.setTime(start_ + gasDone_, time_.timeIndex());
     }
-    return done_ - gasDone_;
+    gasStep_ = done_ - gasDone_;
+    if (severalOfGas_)
+    {
+        gasStep_ /= max(std::ceil(gasStep_/gasDeltaT() - 1e-9), scalar(1));
+        showGasStep(true);
+    }
+    return gasStep_;
+}
+
+
+void Foam::mpm::timeStepControl::showGasStep(const bool show)
+{
+    if (severalOfGas_)
+    {
+        time_.setDeltaT(show ? gasStep_ : whole_, false);
+    }
 }
 
 
 void Foam::mpm::timeStepControl::gasDone()
 {
-    gasDone_ = done_;
-    setPointTime();
+    if (!severalOfGas_)
+    {
+        gasDone_ = done_;
+        setPointTime();
+        return;
+    }
+
+    // Fields that keep their old values do so by the index: another one each
+    // time, until that of the whole step
+    const label index = time_.timeIndex() - (nGas_ ? nGas_ + 1 : 0);
+    const bool last = lastOfGas();
+    gasDone_ = last ? whole_ : gasDone_ + gasStep_;
+    ++nGas_;
+    if (last)
+    {
+        time_.setTime(start_, index);
+        showGasStep(false);
+    }
+    else
+    {
+        time_.setTime(start_ + gasDone_, index + nGas_ + 1);
+    }
 }
 
 
@@ -196,6 +269,41 @@ void Foam::mpm::timeStepControl::checkFirst(const scalar dt) const
             << "    Nothing will be resolved: look for a wrong unit (E in Pa,"
             << " rho in kg/m3, the mesh in m, endTime in s)." << endl;
     }
+}
+
+
+Foam::scalar Foam::mpm::timeStepControl::printDeltaT()
+{
+    const scalar CoPoints =
+        points() ? points()->courantRate()*sub_ : 0;
+    const scalar CoGas =
+        gas()
+      ? gas()->courantRate()
+       *(severalOfGas_ ? min(whole_, gasDeltaT()) : time_.deltaTValue())
+      : 0;
+    const scalar Co = max(CoPoints, CoGas);
+    if (!nSteps_ || reports())
+    {
+        Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
+        if (points() && gas())
+        {
+            Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
+                << CoGas << nl;
+            if (nSub_ > 1)
+            {
+                Info<< "Steps of the points in this one of the gas: " << nSub_
+                    << nl;
+            }
+            if (severalOfGas_)
+            {
+                Info<< "Steps of the gas in this one of the points: "
+                    << std::ceil(whole_/gasDeltaT() - 1e-9) << nl;
+            }
+        }
+        Info<< "deltaT = " << time_.deltaTValue() << nl
+            << "deltaT set by " << limiter().c_str() << endl;
+    }
+    return Co;
 }
 
 
@@ -285,28 +393,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
     watchDeltaT();
     checkAdvances();
 
-    const scalar CoPoints =
-        points() ? points()->courantRate()*sub_ : 0;
-    const scalar CoGas =
-        gas() ? gas()->courantRate()*time_.deltaTValue() : 0;
-    const scalar Co = max(CoPoints, CoGas);
-    if (!nSteps_ || reports())
-    {
-        Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
-        if (points() && gas())
-        {
-            Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
-                << CoGas << nl;
-            if (nSub_ > 1)
-            {
-                Info<< "Steps of the points in this one of the gas: " << nSub_
-                    << nl;
-            }
-        }
-        Info<< "deltaT = " << time_.deltaTValue() << nl
-            << "deltaT set by " << limiter().c_str() << endl;
-    }
-
+    const scalar Co = printDeltaT();
     if (!adjust)
     {
         watchCourant(Co);

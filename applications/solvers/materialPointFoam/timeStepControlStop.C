@@ -53,7 +53,22 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
         {
             os  << "maxDeltaT; then by ";
         }
-        if
+        if (points() && gas() && maxGasSubSteps() > 1)
+        {
+            const scalar several = severalGasDeltaT();
+            if (several < pointsDeltaT())
+            {
+                os  << "the gas: Courant number " << gasRate*several << ", "
+                    << (
+                            several < (1 - 1e-9)*maxGasSubSteps()*gasDeltaT()
+                          ? "as much as its pressure may change before the"
+                            " points feel it"
+                          : "maxGasSubSteps"
+                       );
+                return os.str();
+            }
+        }
+        else if
         (
             gas()
          && gasRate/dict.getOrDefault<scalar>("maxCoGas", 0.4)

@@ -7,7 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dragExchange.H"
-#include "cellSums.H"
+#include "dragShares.H"
 #include "dictionaryTools.H"
 #include "syncTools.H"
 #include "FlatOutput.H"
@@ -191,41 +191,6 @@ Foam::vector Foam::mpm::dragExchange::momentumOf
 }
 
 
-template<class Action>
-void Foam::mpm::dragExchange::forDragged
-(
-    const label phasei,
-    const Action& f
-)
-{
-    materialPointCloud& cloud = points_.phases()[phasei].cloud();
-    const pointGridTransfer& passes = points_.gridTransfer();
-    const scalar* volume = (*cloud.gasVolume())[0];
-    const label n = passes.nStencil();
-    const auto ofPoints = [&](const label k, const labelUList& nodes)
-    {
-        const label celli = cloud.cells()[k];
-        const scalar V = fraction_.mesh().V()[celli];
-        f
-        (
-            celli,
-            nodes,
-            SubList<scalar>(share_, nodes.size(), n*k),
-            fraction_.ofPoints(cellSum(cloud, k, volume), V)
-        );
-    };
-    if (levels_)
-    {
-        levels_->forShares(cloud, ofPoints);
-    }
-    else
-    {
-        passes.forStencils(cloud, ofPoints);
-    }
-    fraction_.forDenseCells(phasei, f);
-}
-
-
 void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
@@ -341,6 +306,10 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
             fraction_.mesh().V()[celli]
            *impulse(phasei, celli, GREAT, U, thetaS, dt)
         );
+        if (further_)
+        {
+            present_.append(presence{phasei, celli, GREAT, U, thetaS});
+        }
         rigid.addLoad(phasei, -J);
         if (body)
         {
@@ -437,7 +406,10 @@ Foam::mpm::dragExchange::dragExchange
     inertia_(fraction.mesh().nFaces(), 0),
     levels_(dynamic_cast<const twoLevelShares*>(&points.gridTransfer())),
     before_(0),
-    work_(0)
+    work_(0),
+    further_(false),
+    owed_(points.phases().size()),
+    owes_(false)
 {
     forAll(points_.phases(), phasei)
     {
@@ -465,6 +437,7 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
     }
     ahead_.setSize(fraction_.gasPush().size(), Zero);
     cells_.clear();
+    present_.clear();
     Kc_ = 0;
     held_ = 0;
     work_ = 0;
@@ -472,21 +445,26 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
     {
         fraction_.updateNormals();
     }
+    if (owes_)
+    {
+        pay();
+    }
 
     forAll(points_.phases(), phasei)
     {
         const materialPointPhase& phase = points_.phases()[phasei];
-        if (models_[phasei].none() && phase.grains())
-        {
-            continue;
-        }
-        if (phase.motion())
+        const bool free = models_[phasei].none() && phase.grains();
+        if (!free && phase.motion())
         {
             dragBody(phasei, dt);
         }
-        else
+        else if (!free)
         {
             dragNodes(phasei, dt);
+        }
+        if (further_ && !phase.motion())
+        {
+            findPresent(phasei);
         }
     }
 }
@@ -542,6 +520,16 @@ void Foam::mpm::dragExchange::keep(const scalar dt)
 
 void Foam::mpm::dragExchange::addToGas()
 {
+    if (owes_)
+    {
+        gas_.addSources(paidCells_, returned_, paid_, vectorField());
+        for (vectorField& J : owed_)
+        {
+            J = Zero;
+        }
+        owedWork_ = 0;
+        owes_ = false;
+    }
     if (!(before_ > 0))
     {
         gas_.addSources(cells_, J_, Q_, ahead_);

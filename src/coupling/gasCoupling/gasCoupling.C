@@ -17,7 +17,8 @@ Foam::mpm::gasCoupling::gasCoupling
 (
     materialPointSystem& points,
     eulerianFlow& gas,
-    const dictionary& properties
+    const dictionary& properties,
+    const fieldStates* fields
 )
 :
     points_(points),
@@ -32,6 +33,10 @@ Foam::mpm::gasCoupling::gasCoupling
     heat_(points, gas, *fraction_, properties),
     watch_(points, gas, *fraction_, grains_),
     several_(false),
+    later_(fraction_->mesh()),
+    further_(false),
+    gasDeltaT_(GREAT),
+    passed_(0),
     ended_(false),
     removed_(false),
     books_(false)
@@ -57,6 +62,7 @@ Foam::mpm::gasCoupling::gasCoupling
         theta[c] = max(1 - theta[c], 1 - fraction_->most());
     }
     gas_.setTheta(theta);
+    readOwed(fields);
     watch_.measureEnergy();
     if (points_.energy().active())
     {
@@ -68,10 +74,10 @@ Foam::mpm::gasCoupling::gasCoupling
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::gasCoupling::start(const scalar)
+void Foam::mpm::gasCoupling::start(const scalar dt)
 {
     const noTraps guard;
-    pressure_.start(grains_, books_);
+    pressure_.start(grains_, books_, later_, dt);
 }
 
 
@@ -79,7 +85,7 @@ void Foam::mpm::gasCoupling::exchange(const scalar dt)
 {
     const noTraps guard;
     pressure_.load(dt);
-    drag_.exchange(dt);
+    drag_.exchange(firstOfGas(dt));
 }
 
 
@@ -157,40 +163,6 @@ void Foam::mpm::gasCoupling::fill()
 }
 
 
-void Foam::mpm::gasCoupling::severalSteps(const bool several)
-{
-    several_ = several;
-    if (several_ && !steps_)
-    {
-        steps_.reset(new solidOverSteps(fraction_->mesh()));
-    }
-}
-
-
-void Foam::mpm::gasCoupling::advanceGas(const scalar dt)
-{
-    drag_.addToGas();
-    const solidOnFaces pores(several_ ? steps_->mean(pores_) : pores_);
-    gas_.faceFlux(dt, &pores);
-    gas_.advance(dt, &pores);
-    const noTraps guard;
-    heat_.exchange(dt);
-    if (books_)
-    {
-        heat_.addGain(budget_);
-    }
-    if (removed_)
-    {
-        fill();
-    }
-    if (several_)
-    {
-        steps_->clear();
-    }
-    watch_.check();
-}
-
-
 void Foam::mpm::gasCoupling::needEnergy() const
 {
     if (!gas_.hasEnergy())
@@ -250,6 +222,7 @@ void Foam::mpm::gasCoupling::report() const
 void Foam::mpm::gasCoupling::write()
 {
     watch_.write();
+    writeOwed();
 }
 
 // ************************************************************************* //

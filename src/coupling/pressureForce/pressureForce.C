@@ -158,7 +158,9 @@ Foam::mpm::pressureForce::pressureForce
 void Foam::mpm::pressureForce::start
 (
     granularForce& grains,
-    const bool books
+    const bool books,
+    const pressureOverSteps& last,
+    const scalar dt
 )
 {
     const List<gasState>& W = gas_.states();
@@ -172,6 +174,10 @@ void Foam::mpm::pressureForce::start
     forAll(Wb, i)
     {
         pBehind_[i] = Wb[i].p;
+    }
+    if (last.acts())
+    {
+        last.addTo(dt, p_, pBehind_);
     }
     fraction_.setPressure(p_, pBehind_);
 

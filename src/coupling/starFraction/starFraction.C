@@ -507,7 +507,7 @@ void Foam::mpm::starFraction::setPressure
 )
 {
     stars_.toNodes(p, P_, &nodes_);
-    updateGasPush(p, pBehind);
+    updateGasPush(p, pBehind, areaNew_);
 }
 
 

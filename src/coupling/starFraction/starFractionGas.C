@@ -13,7 +13,8 @@ License
 void Foam::mpm::starFraction::updateGasPush
 (
     const UList<scalar>& p,
-    const UList<scalar>& pBehind
+    const UList<scalar>& pBehind,
+    const vectorField& area
 )
 {
     const labelUList& own = mesh_.faceOwner();
@@ -35,11 +36,22 @@ void Foam::mpm::starFraction::updateGasPush
             const scalar jump =
                 theta/(theta + beside)
                *((other < 0 ? pBehind[i] : p[other]) - p[c]);
-            const vector S(mesh_.faceAreas()[f] - areaNew_[f]);
+            const vector S(mesh_.faceAreas()[f] - area[f]);
             sum += own[f] == c ? jump*S : -jump*S;
         }
         gasPush_[c] = -sum/mesh_.V()[c];
     }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::starFraction::pushAnew
+(
+    const UList<scalar>& p,
+    const UList<scalar>& pBehind
+)
+{
+    updateGasPush(p, pBehind, area0_);
 }
 
 // ************************************************************************* //

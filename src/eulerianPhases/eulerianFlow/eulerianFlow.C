@@ -308,6 +308,8 @@ Foam::mpm::eulerianFlow::eulerianFlow
     rate_(0),
     porous_(false),
     restarted_(false),
+    promised_(Zero),
+    promisedEnergy_(0),
     fixedCell_(-1),
     fixedMost_(0),
     badCell_(-1),
@@ -356,13 +358,14 @@ Foam::scalar Foam::mpm::eulerianFlow::mass() const
 
 Foam::vector Foam::mpm::eulerianFlow::momentum() const
 {
-    return sum(mesh_.V().field()*rhoU_);
+    return sum(mesh_.V().field()*rhoU_) + promised_;
 }
 
 
 Foam::scalar Foam::mpm::eulerianFlow::energy() const
 {
-    return rhoE_.size() ? sum(mesh_.V().field()*rhoE_) : 0;
+    return
+        rhoE_.size() ? sum(mesh_.V().field()*rhoE_) + promisedEnergy_ : 0;
 }
 
 // ************************************************************************* //

@@ -126,6 +126,13 @@ void Foam::mpm::eulerianFluids::checkSoftened() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::mpm::eulerianFlow::waveState
+Foam::mpm::eulerianFluids::wave(const label c) const
+{
+    return {t_[c].K, z_[c], chi_*liquid(z_[c], W_[c])};
+}
+
+
 Foam::mpm::eulerianFlow::heatState
 Foam::mpm::eulerianFluids::heat(const label c) const
 {

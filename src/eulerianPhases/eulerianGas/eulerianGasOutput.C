@@ -138,6 +138,14 @@ Foam::mpm::eulerianGas::heat(const label c) const
 }
 
 
+Foam::mpm::eulerianFlow::waveState
+Foam::mpm::eulerianGas::wave(const label c) const
+{
+    const scalar K = t_.empty() ? thermo_.gamma()*W_[c].p : t_[c].K;
+    return {K, std::sqrt(K*W_[c].rho), 0};
+}
+
+
 void Foam::mpm::eulerianGas::needTemperature(const dictionary& dict) const
 {
     if (!thermo_.hasTemperature())
