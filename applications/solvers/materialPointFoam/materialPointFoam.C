@@ -98,8 +98,7 @@ int main(int argc, char *argv[])
             control.pointsDone();
             if (simulation.hasRemoved() && control.pointsLeft())
             {
-                const scalar dt = control.startGas();
-                simulation.advanceGas(dt, dt, true);
+                simulation.advanceGas(control.startGas());
                 control.gasDone();
                 simulation.correct();
             }
