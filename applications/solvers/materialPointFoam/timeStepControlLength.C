@@ -435,7 +435,10 @@ void Foam::mpm::timeStepControl::redo(const scalar factor)
 void Foam::mpm::timeStepControl::checkAdvances() const
 {
     const scalar dt = time_.deltaTValue();
-    const scalar nLeft = (time_.endTime().value() - time_.value())/dt;
+    const scalar nLeft =
+        dt > 0
+      ? (time_.endTime().value() - time_.value())/dt
+      : GREAT;
 
     if (!(time_.value() + dt > time_.value()) || (!openEnd() && nLeft > labelMax))
     {
