@@ -13,7 +13,7 @@ License
 namespace
 {
 
-//- Least pressure of a void in a liquid over its frozen modulus (260 Pa of
+//- Least pressure of a void in a liquid over the liquid's modulus (260 Pa of
 //  water, a tenth of its vapour's at 20 degrees C): traces of gas would reach
 //  1e-45 Pa, and what closes such voids follows from rounding
 constexpr Foam::scalar leastOfVoid = 1e-7;
@@ -148,38 +148,39 @@ void Foam::mpm::eulerianFluids::heatCell
     const scalar kinetic = 0.5*magSqr(rhoU_[c])/rho_[c];
     const scalar* F = burntOf(c);
     const scalar energy = rhoE_[c] - kinetic;
-    scalar wet = 0;
+    scalar wet = 0, least = 0, p = -1;
     if (other)
     {
         const fluidMixture::moduli at = mixture_.at(part, mass, P, F);
+        const scalar Q = energy - at.energy;
         wet = min(at.liquid/0.8, scalar(1));
-        if (wet > 0)
+        least = leastOfVoid*at.stiffest;
+        if (wet > 0 && Q > 0)
         {
-            P = mixture_.heat(share, P, wet*(energy - at.energy), wet, part);
-        }
-        const scalar least = leastOfVoid*at.frozen;
-        if (gas && wet == 1 && P < least)
-        {
-            const scalar E = mixture_.raise(share, P, least, part);
-            bookFixup(c, E*mesh_.V()[c]);
-            rhoE_[c] += E;
-            ++voids_;
+            P = mixture_.heat(share, P, wet*Q, wet, part);
+            p = wet == 1 ? P : -1;
         }
     }
-    const scalar p =
-        wet == 1
-      ? P : mixture_.pressure(part, mass, rhoE_[c] - kinetic, F);
+    if (p < 0)
+    {
+        p = mixture_.pressure(part, mass, energy, F);
+    }
     if (gas && !(p >= 0.3*P))
     {
         const scalar E = mixture_.at(part, mass, P, F).energy + kinetic;
         bookFixup(c, (E - rhoE_[c])*mesh_.V()[c]);
         rhoE_[c] = E;
+        p = P;
         ++relaxed_;
     }
-    else if (wet > 0)
+    if (gas && wet == 1 && p < least)
     {
-        relaxedP_[c] = p;
+        const scalar E = mixture_.raise(share, p, least, part);
+        bookFixup(c, E*mesh_.V()[c]);
+        rhoE_[c] += E;
+        ++voids_;
     }
+    relaxedP_[c] = wet > 0 ? p : -1;
 }
 
 // ************************************************************************* //

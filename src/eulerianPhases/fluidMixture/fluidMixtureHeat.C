@@ -84,10 +84,7 @@ Foam::scalar Foam::mpm::fluidMixture::heat
     }
     forAll(fluids_, k)
     {
-        if (rest > 0 || !thermo(k).isGammaLaw())
-        {
-            to[k] += rest*s[k].m/max(mass, VSMALL);
-        }
+        to[k] += rest*s[k].m/max(mass, VSMALL);
     }
     return relaxAgain(s, P, to.cdata(), theta);
 }
