@@ -10,7 +10,7 @@ from mpm.pictures import PART, frame, plt, save
 
 #: Width of the column [m], of the tank, its height; speed of sound of the water [m/s]
 A, W, H, G = 0.146, 0.584, 0.438, 9.81
-GAMMA, PINF, RHO = 4.4, 1.5e5, 1000
+GAMMA, PINF, RHO = 1.12, 8.82e5, 1000
 
 #: t sqrt(2 g/a), x/a. S. Koshizuka & Y. Oka, Nucl. Sci. Eng. 123 (1996) 421-434, and
 #: J.C. Martin & W.J. Moyce, Phil. Trans. R. Soc. Lond. A 244 (1952) 312-324 (height

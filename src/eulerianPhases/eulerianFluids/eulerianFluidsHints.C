@@ -139,12 +139,20 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
     for (label k = 0; k < n_; ++k)
     {
         const gasThermo& thermo = mixture_.thermo(k);
-        range rho, c, T, ofStrength;
+        range rho, c, T, ofStrength, pOf;
+        scalar largest = 0;
         forAll(theta_, i)
         {
+            largest = max(largest, part_[n_*i + k]/theta_[i]);
+        }
+        reduce(largest, maxOp<scalar>());
+        forAll(theta_, i)
+        {
+            // Not traces (nuclei in a charge), unless there is no more
             const scalar m = mass_[n_*i + k];
-            if (m > 0)
+            if (m > 0 && part_[n_*i + k] > min(0.01, 0.5*largest)*theta_[i])
             {
+                pOf.add(W_[i].p);
                 const scalar r = m/part_[n_*i + k];
                 const fluidMixture::terms t(mixture_.at(k, r, burntOf(i, k)));
                 const scalar p = W_[i].p;
@@ -159,6 +167,7 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
         c.gather();
         T.gather();
         ofStrength.gather();
+        pOf.gather();
         Info<< "    " << mixture_.name(k) << ": "
             << mixture_.description(k).c_str() << nl;
         if (rho.high < 0)
@@ -174,6 +183,20 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
         if (restarted_)
         {
             continue;
+        }
+        if
+        (
+            !thermo.isGammaLaw() && thermo.equation().ofReaction()
+         && !mixture_.detonates(k) && pOf.high < 1e7
+        )
+        {
+            WarningInFunction
+                << "Fluid " << mixture_.name(k) << " has the equation of state"
+                << " of reaction products, no detonation, and starts with "
+                << text(pOf.high).c_str() << " Pa: it will not explode." << nl
+                << "    Give its region of setFluidsDict the pressure of the"
+                << " products (p 8.4e9 for TNT), or the fluid a detonation in"
+                << " constant/phaseProperties." << nl << endl;
         }
         const bool liquid = !isGas(k) && isLiquid(thermo.equation());
         const std::string wrong

@@ -66,6 +66,8 @@ def fluidRows(solve, line):
         ("allowed: charge lit after the end", dry, fluids(TNT % "10"), None,
          {"warnings": 1, "has": "The detonation is lit at 10 s (entries time"}),
         ("allowed: charge lit in the run", dry, fluids(TNT % "1e-4"), None, {"warnings": 0}),
+        ("allowed: products at 1 bar", dry, fluids((TNT % "0").split(" detonation")[0]), None,
+         {"warnings": 1, "has": "Pa: it will not explode"}),
         ("allowed: points on a charge", dry, fluids(TNT % "0", points=True), None,
          {"has": "they displace 41.58 % of its mass"}),
         ("allowed: points in water", dry, fluids(points=True), None,

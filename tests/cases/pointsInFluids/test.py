@@ -15,6 +15,7 @@
                   (G.I. Taylor, 1941); then the water cavitates (nuclei: a share of 1e-6 of
                   air) and must not pull: p > 0, no fix-ups; also where all the plate's pores
                   start with water, whose dry face is then water on air
+    wake          a piston leaves a void in water with nuclei: its length, its pressure
     rest          a buoyant block in water under air under gravity, 1e4 steps
     gate          tutorials/damBreakGate on cells of 5 mm: displacement against SPHinXsys', energy, mass
     restart       bit by bit
@@ -271,6 +272,26 @@ def piston(table):
                   peak[1]/peak[0], kept, "atLeast")
 
 
+def wake(table):
+    """A rigid piston in water with nuclei starts at once: the water behind it follows with
+    p0/(rho c), the void between is (v - p0/(rho c)) t long."""
+    n, L, v, end, nuclei = 400, 0.4, 20.0, 6e-4, 1e-6
+    case = fluidCase("pointsInFluids", "wake", (n, 1, 1), (L, 0.01, 0.01), BOTH,
+                     lambda x, y, z: ([1 - nuclei, nuclei], [1000.0, 1.2], 0.0, P0), end,
+                     control={"maxCo": 0.4, "deltaT": 1e-8, "reportInterval": 20})
+    besidePoints(case, BOTH, {"piston": {
+        "type": "rigid", "rho": 7800.0,
+        "motion": {"type": "translation", "velocity": (v, 0, 0)}}},
+        {"piston": {"type": "box", "min": (0.2, -1, -1), "max": (0.23, 1, 1)}})
+    case.run("materialPointFoam")
+    x = (np.arange(n) + 0.5)*L/n
+    air = fluidField(case, end, "alpha.air")
+    table.row("void behind a piston in water: length [m]", (v - P0/1000/SOUND)*end,
+              air[x < 0.22].sum()*L/n, 0.02, "relative")
+    table.row("void behind a piston in water: least pressure [Pa]", 0,
+              fluidField(case, end, "p").min(), 200, "atLeast")
+
+
 def leak(table):
     """A thick wall holds air or water of 100 bar back: what gets through its pores in the time
     of ten passages of sound is less than a thousandth of what is behind it."""
@@ -498,5 +519,5 @@ def ranks(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("pointsInFluids", translation, bodies, eroding, hit, piston, step, leak,
+    sys.exit(runParts("pointsInFluids", translation, bodies, eroding, hit, piston, step, wake, leak,
                       Taylor, rest, heat, gate, restart, ranks))
