@@ -155,7 +155,7 @@ void Foam::mpm::eulerianFluids::heatCell
         const scalar Q = energy - at.energy;
         wet = min(at.liquid/0.8, scalar(1));
         least = leastOfVoid*at.stiffest;
-        if (wet > 0 && Q > 0)
+        if (wet > 0 && Q > -1e-3*at.store)
         {
             P = mixture_.heat(share, P, wet*Q, wet, part);
             p = wet == 1 ? P : -1;

@@ -387,7 +387,7 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at
     const scalar* F
 ) const
 {
-    moduli all{0, 0, 0, GREAT, 0, 0};
+    moduli all{0, 0, 0, GREAT, 0, 0, 0};
     scalar volume = 0, soft = 0, mass = 0;
     forAll(fluids_, k)
     {
@@ -399,7 +399,9 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at
             all.frozen += m[k]*c;
             all.energy += theta[k]*energy(t, rho, p);
             all.strength = min(all.strength, rho*c/(1 + t.B/rho));
-            all.liquid += m[k]*liquid(rho*c, p);
+            const scalar wet = liquid(rho*c, p);
+            all.liquid += m[k]*wet;
+            all.store += wet*theta[k]*rho*c/(1 + t.B/rho)*rho/t.B;
             all.stiffest = max(all.stiffest, rho*c);
             soft += theta[k]/(rho*c);
             volume += theta[k];

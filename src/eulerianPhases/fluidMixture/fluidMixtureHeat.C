@@ -78,13 +78,17 @@ Foam::scalar Foam::mpm::fluidMixture::heat
             rest -= to[k];
         }
     }
+    const auto takes = [&](const label k)
+    {
+        return rest > 0 || !thermo(k).isGammaLaw() ? s[k].m : scalar(0);
+    };
     forAll(fluids_, k)
     {
-        mass += s[k].m;
+        mass += takes(k);
     }
     forAll(fluids_, k)
     {
-        to[k] += rest*s[k].m/max(mass, VSMALL);
+        to[k] += rest*takes(k)/max(mass, VSMALL);
     }
     return relaxAgain(s, P, to.cdata(), theta);
 }

@@ -50,6 +50,50 @@ void warnOfStrength
     }
 }
 
+
+//- Warn of a number between 0 and the least that matter has
+void warnOfLeast
+(
+    const mpm::materialPointPhase& phase,
+    const dictionary& dict,
+    const word& key,
+    const scalar least,
+    const char* words
+)
+{
+    scalar value;
+    if (dict.readIfPresent(key, value) && value > 0 && value < least)
+    {
+        IOWarningInFunction(dict)
+            << "Entry " << key << " of phase " << phase.name() << " is " << value
+            << ": " << words << endl;
+    }
+}
+
+
+//- Warn of temperatures of Johnson and Cook's law and damage that differ
+void warnOfDifference
+(
+    const mpm::materialPointPhase& phase,
+    const dictionary& law,
+    const dictionary& damage,
+    const word& key
+)
+{
+    scalar a, b;
+    if
+    (
+        law.readIfPresent(key, a) && damage.readIfPresent(key, b)
+     && mag(a - b) > 0.05*max(mag(a), mag(b))
+    )
+    {
+        IOWarningInFunction(damage)
+            << "Entry " << key << " of the failureModel of phase "
+            << phase.name() << " is " << b << " K, that of its law " << a
+            << " K: both are the matter's." << endl;
+    }
+}
+
 }
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -111,7 +155,26 @@ void Foam::mpm::warnOfUnits
     {
         warnOfStrength(phase, law, "A");
     }
-    warnOfStrength(phase, dict.subOrEmptyDict("failureModel"), "strength");
+    const dictionary& failure = dict.subOrEmptyDict("failureModel");
+    warnOfStrength(phase, failure, "strength");
+    if (law.get<word>("type") == "JohnsonCook")
+    {
+        warnOfLeast
+        (
+            phase, law, "G", 1e5, "it is in Pa, 77e9 for 77 GPa."
+        );
+        warnOfLeast
+        (
+            phase, law, "cp", 20, "it is in J/kg/K, 477 for 0.477 J/g/K."
+        );
+        warnOfLeast
+        (
+            phase, law, "referenceTemperature", 60,
+            "it is in K, 294 for 21 degrees Celsius."
+        );
+        warnOfDifference(phase, law, failure, "referenceTemperature");
+        warnOfDifference(phase, law, failure, "meltTemperature");
+    }
 }
 
 // ************************************************************************* //
