@@ -540,7 +540,7 @@ ROWS = [
     ("allowed: JohnsonCook in GPa, J/g/K and degrees Celsius", SOLVE,
      law("G 0.4; " + COOK.replace("G 4e5;", "").replace("cp 400", "cp 0.4")
          .replace("Temperature 300", "Temperature 27") + "K 1e6;"), None,
-     {"warnings": 3, "has": "J/kg/K, 477 for 0.477 J/g/K"}),
+     {"warnings": 6, "has": "J/kg/K, 477 for 0.477 J/g/K"}),
     ("allowed: law of etc/materials", SOLVE,
      law('#include "$MPM_PROJECT_DIR/etc/materials/copperOFHC"\n'), None,
      {"has": "JohnsonCook", "maybe": True}),
