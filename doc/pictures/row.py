@@ -14,7 +14,7 @@ from mpm.pictures import (BODY, DAMAGE, GAS, RIGID, SIGNED, VALUES, ListedColorm
                           plt, save)
 
 HERE, TUTORIALS = os.path.dirname(os.path.abspath(__file__)), sys.argv[1]
-HEIGHT, DPI = 2.0, 170
+HEIGHT, DPI = 2.0, 340
 
 
 def case(*path):
