@@ -528,7 +528,7 @@ void Foam::mpm::eulerianFluids::faceFlux
     out_ = 0;
     insideFaces(dt, pores);
     boundaryFaces(pores);
-    farFaces(pores);
+    farFaces(pores, &first_);
     outflow_ = out_;
     if (pores)
     {
