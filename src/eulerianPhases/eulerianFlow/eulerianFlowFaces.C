@@ -242,7 +242,6 @@ void Foam::mpm::eulerianFlow::addWedgeSides(const boolList* first)
 }
 
 
-template<bool Porous>
 void Foam::mpm::eulerianFlow::limitOutflow
 (
     const scalar dt,
@@ -258,7 +257,7 @@ void Foam::mpm::eulerianFlow::limitOutflow
     {
         const scalar theta = theta_[c];
         return
-            Porous
+            pores
           ? max(min(0.9*theta, theta - 0.5*pores->eps), pores->leak*theta)
           : 0.9;
     };
@@ -451,19 +450,5 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
         }
     }
 }
-
-// * * * * * * * * * * * * * * * Instantiations  * * * * * * * * * * * * * * //
-
-template void Foam::mpm::eulerianFlow::limitOutflow<true>
-(
-    const scalar,
-    const solidOnFaces*
-);
-
-template void Foam::mpm::eulerianFlow::limitOutflow<false>
-(
-    const scalar,
-    const solidOnFaces*
-);
 
 // ************************************************************************* //

@@ -530,14 +530,7 @@ void Foam::mpm::eulerianFluids::faceFlux
     boundaryFaces(pores);
     farFaces(pores, &first_);
     outflow_ = out_;
-    if (pores)
-    {
-        limitOutflow<true>(dt, pores);
-    }
-    else
-    {
-        limitOutflow<false>(dt, pores);
-    }
+    limitOutflow(dt, pores);
     if (limits_)
     {
         outflow_ *= out_;

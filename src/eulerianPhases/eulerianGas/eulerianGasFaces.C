@@ -290,7 +290,7 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
             allStates<false>(), {dt, theta_, thetaB_, near_, *pores}, to
         );
         farFaces(pores, &near_);
-        limitOutflow<true>(dt, pores);
+        limitOutflow(dt, pores);
         return;
     }
     if (thermo_.isGammaLaw())
@@ -302,7 +302,7 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
         faceFlux_->flux(allStates<true>(), to);
     }
     farFaces(nullptr, nullptr);
-    limitOutflow<false>(dt, pores);
+    limitOutflow(dt, nullptr);
 }
 
 // ************************************************************************* //
