@@ -27,21 +27,23 @@ namespace dragModels
 
 typedef dragModel::state state;
 
-//- Laws: K of a state and of the value of the entry key (null: none)
+//- Laws: K of a state and of the value of their entry, where they have one
 template<bool Viscous>
 struct law
 {
-    static constexpr bool viscous = Viscous, none = false;
-    static constexpr const char* key = "d";
+    static constexpr bool viscous = Viscous, zero = false;
+
+    static wordList keys() { return {"d"}; }
 };
 
 
-struct noDrag
+struct none
 :
     law<false>
 {
-    static constexpr bool none = true;
-    static constexpr const char* key = nullptr;
+    static constexpr bool zero = true;
+
+    static wordList keys() { return wordList(); }
 
     static scalar K(const state&, const scalar) { return 0; }
 };
@@ -51,7 +53,7 @@ struct stick
 :
     law<false>
 {
-    static constexpr const char* key = nullptr;
+    static wordList keys() { return wordList(); }
 
     static scalar K(const state& s, const scalar)
     {
@@ -64,7 +66,7 @@ struct constant
 :
     law<false>
 {
-    static constexpr const char* key = "value";
+    static wordList keys() { return {"value"}; }
 
     static scalar K(const state& s, const scalar value)
     {
@@ -77,7 +79,7 @@ struct Darcy
 :
     law<true>
 {
-    static constexpr const char* key = "permeability";
+    static wordList keys() { return {"permeability"}; }
 
     static scalar K(const state& s, const scalar permeability)
     {
@@ -156,31 +158,31 @@ public:
 
     explicit model(const dictionary& dict)
     :
-        dragModel(dict, Law::key ? wordList(1, word(Law::key)) : wordList()),
-        value_(Law::key ? positive(dict, Law::key) : 0)
+        dragModel(dict, Law::keys()),
+        value_(Law::keys().size() ? positive(dict, Law::keys()[0]) : 0)
     {}
 
     scalar K(const state& s) const override { return Law::K(s, value_); }
 
     bool needsViscosity() const override { return Law::viscous; }
 
-    bool none() const override { return Law::none; }
+    bool none() const override { return Law::zero; }
 };
 
 
-#define addDrag(Law, name)                                                     \
+#define addDrag(Law)                                                           \
     typedef model<Law> Law##Model;                                             \
-    defineTemplateTypeNameAndDebugWithName(Law##Model, name, 0);               \
+    defineTemplateTypeNameAndDebugWithName(Law##Model, #Law, 0);               \
     addToRunTimeSelectionTable(dragModel, Law##Model, dictionary)
 
-addDrag(noDrag, "none");
-addDrag(stick, "stick");
-addDrag(constant, "constant");
-addDrag(Darcy, "Darcy");
-addDrag(SchillerNaumann, "SchillerNaumann");
-addDrag(WenYu, "WenYu");
-addDrag(Ergun, "Ergun");
-addDrag(Gidaspow, "Gidaspow");
+addDrag(none);
+addDrag(stick);
+addDrag(constant);
+addDrag(Darcy);
+addDrag(SchillerNaumann);
+addDrag(WenYu);
+addDrag(Ergun);
+addDrag(Gidaspow);
 
 #undef addDrag
 

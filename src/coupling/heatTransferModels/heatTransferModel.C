@@ -25,7 +25,7 @@ defineRunTimeSelectionTable(heatTransferModel, dictionary);
 namespace heatTransferModels
 {
 
-class constant
+class constantHeat
 :
     public heatTransferModel
 {
@@ -35,7 +35,7 @@ public:
 
     TypeName("constant");
 
-    explicit constant(const dictionary& dict)
+    explicit constantHeat(const dictionary& dict)
     :
         value_(positive(dict, "value"))
     {
@@ -93,15 +93,18 @@ public:
 };
 
 
-typedef spheres<RanzMarshallNu> RanzMarshall;
-typedef spheres<GunnNu> Gunn;
+defineTypeNameAndDebug(constantHeat, 0);
 
-defineTypeNameAndDebug(constant, 0);
-defineTemplateTypeNameAndDebugWithName(RanzMarshall, "RanzMarshall", 0);
-defineTemplateTypeNameAndDebugWithName(Gunn, "Gunn", 0);
-addToRunTimeSelectionTable(heatTransferModel, constant, dictionary);
-addToRunTimeSelectionTable(heatTransferModel, RanzMarshall, dictionary);
-addToRunTimeSelectionTable(heatTransferModel, Gunn, dictionary);
+#define addSpheres(Nusselt)                                                    \
+    typedef spheres<Nusselt##Nu> Nusselt;                                    \
+    defineTemplateTypeNameAndDebugWithName(Nusselt, #Nusselt, 0);              \
+    addToRunTimeSelectionTable(heatTransferModel, Nusselt, dictionary)
+
+addToRunTimeSelectionTable(heatTransferModel, constantHeat, dictionary);
+addSpheres(RanzMarshall);
+addSpheres(Gunn);
+
+#undef addSpheres
 
 } // End namespace heatTransferModels
 

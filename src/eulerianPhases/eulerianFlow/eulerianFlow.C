@@ -78,15 +78,20 @@ const Foam::IOobject& Foam::mpm::eulerianFlow::present
     const IOobject& io
 ) const
 {
-    if (!isThere(io))
+    const bool there = isThere(io);
+    if (!there && group_.size())
     {
-        const bool gas = group_.size();
         FatalErrorInFunction
-            << "Field " << io.name() << " of "
-            << (gas ? "gas " + name_ : string("the fluids")).c_str()
+            << "Field " << io.name() << " of gas " << name_
             << " is missing: there is no file " << io.objectPath() << "."
-            << (gas ? "" : " setFluids writes those of system/setFluidsDict.")
             << exit(FatalError);
+    }
+    if (!there)
+    {
+        FatalErrorInFunction
+            << "Field " << io.name() << " of the fluids is missing: there is no"
+            << " file " << io.objectPath() << ". setFluids writes those of"
+            << " system/setFluidsDict." << exit(FatalError);
     }
     return io;
 }
