@@ -96,7 +96,7 @@ public:
 defineTypeNameAndDebug(constantHeat, 0);
 
 #define addSpheres(Nusselt)                                                    \
-    typedef spheres<Nusselt##Nu> Nusselt;                                    \
+    typedef spheres<Nusselt##Nu> Nusselt;                                      \
     defineTemplateTypeNameAndDebugWithName(Nusselt, #Nusselt, 0);              \
     addToRunTimeSelectionTable(heatTransferModel, Nusselt, dictionary)
 
