@@ -7,10 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dragExchange.H"
-#include "dragShares.H"
 #include "dictionaryTools.H"
 #include "syncTools.H"
-#include "FlatOutput.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -44,48 +42,14 @@ Foam::mpm::solidOnFaces::faceDrag Foam::mpm::dragExchange::readForm
 ) const
 {
     const wordList words({"none", "velocity", "impedance"});
-    const solidOnFaces::faceDrag forms[] =
-    {
-        solidOnFaces::none,
-        solidOnFaces::velocity,
-        solidOnFaces::impedance
-    };
-
-    // Cases of older versions have numbers
-    const entry* given = dict.findEntry("faceDrag", keyType::LITERAL);
-    if (given && given->isStream())
-    {
-        const token first(given->stream());
-        if (first.isNumber())
-        {
-            forAll(words, i)
-            {
-                if (first.number() == forms[i])
-                {
-                    Info<< "Phase " << gas_.name() << ": faceDrag "
-                        << first.number() << " is the older word for "
-                        << words[i] << nl << endl;
-                    return forms[i];
-                }
-            }
-            FatalIOErrorInFunction(dict)
-                << "Unknown faceDrag " << first.number() << nl << nl
-                << "Valid choices are: " << flatOutput(words)
-                << exit(FatalIOError);
-        }
-    }
-
     const word form
     (
         oneOfOrDefault
         (
-            dict,
-            "faceDrag",
-            normalOnly_ ? "none" : "impedance",
-            words
+            dict, "faceDrag", normalOnly_ ? "none" : "impedance", words
         )
     );
-    return forms[words.find(form)];
+    return solidOnFaces::faceDrag(words.find(form));
 }
 
 
@@ -191,20 +155,22 @@ Foam::vector Foam::mpm::dragExchange::momentumOf
 }
 
 
-void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
+void Foam::mpm::dragExchange::setShares(const label phasei)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
-    const pointGrid& grid = points_.grid();
     const pointGridTransfer& passes = points_.gridTransfer();
-    const label fieldi = points_.fieldOf(phasei);
-    velocityField& field = points_.fields()[fieldi];
-    const int D = grid.nDim(), stride = field.stride();
-    const label n = passes.nStencil();
-
-    share_.setSize(max(share_.size(), n*cloud.cells().size()));
+    share_.setSize
+    (
+        max(share_.size(), passes.nStencil()*cloud.cells().size())
+    );
     passes.massShares(cloud, share_.data());
+}
 
-    impulse_.setSize(stride*grid.nNodes());
+
+void Foam::mpm::dragExchange::startImpulse(const velocityField& field)
+{
+    const int D = points_.grid().nDim(), stride = field.stride();
+    impulse_.setSize(stride*points_.grid().nNodes());
     for (const label node : field.active())
     {
         for (int d = 0; d < D; ++d)
@@ -212,14 +178,84 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
             impulse_[stride*node + d] = 0;
         }
     }
+}
 
-    const labelUList& beside = fraction_.nodesBeside(phasei);
-    const auto atCells = [&]()
+
+const Foam::scalar* Foam::mpm::dragExchange::atCells(const label phasei) const
+{
+    const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
+    return
+        levels_
+      ? levels_->atShares
+        (
+            points_.phases()[phasei].cloud(), field.UL(),
+            fraction_.nodesBeside(phasei)
+        )
+      : field.UL();
+}
+
+
+void Foam::mpm::dragExchange::take
+(
+    const labelUList& nodes,
+    const UList<scalar>& share,
+    const int stride,
+    const scalar V,
+    const scalar M,
+    const vector& J
+)
+{
+    const pointGrid& grid = points_.grid();
+    const int D = grid.nDim();
+    forAll(nodes, i)
     {
-        return
-            levels_ ? levels_->atShares(cloud, field.UL(), beside) : field.UL();
-    };
-    const scalar* U = atCells();
+        const scalar part = share[i]*V/M;
+        for (int d = 0; d < D && share[i] > 0; ++d)
+        {
+            impulse_[stride*nodes[i] + d] -= part*J[grid.direction(d)];
+        }
+    }
+}
+
+
+void Foam::mpm::dragExchange::addImpulse(const label phasei)
+{
+    if (levels_)
+    {
+        levels_->spreadShares
+        (
+            points_.phases()[phasei].cloud(), impulse_.data(),
+            fraction_.nodesBeside(phasei)
+        );
+    }
+    points_.addImpulse(points_.fieldOf(phasei), impulse_.data());
+}
+
+
+void Foam::mpm::dragExchange::clear()
+{
+    for (const label c : cells_)
+    {
+        J_[c] = Zero;
+        Q_[c] = 0;
+        if (ahead_.size())
+        {
+            ahead_[c] = Zero;
+        }
+    }
+    cells_.clear();
+    Kc_ = 0;
+    held_ = 0;
+}
+
+
+void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
+{
+    const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
+    const int stride = field.stride();
+    setShares(phasei);
+    startImpulse(field);
+    const scalar* U = atCells(phasei);
     const bool exact = ahead_.size();
     given_.clear();
     forDragged
@@ -237,32 +273,21 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
             const vector mU(momentumOf(nodes, share, U, stride, M));
             const scalar V = fraction_.mesh().V()[celli];
             const vector J(impulse(phasei, celli, M/V, mU/M, thetaS, dt));
-            forAll(nodes, i)
-            {
-                const scalar part = share[i]*V/M;
-                for (int d = 0; d < D && share[i] > 0; ++d)
-                {
-                    impulse_[stride*nodes[i] + d] -= part*J[grid.direction(d)];
-                }
-            }
+            take(nodes, share, stride, V, M, J);
             if (exact)
             {
                 given_.append(given{J, (mU - V*J)/M});
             }
         }
     );
-    if (levels_)
-    {
-        levels_->spreadShares(cloud, impulse_.data(), beside);
-    }
-    points_.addImpulse(fieldi, impulse_.data());
+    addImpulse(phasei);
     if (!exact)
     {
         return;
     }
 
     // U_s after is that of the nodes, which other cells move and hold too
-    U = atCells();
+    U = atCells(phasei);
     const given* of = given_.cdata();
     forDragged
     (
@@ -400,12 +425,12 @@ Foam::mpm::dragExchange::dragExchange
     form_(solidOnFaces::none),
     J_(fraction.mesh().nCells(), Zero),
     Q_(fraction.mesh().nCells(), 0),
+    before_(0),
     Kc_(fraction.mesh().nCells(), 0),
     held_(fraction.mesh().nCells(), 0),
     K_(fraction.mesh().nFaces(), 0),
     inertia_(fraction.mesh().nFaces(), 0),
     levels_(dynamic_cast<const twoLevelShares*>(&points.gridTransfer())),
-    before_(0),
     work_(0),
     further_(false),
     owed_(points.phases().size()),
@@ -426,20 +451,9 @@ Foam::mpm::dragExchange::dragExchange
 
 void Foam::mpm::dragExchange::exchange(const scalar dt)
 {
-    for (const label c : cells_)
-    {
-        J_[c] = Zero;
-        Q_[c] = 0;
-        if (ahead_.size())
-        {
-            ahead_[c] = Zero;
-        }
-    }
+    clear();
     ahead_.setSize(fraction_.gasPush().size(), Zero);
-    cells_.clear();
     present_.clear();
-    Kc_ = 0;
-    held_ = 0;
     work_ = 0;
     if (normalOnly_)
     {

@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dragExchange.H"
-#include "dragShares.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -79,33 +78,10 @@ void Foam::mpm::dragExchange::bookPaid
 
 void Foam::mpm::dragExchange::payNodes(const label phasei)
 {
-    materialPointCloud& cloud = points_.phases()[phasei].cloud();
-    const pointGrid& grid = points_.grid();
-    const pointGridTransfer& passes = points_.gridTransfer();
-    const label fieldi = points_.fieldOf(phasei);
-    velocityField& field = points_.fields()[fieldi];
-    const int D = grid.nDim(), stride = field.stride();
-
-    share_.setSize
-    (
-        max(share_.size(), passes.nStencil()*cloud.cells().size())
-    );
-    passes.massShares(cloud, share_.data());
-    impulse_.setSize(stride*grid.nNodes());
-    for (const label node : field.active())
-    {
-        for (int d = 0; d < D; ++d)
-        {
-            impulse_[stride*node + d] = 0;
-        }
-    }
-
-    const labelUList& beside = fraction_.nodesBeside(phasei);
-    const auto atCells = [&]()
-    {
-        return
-            levels_ ? levels_->atShares(cloud, field.UL(), beside) : field.UL();
-    };
+    const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
+    const int stride = field.stride();
+    setShares(phasei);
+    startImpulse(field);
 
     // J of half of the velocities before and after, of the nodes
     const auto book = [&](const scalar* U, const bool after)
@@ -129,30 +105,19 @@ void Foam::mpm::dragExchange::payNodes(const label phasei)
                     return;
                 }
                 bookPaid(phasei, c, 0.5*(J & mU)/M);
-                if (after)
+                if (!after)
                 {
-                    return;
-                }
-                const scalar V = fraction_.mesh().V()[c];
-                forAll(nodes, i)
-                {
-                    const scalar part = share[i]*V/M;
-                    for (int d = 0; d < D && share[i] > 0; ++d)
-                    {
-                        impulse_[stride*nodes[i] + d] -=
-                            part*J[grid.direction(d)];
-                    }
+                    take
+                    (
+                        nodes, share, stride, fraction_.mesh().V()[c], M, J
+                    );
                 }
             }
         );
     };
-    book(atCells(), false);
-    if (levels_)
-    {
-        levels_->spreadShares(cloud, impulse_.data(), beside);
-    }
-    points_.addImpulse(fieldi, impulse_.data());
-    book(atCells(), true);
+    book(atCells(phasei), false);
+    addImpulse(phasei);
+    book(atCells(phasei), true);
 }
 
 
@@ -187,18 +152,9 @@ void Foam::mpm::dragExchange::payBody(const label phasei)
 
 void Foam::mpm::dragExchange::findPresent(const label phasei)
 {
-    materialPointCloud& cloud = points_.phases()[phasei].cloud();
-    const pointGridTransfer& passes = points_.gridTransfer();
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
-    share_.setSize
-    (
-        max(share_.size(), passes.nStencil()*cloud.cells().size())
-    );
-    passes.massShares(cloud, share_.data());
-    const scalar* U =
-        levels_
-      ? levels_->atShares(cloud, field.UL(), fraction_.nodesBeside(phasei))
-      : field.UL();
+    setShares(phasei);
+    const scalar* U = atCells(phasei);
     forDragged
     (
         phasei,
@@ -230,18 +186,7 @@ void Foam::mpm::dragExchange::findPresent(const label phasei)
 
 void Foam::mpm::dragExchange::further(const scalar dt)
 {
-    for (const label c : cells_)
-    {
-        J_[c] = Zero;
-        Q_[c] = 0;
-        if (ahead_.size())
-        {
-            ahead_[c] = Zero;
-        }
-    }
-    cells_.clear();
-    Kc_ = 0;
-    held_ = 0;
+    clear();
     for (presence& s : present_)
     {
         if (models_[s.phasei].none() && points_.phases()[s.phasei].grains())

@@ -8,8 +8,188 @@ License
 
 #include "gasCoupling.H"
 #include "pointEnergy.H"
+#include "cellSums.H"
 #include "dictionaryTools.H"
+#include "fieldDictionary.H"
 #include "noTraps.H"
+#include "startFields.H"
+#include "OSspecific.H"
+#include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::gasCoupling::settle(const scalar dt)
+{
+    const noTraps guard;
+    vectorField rest;
+    scalarField energy;
+    later_.finish(pores_, dt, rest, energy);
+    drag_.owe(rest);
+    if (gas_.hasEnergy())
+    {
+        gas_.addHeat(identity(energy.size()), energy);
+    }
+    promise();
+}
+
+
+void Foam::mpm::gasCoupling::updateWidths() const
+{
+    const fvMesh& mesh = fraction_->mesh();
+    inverse_.setSize(mesh.nCells(), 0);
+    const auto add = [&](const label f, const label c)
+    {
+        inverse_[c] =
+            max(inverse_[c], mag(mesh.faceAreas()[f])/mesh.V()[c]);
+    };
+    for (label f = 0; f < mesh.nInternalFaces(); ++f)
+    {
+        add(f, mesh.faceOwner()[f]);
+        add(f, mesh.faceNeighbour()[f]);
+    }
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (!isA<emptyPolyPatch>(pp) && !isA<wedgePolyPatch>(pp))
+        {
+            forAll(pp, i)
+            {
+                add(pp.start() + i, pp.faceCells()[i]);
+            }
+        }
+    }
+}
+
+
+void Foam::mpm::gasCoupling::promise()
+{
+    gas_.promise
+    (
+        later_.owed() - drag_.owedMomentum(),
+        later_.energy() - drag_.owedEnergy()
+    );
+}
+
+
+template<class Function>
+void Foam::mpm::gasCoupling::forOwed(const Function& f) const
+{
+    gasCoupling& all = const_cast<gasCoupling&>(*this);
+    const word of('.' + gas_.name());
+    f("owedPressure" + of, dimPressure*dimTime, all.later_.C());
+    f("owedImpulse" + of, dimForce*dimTime, all.later_.B());
+    f("owedPressureWork" + of, dimPressure, all.later_.CW());
+    f("owedWork" + of, dimPressure, all.drag_.owedWork());
+    forAll(points_.phases(), phasei)
+    {
+        f
+        (
+            "owedDrag." + points_.phases()[phasei].name(),
+            dimDensity*dimVelocity,
+            all.drag_.owedOf(phasei)
+        );
+    }
+}
+
+
+Foam::IOobject Foam::mpm::gasCoupling::owedHeader
+(
+    const word& name,
+    const IOobject::readOption read
+) const
+{
+    const fvMesh& mesh = fraction_->mesh();
+    return IOobject
+    (
+        name, mesh.time().timeName(), mesh, read, IOobject::NO_WRITE, false
+    );
+}
+
+
+template<class Function>
+void Foam::mpm::gasCoupling::forOwedFields(const Function& f) const
+{
+    forOwed
+    (
+        [&](const word& name, const dimensionSet& dimensions, auto& values)
+        {
+            typedef typename std::decay<decltype(values[0])>::type Type;
+            const DimensionedField<Type, volMesh> field
+            (
+                owedHeader(name, IOobject::NO_READ), fraction_->mesh(),
+                dimensions, values
+            );
+            f(field);
+        }
+    );
+}
+
+
+void Foam::mpm::gasCoupling::readOwed(const fieldStates* states)
+{
+    IOobject first
+    (
+        owedHeader("owedPressure." + gas_.name(), IOobject::MUST_READ)
+    );
+    const bool there =
+        states
+      ? states->found(first.name())
+      : first.typeHeaderOk<volScalarField::Internal>(false);
+    if (!returnReduce(there, orOp<bool>()))
+    {
+        return;
+    }
+    forOwed
+    (
+        [&](const word& name, const dimensionSet& dimensions, auto& values)
+        {
+            typedef typename std::decay<decltype(values[0])>::type Type;
+            const DimensionedField<Type, volMesh> field
+            (
+                fileOrState<DimensionedField<Type, volMesh>>
+                (
+                    owedHeader(name, IOobject::MUST_READ), fraction_->mesh(),
+                    states
+                )
+            );
+            checkDimensions(field, dimensions);
+            values = field.field();
+        }
+    );
+    later_.resume();
+    drag_.resume();
+    promise();
+}
+
+
+void Foam::mpm::gasCoupling::addFields(fieldStates& fields) const
+{
+    if (later_.acts() || drag_.owes())
+    {
+        forOwedFields
+        (
+            [&](const auto& field)
+            {
+                fields.set(field.name(), fieldDictionary(field));
+            }
+        );
+    }
+}
+
+
+void Foam::mpm::gasCoupling::writeOwed() const
+{
+    if (later_.acts() || drag_.owes())
+    {
+        const fullPrecision allDigits;
+        forOwedFields([](const auto& field) { field.write(); });
+        return;
+    }
+
+    // Nor what an earlier run has left
+    const Time& time = fraction_->mesh().time();
+    rm(time.path()/time.timeName()/"owedPressure." + gas_.name());
+}
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -223,6 +403,150 @@ void Foam::mpm::gasCoupling::write()
 {
     watch_.write();
     writeOwed();
+}
+
+
+void Foam::mpm::gasCoupling::severalSteps(const bool several)
+{
+    several_ = several;
+    if (several_ && (later_.acts() || drag_.owes()))
+    {
+        FatalErrorInFunction
+            << "Time " << fraction_->mesh().time().timeName()
+            << " was written with maxGasSubSteps: what points and "
+            << gas_.name() << " owe each other (files owed*) goes with one"
+            << " step of the points." << nl
+            << "Go on with maxGasSubSteps, or start maxSubSteps from a time"
+            << " without these files." << exit(FatalError);
+    }
+    if (several_ && !steps_)
+    {
+        steps_.reset(new solidOverSteps(fraction_->mesh()));
+    }
+}
+
+
+void Foam::mpm::gasCoupling::severalOfGas
+(
+    const bool several,
+    const scalar gasDeltaT
+)
+{
+    further_ = several;
+    gasDeltaT_ = several ? gasDeltaT : GREAT;
+    drag_.severalOfGas(several || later_.acts());
+}
+
+
+Foam::scalar Foam::mpm::gasCoupling::lagRate() const
+{
+    // See gasCoupling.H
+    constexpr scalar added = 0.5, pores = 0.6, drains = 70;
+    const noTraps guard;
+    if (inverse_.empty())
+    {
+        updateWidths();
+    }
+    scalar rate = 0;
+    for (const materialPointPhase& phase : points_.phases())
+    {
+        if (phase.prescribed())
+        {
+            continue;
+        }
+        const materialPointCloud& cloud = phase.cloud();
+        const scalar* mass = cloud.mass()[0];
+        const scalar* volume = cloud.volume()[0];
+        forAll(cloud.cells(), k)
+        {
+            const label c = cloud.cells()[k];
+            const scalar rho =
+                cellSum(cloud, k, mass)/cellSum(cloud, k, volume);
+            const scalar theta = max(gas_.theta()[c], fraction_->eps());
+            const eulerianFlow::waveState w(gas_.wave(c));
+            const scalar spring =
+                std::sqrt(w.K/(theta*rho))/(1 + drains*min(w.drained, 0.1));
+            rate = max
+            (
+                rate,
+                inverse_[c]*max(w.z/(added*rho), spring/pores)
+            );
+        }
+    }
+    return returnReduce(rate, maxOp<scalar>());
+}
+
+
+void Foam::mpm::gasCoupling::advanceGas
+(
+    const scalar dt,
+    const scalar all,
+    const bool last
+)
+{
+    if (passed_ > 0)
+    {
+        const noTraps guard;
+        scalarField p(gas_.states().size());
+        scalarField pBehind(gas_.boundaryStates().size());
+        forAll(p, c)
+        {
+            p[c] = gas_.states()[c].p;
+        }
+        forAll(pBehind, i)
+        {
+            pBehind[i] = gas_.boundaryStates()[i].p;
+        }
+        fraction_->pushAnew(p, pBehind);
+        drag_.further(dt);
+        later_.add(p, dt);
+    }
+    else
+    {
+        drag_.addToGas();
+        if (further_)
+        {
+            later_.begin(gas_.states());
+        }
+    }
+    passed_ += dt;
+
+    solidOnFaces pores(several_ ? steps_->mean(pores_) : pores_);
+    if (further_)
+    {
+        dilation_.setSize(fraction_->mesh().nCells());
+        forAll(dilation_, c)
+        {
+            dilation_[c] = dt/all*pores.dilation[c];
+        }
+        pores.dilation = dilation_.cdata();
+    }
+    gas_.faceFlux(dt, &pores);
+    gas_.advance(dt, &pores);
+    if (!last)
+    {
+        return;
+    }
+    passed_ = 0;
+    if (further_ || later_.acts())
+    {
+        settle(all);
+    }
+    const noTraps guard;
+    heat_.exchange(all);
+    if (books_)
+    {
+        heat_.addGain(budget_);
+    }
+    if (removed_)
+    {
+        fill();
+    }
+    if (several_)
+    {
+        steps_->clear();
+    }
+    watch_.check();
 }
 
 // ************************************************************************* //

@@ -25,7 +25,7 @@ defineRunTimeSelectionTable(heatTransferModel, dictionary);
 namespace heatTransferModels
 {
 
-class constant
+class constantHeat
 :
     public heatTransferModel
 {
@@ -35,7 +35,7 @@ public:
 
     TypeName("constant");
 
-    explicit constant(const dictionary& dict)
+    explicit constantHeat(const dictionary& dict)
     :
         value_(positive(dict, "value"))
     {
@@ -47,25 +47,37 @@ public:
         return s.thetaS*s.thetaG*value_;
     }
 
-    bool needsConductivity() const override
-    {
-        return false;
-    }
+    bool needsConductivity() const override { return false; }
 };
 
 
-//- Spheres of one diameter
+//- Nu of spheres of diameter d
+static scalar RanzMarshallNu(const heatTransferModel::state& s, const scalar d)
+{
+    return 2 + 0.6*std::sqrt(s.rho*s.U*d/s.mu)*std::cbrt(s.Pr);
+}
+
+
+static scalar GunnNu(const heatTransferModel::state& s, const scalar d)
+{
+    const scalar e = s.thetaG, Re = e*s.rho*s.U*d/s.mu;
+    const scalar Pr3 = std::cbrt(s.Pr);
+    return
+        (7 + e*(5*e - 10))*(1 + 0.7*std::pow(Re, 0.2)*Pr3)
+      + (1.33 + e*(1.2*e - 2.4))*std::pow(Re, 0.7)*Pr3;
+}
+
+
+template<scalar Nu(const heatTransferModel::state&, const scalar)>
 class spheres
 :
     public heatTransferModel
 {
-protected:
-
     const scalar d_;
 
-    virtual scalar Nu(const state& s) const = 0;
-
 public:
+
+    TypeName("spheres");
 
     explicit spheres(const dictionary& dict)
     :
@@ -76,55 +88,23 @@ public:
 
     scalar H(const state& s) const override
     {
-        return 6*s.thetaS*s.mu*s.Cp/s.Pr*Nu(s)/sqr(d_);
+        return 6*s.thetaS*s.mu*s.Cp/s.Pr*Nu(s, d_)/sqr(d_);
     }
 };
 
 
-class RanzMarshall
-:
-    public spheres
-{
-    scalar Nu(const state& s) const override
-    {
-        return 2 + 0.6*std::sqrt(s.rho*s.U*d_/s.mu)*std::cbrt(s.Pr);
-    }
+defineTypeNameAndDebug(constantHeat, 0);
 
-public:
+#define addSpheres(Nusselt)                                                    \
+    typedef spheres<Nusselt##Nu> Nusselt;                                      \
+    defineTemplateTypeNameAndDebugWithName(Nusselt, #Nusselt, 0);              \
+    addToRunTimeSelectionTable(heatTransferModel, Nusselt, dictionary)
 
-    TypeName("RanzMarshall");
+addToRunTimeSelectionTable(heatTransferModel, constantHeat, dictionary);
+addSpheres(RanzMarshall);
+addSpheres(Gunn);
 
-    using spheres::spheres;
-};
-
-
-class Gunn
-:
-    public spheres
-{
-    scalar Nu(const state& s) const override
-    {
-        const scalar e = s.thetaG, Re = e*s.rho*s.U*d_/s.mu;
-        const scalar Pr3 = std::cbrt(s.Pr);
-        return
-            (7 + e*(5*e - 10))*(1 + 0.7*std::pow(Re, 0.2)*Pr3)
-          + (1.33 + e*(1.2*e - 2.4))*std::pow(Re, 0.7)*Pr3;
-    }
-
-public:
-
-    TypeName("Gunn");
-
-    using spheres::spheres;
-};
-
-
-defineTypeNameAndDebug(constant, 0);
-defineTypeNameAndDebug(RanzMarshall, 0);
-defineTypeNameAndDebug(Gunn, 0);
-addToRunTimeSelectionTable(heatTransferModel, constant, dictionary);
-addToRunTimeSelectionTable(heatTransferModel, RanzMarshall, dictionary);
-addToRunTimeSelectionTable(heatTransferModel, Gunn, dictionary);
+#undef addSpheres
 
 } // End namespace heatTransferModels
 

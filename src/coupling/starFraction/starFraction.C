@@ -69,14 +69,12 @@ void Foam::mpm::starFraction::shiftLevels()
         return;
     }
     arrived_ = false;
-    constexpr int stride = starPoints::nodeStride;
     for (const label l : nodes_)
     {
-        old_[l] = node_[stride*l + starPoints::volume];
+        old_[l] = volumeOf(node_, l);
         forAll(ofPhase_, phasei)
         {
-            oldOfPhase_[phasei][l] =
-                ofPhase_[phasei][stride*l + starPoints::volume];
+            oldOfPhase_[phasei][l] = volumeOf(ofPhase_[phasei], l);
         }
     }
 }
@@ -161,7 +159,7 @@ void Foam::mpm::starFraction::share()
         beside.clear();
         for (const label l : shared)
         {
-            if (!(q[stride*l + starPoints::volume] > 0))
+            if (!(volumeOf(q, l) > 0))
             {
                 beside.append(l);
             }
@@ -170,7 +168,7 @@ void Foam::mpm::starFraction::share()
         label n = 0;
         for (const label l : beside)
         {
-            if (q[stride*l + starPoints::volume] > 0)
+            if (volumeOf(q, l) > 0)
             {
                 beside[n++] = l;
             }
@@ -317,7 +315,6 @@ void Foam::mpm::starFraction::updateVelocities()
 {
     const pointGrid& grid = stars_.grid();
     const int D = grid.nDim();
-    constexpr int stride = starPoints::nodeStride;
     forAll(velocity_, phasei)
     {
         const materialPointPhase& phase = points_.phases()[phasei];
@@ -334,7 +331,7 @@ void Foam::mpm::starFraction::updateVelocities()
         for (const label l : nodes_)
         {
             // A node that the last point has left keeps its velocity
-            if (!(ofPhase_[phasei][stride*l + starPoints::volume] > 0))
+            if (!(volumeOf(ofPhase_[phasei], l) > 0))
             {
                 continue;
             }
@@ -568,7 +565,10 @@ void Foam::mpm::starFraction::arrive(const scalar dt)
         rhoS_[f] = dragLimit_[f] = 0;
     }
     sumFaces();
-    updateFaces(dt);
+    for (const label f : faces_)
+    {
+        updateFace(f, dt);
+    }
     updateSides();
     updateTheta();
     limitDrag();

@@ -13,17 +13,14 @@ License
 
 Foam::scalar Foam::mpm::starFraction::thetaOf(const label node) const
 {
-    return
-        (1 - eps_)*node_[starPoints::nodeStride*node + starPoints::volume]
-       /stars_.nodeVolume(node);
+    return (1 - eps_)*volumeOf(node_, node)/stars_.nodeVolume(node);
 }
 
 
 Foam::scalar Foam::mpm::starFraction::meanTheta(const label node) const
 {
     return
-        0.5*(1 - eps_)
-       *(old_[node] + node_[starPoints::nodeStride*node + starPoints::volume])
+        0.5*(1 - eps_)*(old_[node] + volumeOf(node_, node))
        /stars_.nodeVolume(node);
 }
 
@@ -42,13 +39,8 @@ Foam::vector Foam::mpm::starFraction::velocityOf(const label facei) const
         forAll(velocity_, phasei)
         {
             const scalar weight =
-            (
-                oldOfPhase_[phasei][l]
-              + ofPhase_[phasei]
-                [
-                    starPoints::nodeStride*l + starPoints::volume
-                ]
-            )/stars_.nodeVolume(l);
+                (oldOfPhase_[phasei][l] + volumeOf(ofPhase_[phasei], l))
+               /stars_.nodeVolume(l);
             sum += weight;
             for (int d = 0; d < D; ++d)
             {
@@ -103,15 +95,6 @@ void Foam::mpm::starFraction::updateFace(const label f, const scalar dt)
 }
 
 
-void Foam::mpm::starFraction::updateFaces(const scalar dt)
-{
-    for (const label f : faces_)
-    {
-        updateFace(f, dt);
-    }
-}
-
-
 void Foam::mpm::starFraction::updateSides()
 {
     const labelList& toNode = stars_.grid().pointToNode();
@@ -142,27 +125,55 @@ void Foam::mpm::starFraction::updateSides()
 }
 
 
+void Foam::mpm::starFraction::updateGasPush
+(
+    const UList<scalar>& p,
+    const UList<scalar>& pBehind,
+    const vectorField& area
+)
+{
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    for (const label c : around_)
+    {
+        const scalar theta = (*gasTheta_)[c];
+        vector sum(Zero);
+        for (const label f : mesh_.cells()[c])
+        {
+            if (!isBetween_[f])
+            {
+                continue;
+            }
+            const label i = f - nei.size();
+            const label other = i >= 0 ? -1 : own[f] == c ? nei[f] : own[f];
+            const scalar beside =
+                other < 0 ? (*gasThetaBehind_)[i] : (*gasTheta_)[other];
+            const scalar jump =
+                theta/(theta + beside)
+               *((other < 0 ? pBehind[i] : p[other]) - p[c]);
+            const vector S(mesh_.faceAreas()[f] - area[f]);
+            sum += own[f] == c ? jump*S : -jump*S;
+        }
+        gasPush_[c] = -sum/mesh_.V()[c];
+    }
+}
+
+
 Foam::scalar Foam::mpm::starFraction::ownOf
 (
     const label phasei,
     const label celli
 ) const
 {
-    const label* nodes = stars_.cells().nodes(celli);
     const scalarList& q = ofPhase_[phasei];
-    scalar sum = 0;
-    for (label i = 0; i < stars_.cells().nVertices(celli); ++i)
-    {
-        const label l = nodes[i];
-        if (hasNode_[l])
+    return sumOver
+    (
+        celli,
+        [&](const scalar V, const label l)
         {
-            sum +=
-                stars_.vertexVolume(stars_.start(celli) + i)
-               *q[starPoints::nodeStride*l + starPoints::volume]
-               /stars_.nodeVolume(l);
+            return V*volumeOf(q, l)/stars_.nodeVolume(l);
         }
-    }
-    return sum/mesh_.V()[celli];
+    )/mesh_.V()[celli];
 }
 
 
@@ -206,7 +217,7 @@ void Foam::mpm::starFraction::updatePush
         for (const label pointi : mesh_.faces()[f])
         {
             const label l = grid.pointToNode()[pointi];
-            v += of[starPoints::nodeStride*l + starPoints::volume];
+            v += volumeOf(of, l);
         }
         if (!(v > 0))
         {
@@ -261,17 +272,10 @@ void Foam::mpm::starFraction::updateTheta()
     }
     for (const label c : around_)
     {
-        const label* nodes = stars_.cells().nodes(c);
-        const label first = stars_.start(c);
-        scalar sum = 0;
-        for (label i = 0; i < stars_.cells().nVertices(c); ++i)
-        {
-            if (hasNode_[nodes[i]])
-            {
-                sum += stars_.vertexVolume(first + i)*thetaOf(nodes[i]);
-            }
-        }
-        theta_[c] = sum/mesh_.V()[c];
+        theta_[c] = sumOver
+        (
+            c, [&](const scalar V, const label l) { return V*thetaOf(l); }
+        )/mesh_.V()[c];
         forAll(own_, phasei)
         {
             if (own_[phasei].size())
@@ -355,19 +359,16 @@ void Foam::mpm::starFraction::updateDilation(const scalar dt)
             dilation_[c] = min(theta_[c], most_)*q[1]/q[0];
             continue;
         }
-        const label* nodes = stars_.cells().nodes(c);
-        const label first = stars_.start(c);
-        scalar sum = 0;
-        for (label i = 0; i < stars_.cells().nVertices(c); ++i)
-        {
-            const label l = nodes[i];
-            if (hasNode_[l])
+        const scalar sum = sumOver
+        (
+            c,
+            [&](const scalar V, const label l)
             {
-                sum +=
-                    stars_.vertexVolume(first + i)/stars_.nodeVolume(l)
+                return
+                    V/stars_.nodeVolume(l)
                    *node_[starPoints::nodeStride*l + starPoints::dilation];
             }
-        }
+        );
         dilation_[c] = (1 - eps_)*sum/mesh_.V()[c];
     }
     blendDilation(dt);
@@ -470,6 +471,7 @@ void Foam::mpm::starFraction::blendDilation(const scalar dt)
         dilation_[c] += b*(theta*dt*sum/mesh_.V()[c] - dilation_[c]);
     }
 }
+
 
 void Foam::mpm::starFraction::findDense()
 {

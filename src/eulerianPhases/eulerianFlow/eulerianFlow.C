@@ -8,10 +8,9 @@ License
 
 #include "eulerianFlow.H"
 #include "dictionaryTools.H"
+#include "fullPrecision.H"
 #include "noTraps.H"
-#include "basicSymmetryFvPatchFields.H"
-#include "emptyPolyPatch.H"
-#include "wedgePolyPatch.H"
+#include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -43,76 +42,142 @@ void Foam::mpm::eulerianFlow::setEnergy(const bool energy)
 }
 
 
-void Foam::mpm::eulerianFlow::setFaces
+Foam::IOobject Foam::mpm::eulerianFlow::header
 (
-    const volVectorField& U,
-    const volScalarField& p
-)
+    const word& name,
+    const IOobject::readOption read,
+    const word& of
+) const
 {
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const label nInternal = mesh_.nInternalFaces();
+    return IOobject
+    (
+        IOobject::groupName(name, of),
+        mesh_.time().timeName(),
+        mesh_,
+        read,
+        IOobject::NO_WRITE
+    );
+}
 
-    DynamicList<label> boundary, coupled;
-    faces_.wall.setSize(mesh_.nFaces() - nInternal, false);
-    forAll(patches, patchi)
-    {
-        const polyPatch& pp = patches[patchi];
-        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
-        {
-            continue;
-        }
-        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
-        const bool wall =
-            (
-                Ub.fixesValue()
-             || isA<basicSymmetryFvPatchVectorField>(Ub)
-            )
-         && !p.boundaryField()[patchi].fixesValue();
-        for (label f = pp.start(); f < pp.start() + pp.size(); ++f)
-        {
-            (pp.coupled() ? coupled : boundary).append(f);
-            faces_.wall[f - nInternal] = wall;
-        }
-    }
-    far_.reset(new farField(U, p));
-    faces_.boundary.transfer(boundary);
-    faces_.coupled.transfer(coupled);
 
-    // Courant number per second of a cell: half the sum of |u.S| + c|S| over
-    // its faces over its volume
-    faceRates_.directions.setSize(mesh_.nCells(), Zero);
-    faceRates_.all.setSize(mesh_.nCells(), 0);
-    const auto add = [&](const label f, const label c)
-    {
-        const vector& S = mesh_.faceAreas()[f];
-        const scalar h = 0.5/mesh_.V()[c];
-        faceRates_.directions[c] += h*cmptMag(S);
-        faceRates_.all[c] += h*mag(S);
-    };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        add(f, mesh_.faceOwner()[f]);
-        add(f, mesh_.faceNeighbour()[f]);
-    }
-    for (const labelList* list : {&faces_.boundary, &faces_.coupled})
-    {
-        for (const label f : *list)
-        {
-            add(f, mesh_.faceOwner()[f]);
-        }
-    }
+Foam::dimensionSet Foam::mpm::eulerianFlow::dimensionsOf(const word& name)
+{
+    return
+        name == "p" || name == "thetaRhoE" ? dimPressure
+      : name == "U" ? dimVelocity
+      : name == "T" ? dimTemperature
+      : name == "rho" || name == "thetaRho" ? dimDensity
+      : name == "thetaRhoU" ? dimDensity*dimVelocity
+      : name == "psi" ? dimDensity/dimPressure
+      : dimless;
+}
 
-    faces_.Vb.setSize(mesh_.nFaces() - nInternal);
-    faces_.magS.setSize(mesh_.nFaces());
-    forAll(faces_.magS, f)
+
+const Foam::IOobject& Foam::mpm::eulerianFlow::present
+(
+    const IOobject& io
+) const
+{
+    const bool there = isThere(io);
+    if (!there && group_.size())
     {
-        faces_.magS[f] = mag(mesh_.faceAreas()[f]);
+        FatalErrorInFunction
+            << "Field " << io.name() << " of gas " << name_
+            << " is missing: there is no file " << io.objectPath() << "."
+            << exit(FatalError);
     }
-    forAll(faces_.Vb, i)
+    if (!there)
     {
-        faces_.Vb[i] = mesh_.V()[mesh_.faceOwner()[nInternal + i]];
+        FatalErrorInFunction
+            << "Field " << io.name() << " of the fluids is missing: there is no"
+            << " file " << io.objectPath() << ". setFluids writes those of"
+            << " system/setFluidsDict." << exit(FatalError);
     }
-    coupled_.swap(faces_.Vb);
+    return io;
+}
+
+
+Foam::volScalarField Foam::mpm::eulerianFlow::computed(const word& name) const
+{
+    return volScalarField
+    (
+        header(name, IOobject::NO_READ, group_),
+        mesh_,
+        dimensionedScalar(dimensionsOf(name), Zero)
+    );
+}
+
+
+void Foam::mpm::eulerianFlow::begin()
+{
+    conserve();
+    primitives();
+    far_->setValues(W_, g_, U_, p_);
+    far_->warnOfPressure(W_, p_);
+    updateBoundaryStates();
+    updateFields();
+    updateBoundaryStates();
+}
+
+
+void Foam::mpm::eulerianFlow::readState(const fieldStates* states)
+{
+    typedef volScalarField::Internal scalars;
+    typedef volVectorField::Internal vectors;
+    theta_ = startField<volScalarField>("theta", states, group_).primitiveField();
+    rhoU_ = startField<vectors>("thetaRhoU", states, group_).field();
+    if (energy_)
+    {
+        rhoE_ = startField<scalars>("thetaRhoE", states, group_).field();
+    }
+    porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
+}
+
+
+void Foam::mpm::eulerianFlow::forState(const fieldAction& f)
+{
+    f(p_);
+    f(U_);
+    volScalarField theta
+    (
+        header("theta", IOobject::NO_READ, group_), mesh_,
+        dimensionedScalar(dimless, Zero), "zeroGradient"
+    );
+    theta.primitiveFieldRef() = theta_;
+    theta.correctBoundaryConditions();
+    f(theta);
+    volVectorField::Internal rhoU
+    (
+        header("thetaRhoU", IOobject::NO_READ, group_), mesh_,
+        dimensionsOf("thetaRhoU"), rhoU_
+    );
+    f(rhoU);
+    if (energy_)
+    {
+        volScalarField::Internal rhoE
+        (
+            header("thetaRhoE", IOobject::NO_READ, group_), mesh_, dimPressure,
+            rhoE_
+        );
+        f(rhoE);
+    }
+}
+
+
+void Foam::mpm::eulerianFlow::setRate(const scalar rate, label bad)
+{
+    bad = badCell_ < 0 ? bad : badCell_;
+    rate_ = returnReduce(bad < 0 ? rate : VGREAT, maxOp<scalar>());
+    if (rate_ >= VGREAT)
+    {
+        stop(bad);
+    }
+    if (viscous_)
+    {
+        scalarField rhoCv(rho_.size(), 0);
+        warmth_ = transport(rhoCv);
+        rate_ += viscous_->rate(theta_, rho_, rhoCv);
+    }
 }
 
 
@@ -157,42 +222,25 @@ void Foam::mpm::eulerianFlow::bookFixup
 }
 
 
-Foam::dictionary Foam::mpm::eulerianFlow::fixupState() const
+Foam::string Foam::mpm::eulerianFlow::pressures() const
 {
-    dictionary state;
-    state.add("limited", returnReduce(fixups_.limited, sumOp<label>()));
-    state.add("theta", returnReduce(fixups_.theta, sumOp<label>()));
-    state.add("isentropic", returnReduce(fixups_.isentropic, sumOp<label>()));
-    state.add("positive", returnReduce(fixups_.positive, sumOp<label>()));
-    state.add("energy", returnReduce(fixups_.energy, sumOp<scalar>()));
-    state.add("heldBack", returnReduce(fixups_.heldBack, sumOp<scalar>()));
-    state.add("filled", returnReduce(fixups_.filled, sumOp<scalar>()));
-    state.add("filledMass", returnReduce(fixups_.filledMass, sumOp<scalar>()));
-    return state;
-}
-
-
-void Foam::mpm::eulerianFlow::setFixups(const dictionary& state)
-{
-    fixups_ = fixups();
-    if (Pstream::master())
+    scalar least = GREAT, most = -GREAT;
+    for (const gasState& w : W_)
     {
-        fixups_.limited = required<label>(state, "limited");
-        fixups_.theta = required<label>(state, "theta");
-        fixups_.isentropic = required<label>(state, "isentropic");
-        fixups_.positive = state.getOrDefault<label>("positive", 0);
-        fixups_.energy = required<scalar>(state, "energy");
-        fixups_.heldBack = required<scalar>(state, "heldBack");
-        fixups_.filled = state.getOrDefault<scalar>("filled", 0);
-        fixups_.filledMass = state.getOrDefault<scalar>("filledMass", 0);
+        least = min(least, w.p);
+        most = max(most, w.p);
     }
+    OStringStream os;
+    os  << returnReduce(least, minOp<scalar>()) << " to "
+        << returnReduce(most, maxOp<scalar>());
+    return os.str();
 }
 
 
 void Foam::mpm::eulerianFlow::reportFilled() const
 {
-    const scalar volume = returnReduce(fixups_.filled, sumOp<scalar>());
-    const scalar mass = returnReduce(fixups_.filledMass, sumOp<scalar>());
+    const scalar volume = total(fixups_.filled);
+    const scalar mass = total(fixups_.filledMass);
     if (volume != 0)
     {
         Info<< "    filled what points left: " << volume << " m3, mass "
@@ -201,32 +249,14 @@ void Foam::mpm::eulerianFlow::reportFilled() const
 }
 
 
-void Foam::mpm::eulerianFlow::updateViscosity()
-{
-    if (viscous_)
-    {
-        scalarField rhoCv(rho_.size(), 0);
-        warmth_ = transport(rhoCv);
-        rate_ += viscous_->rate(theta_, rho_, rhoCv);
-    }
-}
-
-
-void Foam::mpm::eulerianFlow::addViscosity
-(
-    const scalar dt,
-    const volVectorField& U
-)
+void Foam::mpm::eulerianFlow::addViscosity(const scalar dt)
 {
     if (!viscous_)
     {
         return;
     }
     viscousFlux::result to{rhoU_, rhoE_, Zero, 0};
-    viscous_->add
-    (
-        dt, U, Wb_, warmth_, theta_, rho_, to
-    );
+    viscous_->add(dt, U_, Wb_, warmth_, theta_, rho_, to);
     if (flows_)
     {
         flows_->impulse += to.impulse;
@@ -284,11 +314,14 @@ Foam::mpm::eulerianFlow::eulerianFlow
 (
     const fvMesh& mesh,
     const word& name,
-    const vector& g
+    const word& group,
+    const vector& g,
+    const fieldStates* states
 )
 :
     mesh_(mesh),
     name_(name),
+    group_(group),
     g_(g),
     energy_(false),
     faces_{mesh, {}, {}, {}, {}, {}},
@@ -299,6 +332,16 @@ Foam::mpm::eulerianFlow::eulerianFlow
     W_(mesh.nCells()),
     Wb_(mesh.nFaces() - mesh.nInternalFaces(), gasState{1, Zero, 1}),
     thetaB_(Wb_.size(), 1),
+    reconstruction_(mesh, coupled_, faces_.boundary, faces_.coupled),
+    p_(startField<volScalarField>("p", states, word::null)),
+    U_(startField<volVectorField>("U", states, group)),
+    psi_(computed("psi")),
+    phiField_
+    (
+        header("phi", IOobject::NO_READ, group_),
+        mesh,
+        dimensionedScalar(dimVolume/dimTime, Zero)
+    ),
     phi_(mesh.nFaces(), 0),
     pStar_(mesh.nFaces(), 0),
     limits_(false),
@@ -314,7 +357,9 @@ Foam::mpm::eulerianFlow::eulerianFlow
     fixedMost_(0),
     badCell_(-1),
     handle_(*this)
-{}
+{
+    setFaces();
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -332,8 +377,9 @@ void Foam::mpm::eulerianFlow::addSources
         rhoE_[c] += energy[c];
         W_[c].u =
             (ahead.size() ? vector(rhoU_[c] + ahead[c]) : rhoU_[c])/rho_[c];
+        U_[c] = W_[c].u;
     }
-    velocityChanged(cells);
+    velocityChanged();
 }
 
 
@@ -346,6 +392,85 @@ void Foam::mpm::eulerianFlow::addHeat
     forAll(cells, i)
     {
         rhoE_[cells[i]] += energy[i];
+    }
+}
+
+
+void Foam::mpm::eulerianFlow::correct()
+{
+    primitives();
+
+    // phi of the step that has just been made, for conditions that ask
+    forAll(mesh_.boundary(), patchi)
+    {
+        fvsPatchScalarField& phi = phiField_.boundaryFieldRef()[patchi];
+        const label start = mesh_.boundaryMesh()[patchi].start();
+        forAll(phi, i)
+        {
+            phi[i] = phi_[start + i];
+        }
+    }
+    updateFields();
+    updateBoundaryStates();
+}
+
+
+void Foam::mpm::eulerianFlow::writeFields()
+{
+    const fullPrecision allDigits;
+    forState
+    (
+        [&](regIOobject& field)
+        {
+            field.instance() = mesh_.time().timeName();
+            field.write();
+        }
+    );
+}
+
+
+Foam::mpm::fieldStates Foam::mpm::eulerianFlow::takeDown()
+{
+    fieldStates states;
+    forState
+    (
+        [&](const regIOobject& field)
+        {
+            states.set(field.name(), fieldDictionary(field));
+        }
+    );
+    return states;
+}
+
+
+Foam::dictionary Foam::mpm::eulerianFlow::state() const
+{
+    dictionary state;
+    state.add("limited", total(fixups_.limited));
+    state.add("theta", total(fixups_.theta));
+    state.add("isentropic", total(fixups_.isentropic));
+    state.add("positive", total(fixups_.positive));
+    state.add("energy", total(fixups_.energy));
+    state.add("heldBack", total(fixups_.heldBack));
+    state.add("filled", total(fixups_.filled));
+    state.add("filledMass", total(fixups_.filledMass));
+    return state;
+}
+
+
+void Foam::mpm::eulerianFlow::setState(const dictionary& state)
+{
+    fixups_ = fixups();
+    if (Pstream::master())
+    {
+        fixups_.limited = required<label>(state, "limited");
+        fixups_.theta = required<label>(state, "theta");
+        fixups_.isentropic = required<label>(state, "isentropic");
+        fixups_.positive = state.getOrDefault<label>("positive", 0);
+        fixups_.energy = required<scalar>(state, "energy");
+        fixups_.heldBack = required<scalar>(state, "heldBack");
+        fixups_.filled = state.getOrDefault<scalar>("filled", 0);
+        fixups_.filledMass = state.getOrDefault<scalar>("filledMass", 0);
     }
 }
 

@@ -7,8 +7,123 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianFlow.H"
+#include "noTraps.H"
+#include "basicSymmetryFvPatchFields.H"
+#include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Call cell(n) for a cell and those beside it, boundary(b) for coupled faces,
+//  which have p > 0 in behind
+template<class Cell, class Behind>
+void around
+(
+    const polyMesh& mesh,
+    const label c,
+    const bool neighbours,
+    const UList<mpm::gasState>& behind,
+    const Cell& cell,
+    const Behind& boundary
+)
+{
+    cell(c);
+    if (!neighbours)
+    {
+        return;
+    }
+    const labelUList& own = mesh.faceOwner();
+    for (const label f : mesh.cells()[c])
+    {
+        const label b = f - mesh.nInternalFaces();
+        if (b < 0)
+        {
+            cell(own[f] == c ? mesh.faceNeighbour()[f] : own[f]);
+        }
+        else if (behind[b].p > 0)
+        {
+            boundary(b);
+        }
+    }
+}
+
+}
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::mpm::eulerianFlow::setFaces()
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label nInternal = mesh_.nInternalFaces();
+
+    DynamicList<label> boundary, coupled;
+    faces_.wall.setSize(mesh_.nFaces() - nInternal, false);
+    forAll(patches, patchi)
+    {
+        const polyPatch& pp = patches[patchi];
+        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
+        {
+            continue;
+        }
+        const fvPatchVectorField& Ub = U_.boundaryField()[patchi];
+        const bool wall =
+            (
+                Ub.fixesValue()
+             || isA<basicSymmetryFvPatchVectorField>(Ub)
+            )
+         && !p_.boundaryField()[patchi].fixesValue();
+        for (label f = pp.start(); f < pp.start() + pp.size(); ++f)
+        {
+            (pp.coupled() ? coupled : boundary).append(f);
+            faces_.wall[f - nInternal] = wall;
+        }
+    }
+    far_.reset(new farField(U_, p_));
+    faces_.boundary.transfer(boundary);
+    faces_.coupled.transfer(coupled);
+
+    // Courant number per second of a cell: half the sum of |u.S| + c|S| over
+    // its faces over its volume
+    faceRates_.directions.setSize(mesh_.nCells(), Zero);
+    faceRates_.all.setSize(mesh_.nCells(), 0);
+    const auto add = [&](const label f, const label c)
+    {
+        const vector& S = mesh_.faceAreas()[f];
+        const scalar h = 0.5/mesh_.V()[c];
+        faceRates_.directions[c] += h*cmptMag(S);
+        faceRates_.all[c] += h*mag(S);
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        add(f, mesh_.faceOwner()[f]);
+        add(f, mesh_.faceNeighbour()[f]);
+    }
+    for (const labelList* list : {&faces_.boundary, &faces_.coupled})
+    {
+        for (const label f : *list)
+        {
+            add(f, mesh_.faceOwner()[f]);
+        }
+    }
+
+    faces_.Vb.setSize(mesh_.nFaces() - nInternal);
+    faces_.magS.setSize(mesh_.nFaces());
+    forAll(faces_.magS, f)
+    {
+        faces_.magS[f] = mag(mesh_.faceAreas()[f]);
+    }
+    forAll(faces_.Vb, i)
+    {
+        faces_.Vb[i] = mesh_.V()[mesh_.faceOwner()[nInternal + i]];
+    }
+    coupled_.swap(faces_.Vb);
+}
+
 
 void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
 {
@@ -51,32 +166,82 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
 }
 
 
-void Foam::mpm::eulerianFlow::setFarFace
-(
-    const label f,
-    const farField::state& s,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFlow::updateFarStates()
 {
-    const label c = mesh_.faceOwner()[f];
-    scalar& out = out_[c];
-    out -= max(phi_[f], scalar(0));
-    phi_[f] = s.u*faces_.magS[f];
-    pStar_[f] = s.p;
-    if (pores && near_[c])
+    forAll(far_->faces(), i)
     {
-        // As at other boundary faces
-        phi_[f] *= 1 - pores->thetaS[f];
-        if (pores->area)
-        {
-            phi_[f] += pores->thetaS[f]*pores->uS[f]*faces_.magS[f];
-        }
+        const farField::face& a = far_->faces()[i];
+        const label c = mesh_.faceOwner()[a.f], b = a.f - mesh_.nInternalFaces();
+        gasState L(W_[c]);
+        L.p += faceWeight(c, a.f);
+        const farField::state s(farState(i, L, wave(c).z));
+        Wb_[b] = s.behind;
+        thetaB_[b] = theta_[c];
+        p_.boundaryFieldRef()[a.patch][a.i] = s.p;
+        U_.boundaryFieldRef()[a.patch][a.i] = s.behind.u;
     }
-    out = max(out, scalar(0)) + max(phi_[f], scalar(0));
 }
 
 
-template<bool Porous>
+void Foam::mpm::eulerianFlow::farFaces
+(
+    const solidOnFaces* pores,
+    const boolList* first
+)
+{
+    forAll(far_->faces(), i)
+    {
+        const label f = far_->faces()[i].f, c = mesh_.faceOwner()[f];
+        const label b = f - mesh_.nInternalFaces();
+        const bool ofCell = reconstruction_.upwind() || (first && (*first)[c]);
+        gasState L(ofCell ? W_[c] : reconstruction_.faces()[f].own);
+        const scalar z = ofCell ? wave(c).z : sideImpedance(f, L);
+        L.p += faceWeight(c, f);
+        const farField::state s(farState(i, L, z));
+        Wb_[b] = s.behind;
+        const stateTerms* t = farTerms(b);
+        if (!reconstruction_.upwind())
+        {
+            reconstruction_.setBehind(f, s.behind, t);
+        }
+        scalar& out = out_[c];
+        out -= max(phi_[f], scalar(0));
+        phi_[f] = s.u*faces_.magS[f];
+        pStar_[f] = s.p;
+        if (pores && near_[c])
+        {
+            // As at other boundary faces
+            phi_[f] *= 1 - pores->thetaS[f];
+            if (pores->area)
+            {
+                phi_[f] += pores->thetaS[f]*pores->uS[f]*faces_.magS[f];
+            }
+        }
+        out = max(out, scalar(0)) + max(phi_[f], scalar(0));
+    }
+}
+
+
+void Foam::mpm::eulerianFlow::addWedgeSides(const boolList* first)
+{
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        const label n =
+            !reconstruction_.upwind() && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
+        for (label f = pp.start(); f < pp.start() + n; ++f)
+        {
+            const label P = mesh_.faceOwner()[f];
+            if (!(first && (*first)[P]))
+            {
+                sums_[P].rhoU +=
+                    (reconstruction_.faces()[f].own.p - W_[P].p)
+                   *mesh_.faceAreas()[f];
+            }
+        }
+    }
+}
+
+
 void Foam::mpm::eulerianFlow::limitOutflow
 (
     const scalar dt,
@@ -92,7 +257,7 @@ void Foam::mpm::eulerianFlow::limitOutflow
     {
         const scalar theta = theta_[c];
         return
-            Porous
+            pores
           ? max(min(0.9*theta, theta - 0.5*pores->eps), pores->leak*theta)
           : 0.9;
     };
@@ -157,18 +322,133 @@ void Foam::mpm::eulerianFlow::limitOutflow
     }
 }
 
-// * * * * * * * * * * * * * * * Instantiations  * * * * * * * * * * * * * * //
 
-template void Foam::mpm::eulerianFlow::limitOutflow<true>
-(
-    const scalar,
-    const solidOnFaces*
-);
+Foam::DynamicList<Foam::mpm::eulerianFlow::column>
+Foam::mpm::eulerianFlow::columns()
+{
+    DynamicList<column> all;
+    all.append({theta_.data(), 1});
+    all.append({rho_.data(), 1});
+    if (energy_)
+    {
+        all.append({rhoE_.data(), 1});
+    }
+    return all;
+}
 
-template void Foam::mpm::eulerianFlow::limitOutflow<false>
-(
-    const scalar,
-    const solidOnFaces*
-);
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
+{
+    const noTraps guard;
+    const scalarField& V = mesh_.V();
+    const label nInternal = mesh_.nInternalFaces(), nBehind = Wb_.size();
+
+    // Behind coupled faces: volume and momentum of what flows in the cell
+    List<gasState> other(nBehind, gasState{0, Zero, 0});
+    for (const label f : faces_.coupled)
+    {
+        const label P = mesh_.faceOwner()[f];
+        other[f - nInternal] = gasState{V[P]*theta_[P], V[P]*rhoU_[P], 1};
+    }
+    coupled_.swap(other);
+
+    DynamicList<label> cells;
+    DynamicList<scalar> factor;
+    DynamicList<vector> rhoU;
+    forAll(change, c)
+    {
+        if (change[c] == 0)
+        {
+            continue;
+        }
+        scalar volume = 0;
+        vector momentum(Zero);
+        around
+        (
+            mesh_, c, change[c] > 0, other,
+            [&](const label n)
+            {
+                volume += V[n]*theta_[n];
+                momentum += V[n]*rhoU_[n];
+            },
+            [&](const label b)
+            {
+                volume += other[b].rho;
+                momentum += other[b].u;
+            }
+        );
+        cells.append(c);
+        factor.append(change[c]/volume);
+        rhoU.append(change[c]/volume*momentum);
+        fixups_.filled += V[c]*change[c];
+    }
+
+    const scalar mass0 = mass(), energy0 = energy();
+    List<fluidSums> before;
+    if (flows_ && cells.size())
+    {
+        before = fluidContents();
+    }
+    for (const column& of : columns())
+    {
+        // All changes before any
+        scalarField behind(of.n*nBehind, 0), add(of.n*cells.size(), 0);
+        for (const label f : faces_.coupled)
+        {
+            const label P = mesh_.faceOwner()[f];
+            for (label k = 0; k < of.n; ++k)
+            {
+                behind[of.n*(f - nInternal) + k] = V[P]*of.values[of.n*P + k];
+            }
+        }
+        coupled_.swap(behind, of.n);
+        forAll(cells, i)
+        {
+            const label c = cells[i];
+            for (label k = 0; k < of.n; ++k)
+            {
+                scalar sum = 0;
+                around
+                (
+                    mesh_, c, change[c] > 0, other,
+                    [&](const label n) { sum += V[n]*of.values[of.n*n + k]; },
+                    [&](const label b) { sum += behind[of.n*b + k]; }
+                );
+                add[of.n*i + k] = factor[i]*sum;
+            }
+        }
+        forAll(cells, i)
+        {
+            for (label k = 0; k < of.n; ++k)
+            {
+                of.values[of.n*cells[i] + k] += add[of.n*i + k];
+            }
+        }
+    }
+    columnsFilled(cells);
+    vector impulse(Zero);
+    forAll(cells, i)
+    {
+        rhoU_[cells[i]] += rhoU[i];
+        impulse += V[cells[i]]*rhoU[i];
+    }
+    fixups_.filledMass += mass() - mass0;
+    if (flows_)
+    {
+        flows_->mass += mass() - mass0;
+        flows_->impulse += impulse;
+        flows_->energy += energy() - energy0;
+        if (before.size() > 1)
+        {
+            const List<fluidSums> now(fluidContents());
+            flows_->fluids.setSize(now.size(), 0);
+            forAll(now, k)
+            {
+                flows_->fluids[k] += now[k].mass - before[k].mass;
+            }
+        }
+    }
+}
 
 // ************************************************************************* //

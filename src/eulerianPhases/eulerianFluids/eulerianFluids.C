@@ -137,19 +137,112 @@ void Foam::mpm::eulerianFluids::primitives()
             }
         }
     }
-    bad = badCell_ < 0 ? bad : badCell_;
-    rate_ = returnReduce(bad < 0 ? rate : VGREAT, maxOp<scalar>());
-    if (rate_ >= VGREAT)
+    if (whyBad_.size() && !canTear())
     {
-        if (whyBad_.size() && !canTear())
-        {
-            whyBad_ += "\n" + aboutNuclei();
-        }
-        stop(bad);
+        whyBad_ += "\n" + aboutNuclei();
     }
-    updateViscosity();
+    setRate(rate, bad);
 }
 
+
+Foam::mpm::farField::medium::part Foam::mpm::eulerianFluids::partOf
+(
+    const label k,
+    const scalar Y,
+    const scalar rho,
+    const scalar p,
+    const scalar F
+) const
+{
+    return farField::medium::isentrope
+    (
+        Y, rho, p,
+        [&](const scalar rho, const scalar p)
+        {
+            return rho*fluidMixture::c2(mixture_.at(k, rho, F), rho, p);
+        }
+    );
+}
+
+
+Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
+(
+    const label i,
+    const gasState& L,
+    const scalar z
+)
+{
+    const farField::face& a = far_->faces()[i];
+    const label c = mesh_.faceOwner()[a.f], b = a.f - mesh_.nInternalFaces();
+    const scalar pFar = far_->p(i);
+    const bool ofCell = alphaB_[n_*b] < 0;
+    farField::medium of;
+    of.outside =
+        !ofCell && farField::fixes(alpha_[0].boundaryField()[a.patch]);
+
+    // The shares of the conditions at the pressure far away
+    const auto given = [&]
+    {
+        of.size = 0;
+        of.p = pFar;
+        FixedList<scalar, fluidMixture::most> rho;
+        scalar all = 0;
+        for (label k = 0; k < n_; ++k)
+        {
+            rho[k] =
+                density(k, state_[k].boundaryField()[a.patch][a.i], pFar);
+            all += alphaB_[n_*b + k]*rho[k];
+        }
+        for (label k = 0; k < n_; ++k)
+        {
+            const scalar m = alphaB_[n_*b + k]*rho[k];
+            if (m > 0)
+            {
+                of.add(partOf(k, m/all, rho[k], pFar, burntBehind(b, k)));
+            }
+        }
+    };
+    if (of.outside)
+    {
+        given();
+    }
+    else
+    {
+        of.p = W_[c].p;
+        for (label k = 0; k < n_; ++k)
+        {
+            const scalar m = mass_[n_*c + k];
+            if (m > 0)
+            {
+                const scalar rho = m/part_[n_*c + k];
+                of.add(partOf(k, m/rho_[c], rho, of.p, burntOf(c, k)));
+            }
+        }
+    }
+    farField::state s(far_->at(i, L, z, of));
+    if (ofCell)
+    {
+        return s;
+    }
+    if (s.u < 0 && !of.outside)
+    {
+        given();
+    }
+    if (s.u < 0)
+    {
+        // Densities at p*, shares as given
+        s.behind.rho = 0;
+        for (label k = 0, j = 0; k < n_; ++k)
+        {
+            if (alphaB_[n_*b + k] > 0)
+            {
+                rhoB_[n_*b + k] = of.rho(j++, s.p);
+                s.behind.rho += alphaB_[n_*b + k]*rhoB_[n_*b + k];
+            }
+        }
+    }
+    return s;
+}
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -162,42 +255,20 @@ Foam::mpm::eulerianFluids::eulerianFluids
     const fieldStates* states
 )
 :
-    eulerianFlow(mesh, "fluids", g),
+    eulerianFlow(mesh, "fluids", word::null, g, states),
     mixture_(properties, names),
     n_(names.size()),
     lowMach_(settings(properties).getOrDefault<bool>("lowMach", false)),
     chi_(boundedOrDefault(settings(properties), "drainage", 0.1, 0, 1)),
-    reconstruction_(mesh, coupled_, faces_.boundary, faces_.coupled),
     porousFlux_(settings(properties), faces_),
     part_(n_*mesh.nCells(), Zero),
     mass_(n_*mesh.nCells(), Zero),
     relaxedP_(mesh.nCells(), -1),
-    t_(W_.size()),
-    tb_(Wb_.size(), stateTerms{1, 0, 1}),
     z_(W_.size()),
     zB_(Wb_.size(), 1),
     alphaB_(n_*Wb_.size(), Zero),
     rhoB_(n_*Wb_.size(), Zero),
-    p_(startField<volScalarField>("p", states)),
-    U_(startField<volVectorField>("U", states)),
-    rho0_
-    (
-        header("rho", IOobject::NO_READ),
-        mesh,
-        dimensionedScalar(dimDensity, Zero)
-    ),
-    psi_
-    (
-        header("psi", IOobject::NO_READ),
-        mesh,
-        dimensionedScalar(dimDensity/dimPressure, Zero)
-    ),
-    phiField_
-    (
-        header("phi", IOobject::NO_READ),
-        mesh,
-        dimensionedScalar(dimVolume/dimTime, Zero)
-    ),
+    rho0_(computed("rho")),
     first_(W_.size() + Wb_.size(), false),
     dropped_(0),
     relaxed_(0),
@@ -227,6 +298,8 @@ Foam::mpm::eulerianFluids::eulerianFluids
         }
     );
     setEnergy(true);
+    t_.setSize(W_.size());
+    tb_.setSize(Wb_.size(), stateTerms{1, 0, 1});
     makeFields(states);
     forAll(nuclei_, k)
     {
@@ -236,7 +309,6 @@ Foam::mpm::eulerianFluids::eulerianFluids
         );
     }
     makeBurnt(states);
-    setFaces(U_, p_);
     readViscosity(properties);
     interfaces_.reset(new fluidInterfaces(faces_, coupled_, n_));
     if (mag(g_) > 0)
@@ -245,7 +317,7 @@ Foam::mpm::eulerianFluids::eulerianFluids
         weight_.setSize(mesh.nFaces(), 0);
         reconstruction_.checkWeight();
     }
-    readState(states);
+    start(states);
     startBurning();
 
     Info<< "Fluids with one velocity and one pressure, "
@@ -284,12 +356,8 @@ bool Foam::mpm::eulerianFluids::setTheta(const UList<scalar>& theta)
 }
 
 
-void Foam::mpm::eulerianFluids::velocityChanged(const labelUList& cells)
+void Foam::mpm::eulerianFluids::velocityChanged()
 {
-    for (const label c : cells)
-    {
-        U_[c] = W_[c].u;
-    }
     if (coupled_.empty())
     {
         return;
@@ -300,23 +368,6 @@ void Foam::mpm::eulerianFluids::velocityChanged(const labelUList& cells)
         Wb_[f - nInternal] = W_[mesh_.faceOwner()[f]];
     }
     coupled_.swap(Wb_);
-}
-
-
-void Foam::mpm::eulerianFluids::correct()
-{
-    primitives();
-    forAll(mesh_.boundary(), patchi)
-    {
-        fvsPatchScalarField& phi = phiField_.boundaryFieldRef()[patchi];
-        const label start = mesh_.boundaryMesh()[patchi].start();
-        forAll(phi, i)
-        {
-            phi[i] = phi_[start + i];
-        }
-    }
-    updateFields();
-    updateBoundaryStates();
 }
 
 // ************************************************************************* //

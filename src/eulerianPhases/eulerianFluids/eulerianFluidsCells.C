@@ -8,7 +8,6 @@ License
 
 #include "eulerianFluids.H"
 #include "noTraps.H"
-#include "wedgePolyPatch.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -376,20 +375,7 @@ void Foam::mpm::eulerianFluids::sumBoundary
             }
         }
     }
-
-    // Sides of a wedge
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        const label n = !upwind && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
-        for (label f = pp.start(); f < pp.start() + n; ++f)
-        {
-            const label P = own[f];
-            if (!first_[P])
-            {
-                sums_[P].rhoU += (sides[f].own.p - W_[P].p)*S[f];
-            }
-        }
-    }
+    addWedgeSides(&first_);
 }
 
 
@@ -434,13 +420,7 @@ void Foam::mpm::eulerianFluids::newStates
         rhoE_[c] -= h*s.rhoE;
         if (pores)
         {
-            const volumes& v = volumes_[c];
-            const scalar p = W_[c].p;
-            const scalar A = theta_[c] - h*v.limited;
-            const scalar D = h*(v.solid + v.phi) - pores->dilation[c];
-            theta_[c] = newTheta(A, D, pores->eps);
-            rhoE_[c] -= p*(theta_[c] - A - h*v.phi);
-            bookFixup(c, -p*(theta_[c] - (A + D))*V[c]);
+            changeTheta<true>(c, h, *pores);
         }
         if (slot[c] < 0)
         {
@@ -481,7 +461,7 @@ void Foam::mpm::eulerianFluids::advance
     sumBoundary(dt, pores);
     burn(dt);
     newStates(dt, pores);
-    addViscosity(dt, U_);
+    addViscosity(dt);
 }
 
 // ************************************************************************* //

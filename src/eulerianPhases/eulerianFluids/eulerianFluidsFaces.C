@@ -528,16 +528,9 @@ void Foam::mpm::eulerianFluids::faceFlux
     out_ = 0;
     insideFaces(dt, pores);
     boundaryFaces(pores);
-    farFaces(pores);
+    farFaces(pores, &first_);
     outflow_ = out_;
-    if (pores)
-    {
-        limitOutflow<true>(dt, pores);
-    }
-    else
-    {
-        limitOutflow<false>(dt, pores);
-    }
+    limitOutflow(dt, pores);
     if (limits_)
     {
         outflow_ *= out_;

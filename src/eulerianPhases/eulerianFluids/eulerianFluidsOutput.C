@@ -8,7 +8,6 @@ License
 
 #include "eulerianFluids.H"
 #include "dictionaryTools.H"
-#include "fullPrecision.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -40,26 +39,10 @@ Foam::string Foam::mpm::eulerianFluids::stateOf(const label celli) const
 }
 
 
-template<class Function>
-void Foam::mpm::eulerianFluids::forState(const Function& f)
+void Foam::mpm::eulerianFluids::forState(const fieldAction& f)
 {
-    const auto object = [&](const word& name, const label k)
-    {
-        IOobject io(header(name, IOobject::NO_READ, k));
-        io.instance() = mesh_.time().timeName();
-        return io;
-    };
-    f(p_);
-    f(U_);
+    eulerianFlow::forState(f);
     f(rho0_);
-    volScalarField theta
-    (
-        object("theta", -1), mesh_, dimensionedScalar(dimless, Zero),
-        "zeroGradient"
-    );
-    theta.primitiveFieldRef() = theta_;
-    theta.correctBoundaryConditions();
-    f(theta);
     scalarField m(mesh_.nCells());
     for (label k = 0; k < n_; ++k)
     {
@@ -71,7 +54,8 @@ void Foam::mpm::eulerianFluids::forState(const Function& f)
         }
         volScalarField::Internal mass
         (
-            object("thetaRho", k), mesh_, dimDensity, m
+            header("thetaRho", IOobject::NO_READ, mixture_.name(k)),
+            mesh_, dimDensity, m
         );
         f(mass);
     }
@@ -79,17 +63,8 @@ void Foam::mpm::eulerianFluids::forState(const Function& f)
     {
         f(F);
     }
-    volVectorField::Internal rhoU
-    (
-        object("thetaRhoU", -1), mesh_, dimDensity*dimVelocity, rhoU_
-    );
-    f(rhoU);
-    volScalarField::Internal rhoE
-    (
-        object("thetaRhoE", -1), mesh_, dimPressure, rhoE_
-    );
-    f(rhoE);
 }
+
 
 void Foam::mpm::eulerianFluids::checkSoftened() const
 {
@@ -225,14 +200,11 @@ Foam::mpm::eulerianFluids::fluidContents() const
 void Foam::mpm::eulerianFluids::report() const
 {
     const scalarField& V = mesh_.V();
-    scalar pMin = GREAT, pMax = -GREAT;
     scalarField mass(n_, 0);
     label shared = 0;
     forAll(W_, c)
     {
         scalar largest = 0;
-        pMin = min(pMin, W_[c].p);
-        pMax = max(pMax, W_[c].p);
         for (label k = 0; k < n_; ++k)
         {
             mass[k] += V[c]*mass_[n_*c + k];
@@ -243,25 +215,18 @@ void Foam::mpm::eulerianFluids::report() const
     Info<< "Fluids: mass";
     for (label k = 0; k < n_; ++k)
     {
-        Info<< ' ' << mixture_.name(k) << ' '
-            << returnReduce(mass[k], sumOp<scalar>());
+        Info<< ' ' << mixture_.name(k) << ' ' << total(mass[k]);
     }
-    Info<< ", momentum " << returnReduce(momentum(), sumOp<vector>())
-        << ", energy " << returnReduce(energy(), sumOp<scalar>()) << nl
-        << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
-        << returnReduce(pMax, maxOp<scalar>()) << ", cells at interfaces "
-        << returnReduce(shared, sumOp<label>()) << " (mixed "
-        << returnReduce(interfaces_->cells().size(), sumOp<label>())
-        << "), outflow limited "
-        << returnReduce(fixups_.limited, sumOp<label>()) << ", theta kept "
-        << returnReduce(fixups_.theta, sumOp<label>())
-        << ", pressure of relaxation kept "
-        << returnReduce(relaxed_, sumOp<label>()) << ", isentropic "
-        << returnReduce(fixups_.isentropic, sumOp<label>()) << ", voids "
-        << returnReduce(voids_, sumOp<label>()) << " (energy "
-        << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
-        << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back, "
-        << returnReduce(dropped_, sumOp<scalar>()) << " dropped)" << endl;
+    Info<< ", momentum " << total(momentum())
+        << ", energy " << total(energy()) << nl
+        << "    p " << pressures().c_str() << ", cells at interfaces "
+        << total(shared) << " (mixed " << total(interfaces_->cells().size())
+        << "), outflow limited " << total(fixups_.limited) << ", theta kept "
+        << total(fixups_.theta) << ", pressure of relaxation kept "
+        << total(relaxed_) << ", isentropic " << total(fixups_.isentropic)
+        << ", voids " << total(voids_) << " (energy " << total(fixups_.energy)
+        << " added, mass " << total(fixups_.heldBack) << " held back, "
+        << total(dropped_) << " dropped)" << endl;
     for (const label k : burning_)
     {
         Info<< "    burnt of " << mixture_.name(k) << ": "
@@ -273,47 +238,19 @@ void Foam::mpm::eulerianFluids::report() const
 }
 
 
-void Foam::mpm::eulerianFluids::writeFields()
-{
-    const fullPrecision allDigits;
-    forState
-    (
-        [&](auto& field)
-        {
-            field.instance() = mesh_.time().timeName();
-            field.write();
-        }
-    );
-}
-
-
-Foam::mpm::fieldStates Foam::mpm::eulerianFluids::takeDown()
-{
-    fieldStates states;
-    forState
-    (
-        [&](const auto& field)
-        {
-            states.set(field.name(), fieldDictionary(field));
-        }
-    );
-    return states;
-}
-
-
 Foam::dictionary Foam::mpm::eulerianFluids::state() const
 {
-    dictionary state(fixupState());
-    state.add("relaxed", returnReduce(relaxed_, sumOp<label>()));
-    state.add("voids", returnReduce(voids_, sumOp<label>()));
-    state.add("dropped", returnReduce(dropped_, sumOp<scalar>()));
+    dictionary state(eulerianFlow::state());
+    state.add("relaxed", total(relaxed_));
+    state.add("voids", total(voids_));
+    state.add("dropped", total(dropped_));
     return state;
 }
 
 
 void Foam::mpm::eulerianFluids::setState(const dictionary& state)
 {
-    setFixups(state);
+    eulerianFlow::setState(state);
     const bool keeps = Pstream::master();
     relaxed_ = keeps ? required<label>(state, "relaxed") : 0;
     voids_ = keeps ? required<label>(state, "voids") : 0;

@@ -9,29 +9,7 @@ License
 #include "eulerianFluids.H"
 #include "dictionaryTools.H"
 #include "noTraps.H"
-#include "startFields.H"
 #include "Time.H"
-
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Dimensions of a field of the start or of the state
-dimensionSet dimensionsOf(const word& name)
-{
-    return
-        name == "p" || name == "thetaRhoE" ? dimPressure
-      : name == "U" ? dimVelocity
-      : name == "T" ? dimTemperature
-      : name == "rho" || name == "thetaRho" ? dimDensity
-      : name == "thetaRhoU" ? dimDensity*dimVelocity
-      : dimless;
-}
-
-}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -46,43 +24,27 @@ const Foam::dictionary& Foam::mpm::eulerianFluids::settings
 }
 
 
-Foam::IOobject Foam::mpm::eulerianFluids::header
+Foam::volScalarField* Foam::mpm::eulerianFluids::newField
 (
     const word& name,
-    const IOobject::readOption read,
-    const label fluid
-) const
-{
-    return IOobject
-    (
-        fluid < 0 ? name : IOobject::groupName(name, mixture_.name(fluid)),
-        mesh_.time().timeName(),
-        mesh_,
-        read,
-        IOobject::NO_WRITE
-    );
-}
-
-
-template<class FieldType>
-FieldType Foam::mpm::eulerianFluids::startField
-(
-    const word& name,
+    const label k,
     const fieldStates* states,
-    const label fluid
+    const bool there,
+    const scalar value
 ) const
 {
-    const IOobject io(header(name, IOobject::MUST_READ, fluid));
-    if (!states && !isThere(io))
+    const word& of = mixture_.name(k);
+    if (there)
     {
-        FatalErrorInFunction
-            << "Field " << io.name() << " of the fluids is missing: there is no"
-            << " file " << io.objectPath() << ". setFluids writes those of"
-            << " system/setFluidsDict." << exit(FatalError);
+        return new volScalarField(startField<volScalarField>(name, states, of));
     }
-    FieldType field(fileOrState<FieldType>(io, mesh_, states));
-    checkDimensions(field, dimensionsOf(name));
-    return field;
+    return new volScalarField
+    (
+        header(name, IOobject::NO_READ, of),
+        mesh_,
+        dimensionedScalar(name, dimensionsOf(name), value),
+        "zeroGradient"
+    );
 }
 
 
@@ -93,18 +55,18 @@ bool Foam::mpm::eulerianFluids::hasState(const fieldStates* states) const
         return true;
     }
     DynamicList<word> found, missing;
-    const auto look = [&](const word& name, const label k)
+    const auto look = [&](const word& name, const word& of)
     {
-        const IOobject io(header(name, IOobject::MUST_READ, k));
+        const IOobject io(header(name, IOobject::MUST_READ, of));
         bool here;
         isThere(io, &here);
         (here ? found : missing).append(io.name());
     };
-    look("thetaRhoU", -1);
-    look("thetaRhoE", -1);
+    look("thetaRhoU", group_);
+    look("thetaRhoE", group_);
     for (label k = 0; k < n_; ++k)
     {
-        look("thetaRho", k);
+        look("thetaRho", mixture_.name(k));
     }
     if (returnReduce(found.empty(), andOp<bool>()))
     {
@@ -112,10 +74,10 @@ bool Foam::mpm::eulerianFluids::hasState(const fieldStates* states) const
     }
     for (label k = 0; k < n_; ++k)
     {
-        look("alpha", k);
+        look("alpha", mixture_.name(k));
         if (mixture_.detonates(k))
         {
-            look("F", k);
+            look("F", mixture_.name(k));
         }
     }
     if (tells(missing.size()))
@@ -143,38 +105,32 @@ void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
     state_.setSize(n_);
     for (label k = 0; k < n_; ++k)
     {
-        const bool there =
-            states || isThere(header("alpha", IOobject::MUST_READ, k));
-        if (!there && (missing < 0))
+        if (!(states || inFile("alpha", k)) && missing < 0)
         {
             missing = k;
             continue;
         }
-        alpha_.set
-        (
-            k, new volScalarField(startField<volScalarField>("alpha", states, k))
-        );
+        alpha_.set(k, newField("alpha", k, states, true, 0));
     }
     if (missing >= 0)
     {
-        const IOobject io(header("alpha", IOobject::NO_READ, missing));
         if (n_ == 1)
         {
-            alpha_.set
-            (
-                0,
-                new volScalarField
-                (
-                    io, mesh_, dimensionedScalar("one", dimless, 1),
-                    "zeroGradient"
-                )
-            );
+            alpha_.set(0, newField("alpha", 0, states, false, 1));
         }
         else
         {
             // With the conditions of another, whose values it complements
             const volScalarField& other = alpha_[missing ? 0 : 1];
-            alpha_.set(missing, new volScalarField(io, other));
+            alpha_.set
+            (
+                missing,
+                new volScalarField
+                (
+                    header("alpha", IOobject::NO_READ, mixture_.name(missing)),
+                    other
+                )
+            );
             volScalarField& left = alpha_[missing];
             left.primitiveFieldRef() = 1;
             for (fvPatchScalarField& b : left.boundaryFieldRef())
@@ -206,21 +162,8 @@ void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
     for (label k = 0; k < n_; ++k)
     {
         const word name(isGas(k) ? "T" : "rho");
-        const bool there =
-            states || isThere(header(name, IOobject::MUST_READ, k));
-        state_.set
-        (
-            k,
-            there || isGas(k)
-          ? new volScalarField(startField<volScalarField>(name, states, k))
-          : new volScalarField
-            (
-                header(name, IOobject::NO_READ, k),
-                mesh_,
-                dimensionedScalar("rho", dimDensity, mixture_.rho0(k)),
-                "zeroGradient"
-            )
-        );
+        const bool there = states || isGas(k) || inFile(name, k);
+        state_.set(k, newField(name, k, states, there, mixture_.rho0(k)));
     }
 }
 
@@ -381,38 +324,26 @@ void Foam::mpm::eulerianFluids::conserve()
 }
 
 
-void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
+void Foam::mpm::eulerianFluids::start(const fieldStates* states)
 {
     if (!restarted_)
     {
         checkShares();
         checkDensities();
-        conserve();
-        primitives();
-        far_->setValues(W_, g_, U_, p_);
-        far_->warnOfPressure(W_, p_);
-        updateBoundaryStates();
-        updateFields();
-        updateBoundaryStates();
+        begin();
         return;
     }
-    const auto read = [&](const word& name, const label k)
-    {
-        const volScalarField::Internal field
-        (
-            fileOrState<volScalarField::Internal>
-            (
-                header(name, IOobject::MUST_READ, k), mesh_, states
-            )
-        );
-        checkDimensions(field, dimensionsOf(name));
-        return field.field();
-    };
-    theta_ = startField<volScalarField>("theta", states).primitiveField();
+    readState(states);
     rho_ = 0;
     for (label k = 0; k < n_; ++k)
     {
-        const scalarField m(read("thetaRho", k));
+        const scalarField m
+        (
+            startField<volScalarField::Internal>
+            (
+                "thetaRho", states, mixture_.name(k)
+            ).field()
+        );
         forAll(theta_, c)
         {
             part_[n_*c + k] = alpha_[k][c];
@@ -420,17 +351,6 @@ void Foam::mpm::eulerianFluids::readState(const fieldStates* states)
             rho_[c] += m[c];
         }
     }
-    porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
-    const volVectorField::Internal rhoU
-    (
-        fileOrState<volVectorField::Internal>
-        (
-            header("thetaRhoU", IOobject::MUST_READ), mesh_, states
-        )
-    );
-    checkDimensions(rhoU, dimensionsOf("thetaRhoU"));
-    rhoU_ = rhoU.field();
-    rhoE_ = read("thetaRhoE", -1);
     const scalarField p(p_.primitiveField());
     relaxedP_ = p;
     primitives();
@@ -476,7 +396,7 @@ void Foam::mpm::eulerianFluids::readViscosity(const dictionary& properties)
         (
             new volScalarField
             (
-                header("T", IOobject::NO_READ),
+                header("T", IOobject::NO_READ, group_),
                 mesh_,
                 dimensionedScalar(dimTemperature, Zero),
                 "zeroGradient"
@@ -520,21 +440,5 @@ const Foam::volScalarField* Foam::mpm::eulerianFluids::transport
     }
     return T_.get();
 }
-
-// * * * * * * * * * * * * * * * Instantiations  * * * * * * * * * * * * * * //
-
-template Foam::volScalarField Foam::mpm::eulerianFluids::startField
-(
-    const word&,
-    const fieldStates*,
-    const label
-) const;
-
-template Foam::volVectorField Foam::mpm::eulerianFluids::startField
-(
-    const word&,
-    const fieldStates*,
-    const label
-) const;
 
 // ************************************************************************* //

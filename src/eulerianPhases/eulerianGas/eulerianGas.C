@@ -7,12 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianGas.H"
-#include "startFields.H"
 #include "dictionaryTools.H"
 #include "noTraps.H"
-#include "basicSymmetryFvPatchFields.H"
-#include "emptyPolyPatch.H"
-#include "wedgePolyPatch.H"
 #include "StringStream.H"
 #include "HashTable.H"
 #include "Time.H"
@@ -23,20 +19,6 @@ namespace
 {
 
 using namespace Foam;
-
-//- Fatal if the file of a field that the gas needs is not there
-const IOobject& present(const IOobject& header, const word& gas)
-{
-    if (!mpm::isThere(header))
-    {
-        FatalErrorInFunction
-            << "Field " << header.name() << " of gas " << gas
-            << " is missing: there is no file " << header.objectPath() << "."
-            << exit(FatalError);
-    }
-    return header;
-}
-
 
 //- Conditions that look fields up by names, which have the gas behind them
 template<class Field>
@@ -161,23 +143,6 @@ void warnOfBar(const volScalarField& T, const volScalarField& p)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::IOobject Foam::mpm::eulerianGas::header
-(
-    const word& name,
-    const IOobject::readOption read
-) const
-{
-    return IOobject
-    (
-        name == "p" ? name : IOobject::groupName(name, name_),
-        mesh_.time().timeName(),
-        mesh_,
-        read,
-        IOobject::NO_WRITE
-    );
-}
-
-
 void Foam::mpm::eulerianGas::checkConditions() const
 {
     checkNames(p_, name_);
@@ -196,7 +161,7 @@ void Foam::mpm::eulerianGas::checkConditions() const
 void Foam::mpm::eulerianGas::conserve()
 {
     const noTraps guard;
-    closure_->conserve
+    closure_.conserve
     (
         conserved(),
         p_.primitiveField(),
@@ -209,11 +174,11 @@ void Foam::mpm::eulerianGas::conserve()
 
 void Foam::mpm::eulerianGas::primitives()
 {
-    pressureClosure::found found;
+    ownPressure::found found;
     {
         const noTraps guard;
         const bool hasT = T_ && thermo_.isGammaLaw();
-        found = closure_->correct
+        found = closure_.correct
         (
             conserved(),
             faceRates_,
@@ -227,17 +192,7 @@ void Foam::mpm::eulerianGas::primitives()
             }
         );
     }
-
-    // One reduction for both
-    const label bad = badCell_ < 0 ? found.bad : badCell_;
-    scalar rate = bad < 0 ? -found.rate : -VGREAT;
-    reduce(rate, minOp<scalar>());
-    rate_ = -rate;
-    if (rate_ >= VGREAT)
-    {
-        stop(bad);
-    }
-    updateViscosity();
+    setRate(found.rate, found.bad);
 }
 
 
@@ -297,52 +252,25 @@ Foam::mpm::eulerianGas::eulerianGas
     const fieldStates* states
 )
 :
-    eulerianFlow(mesh, name, g),
+    eulerianFlow(mesh, name, name, g, states),
     thermoPtr_(gasThermo::New(dict)),
     thermo_(*thermoPtr_),
-    reconstruction_(mesh, coupled_, faces_.boundary, faces_.coupled),
     faceFlux_(mpm::faceFlux::New(dict, faces_)),
-    closure_(pressureClosure::New(dict, thermo_)),
-    t_(thermo_.isGammaLaw() ? 0 : W_.size()),
-    tb_(thermo_.isGammaLaw() ? 0 : Wb_.size()),
-    p_(startField<volScalarField>("p", states)),
+    closure_(thermo_),
     T_
     (
         !thermo_.hasTemperature() ? nullptr
       : thermo_.isGammaLaw()
-      ? new volScalarField(startField<volScalarField>("T", states))
-      : new volScalarField
-        (
-            header("T", IOobject::NO_READ),
-            mesh,
-            dimensionedScalar(dimTemperature, Zero)
-        )
+      ? new volScalarField(startField<volScalarField>("T", states, name))
+      : new volScalarField(computed("T"))
     ),
     mu_(0),
     kappa_(0),
-    U_(startField<volVectorField>("U", states)),
     rho0_
     (
         readsRho()
-      ? startField<volScalarField>("rho", states)
-      : volScalarField
-        (
-            header("rho", IOobject::NO_READ),
-            mesh,
-            dimensionedScalar(dimDensity, Zero)
-        )
-    ),
-    psi_
-    (
-        header("psi", IOobject::NO_READ),
-        mesh,
-        dimensionedScalar(dimDensity/dimPressure, Zero)
-    ),
-    phiField_
-    (
-        header("phi", IOobject::NO_READ),
-        mesh,
-        dimensionedScalar(dimVolume/dimTime, Zero)
+      ? startField<volScalarField>("rho", states, name)
+      : computed("rho")
     )
 {
     wordList valid(thermo_.keywords());
@@ -351,25 +279,21 @@ Foam::mpm::eulerianGas::eulerianGas
         wordList
         ({
             "type", "mu", "Pr", "kappa", "viscous", "poreFloor", "faceDrag",
-            "faceFlux", "pressureClosure", "solidFraction"
+            "faceFlux", "solidFraction"
         })
     );
     valid.append(faceFlux_->keywords());
-    valid.append(closure_->keywords());
     checkKeywords(dict, valid);
-    checkDimensions(p_, dimPressure);
-    checkDimensions(U_, dimVelocity);
-    checkDimensions(rho0_, dimDensity);
-    if (T_)
-    {
-        checkDimensions(*T_, dimTemperature);
-    }
 
+    if (!thermo_.isGammaLaw())
+    {
+        t_.setSize(W_.size());
+        tb_.setSize(Wb_.size());
+    }
     setEnergy(thermo_.hasEnergy());
     checkConditions();
-    setFaces(U_, p_);
     readViscosity(dict);
-    readState(states);
+    start(states);
     if (T_ && !restarted_ && thermo_.isGammaLaw())
     {
         warnOfCelsius(*T_, p_);
@@ -383,75 +307,17 @@ Foam::mpm::eulerianGas::eulerianGas
 }
 
 
-template<class FieldType>
-FieldType Foam::mpm::eulerianGas::startField
-(
-    const word& name,
-    const fieldStates* states
-) const
+void Foam::mpm::eulerianGas::start(const fieldStates* states)
 {
-    const IOobject io(header(name, IOobject::MUST_READ));
-    return fileOrState<FieldType>
-    (
-        states ? io : present(io, name_),
-        mesh_,
-        states
-    );
-}
-
-
-void Foam::mpm::eulerianGas::readState(const fieldStates* states)
-{
-    restarted_ = states || isThere(header("thetaRho", IOobject::MUST_READ));
+    restarted_ = states || isThere(header("thetaRho", IOobject::MUST_READ, name_));
     if (!restarted_)
     {
-        conserve();
-        primitives();
-        far_->setValues(W_, g_, U_, p_);
-        far_->warnOfPressure(W_, p_);
-        updateBoundaryStates();
-        correctBoundaryFields();
-        updateBoundaryStates();
+        begin();
         return;
     }
-
-    const auto read = [&](const word& name, const dimensionSet& dimensions)
-    {
-        const volScalarField::Internal field
-        (
-            fileOrState<volScalarField::Internal>
-            (
-                header(name, IOobject::MUST_READ), mesh_, states
-            )
-        );
-        checkDimensions(field, dimensions);
-        return field.field();
-    };
-    const volScalarField theta
-    (
-        fileOrState<volScalarField>
-        (
-            header("theta", IOobject::MUST_READ), mesh_, states
-        )
-    );
-    checkDimensions(theta, dimless);
-    theta_ = theta.primitiveField();
-    rho_ = read("thetaRho", dimDensity);
-    const volVectorField::Internal rhoU
-    (
-        fileOrState<volVectorField::Internal>
-        (
-            header("thetaRhoU", IOobject::MUST_READ), mesh_, states
-        )
-    );
-    checkDimensions(rhoU, dimDensity*dimVelocity);
-    rhoU_ = rhoU.field();
-    if (thermo_.hasEnergy())
-    {
-        rhoE_ = read("thetaRhoE", dimPressure);
-    }
-    porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
-
+    readState(states);
+    typedef volScalarField::Internal scalars;
+    rho_ = startField<scalars>("thetaRho", states, name_).field();
     const scalarField p(p_.primitiveField());
     primitives();
     const noTraps guard;
@@ -492,36 +358,6 @@ bool Foam::mpm::eulerianGas::setTheta(const UList<scalar>& theta)
     primitives();
     updateBoundaryStates();
     return false;
-}
-
-
-void Foam::mpm::eulerianGas::velocityChanged(const labelUList& cells)
-{
-    for (const label c : cells)
-    {
-        U_[c] = W_[c].u;
-    }
-    updateBoundaryStates();
-}
-
-
-void Foam::mpm::eulerianGas::correct()
-{
-    primitives();
-
-    // phi of the step that has just been made, for conditions that ask
-    forAll(mesh_.boundary(), patchi)
-    {
-        fvsPatchScalarField& phi = phiField_.boundaryFieldRef()[patchi];
-        const label start = mesh_.boundaryMesh()[patchi].start();
-        forAll(phi, i)
-        {
-            phi[i] = phi_[start + i];
-        }
-    }
-
-    correctBoundaryFields();
-    updateBoundaryStates();
 }
 
 // ************************************************************************* //

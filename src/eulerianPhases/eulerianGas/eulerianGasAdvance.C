@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianGas.H"
-#include "wedgePolyPatch.H"
 #include "noTraps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -30,25 +29,6 @@ void Foam::mpm::eulerianGas::keepIsentrope
         bookFixup(celli, (E - rhoE_[celli])*mesh_.V()[celli]);
         rhoE_[celli] = E;
         ++fixups_.isentropic;
-    }
-}
-
-
-template<bool General>
-void Foam::mpm::eulerianGas::addWedgeSides(const gasStates<General>& all)
-{
-    // They have the cell's pressure of the middle of the step
-    const labelUList& own = mesh_.faceOwner();
-    const vectorField& S = mesh_.faceAreas();
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        const label n =
-            !all.upwind() && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
-        for (label f = pp.start(); f < pp.start() + n; ++f)
-        {
-            const label P = own[f];
-            sums_[P].rhoU += (all.own(f).w.p - W_[P].p)*S[f];
-        }
     }
 }
 
@@ -166,7 +146,7 @@ void Foam::mpm::eulerianGas::sumFaces
     {
         addVectorAreas(pores->area0);
     }
-    addWedgeSides(all);
+    addWedgeSides(nullptr);
 }
 
 
@@ -202,7 +182,7 @@ bool Foam::mpm::eulerianGas::newStates
     const scalarField& V = mesh_.V();
     bookGravity(dt);
 
-    const pressureClosure::conserved now(conserved());
+    const ownPressure::conserved now(conserved());
     bool positive = true;
     forAll(sums_, c)
     {
@@ -218,25 +198,15 @@ bool Foam::mpm::eulerianGas::newStates
         }
         if (Porous)
         {
-            const volumes& v = volumes_[c];
-            const scalar A = theta_[c] - h*v.limited;
-            const scalar D = h*(v.solid + v.phi) - pores->dilation[c];
-            theta_[c] = newTheta(A, D, pores->eps);
-            if (Energy)
+            changeTheta<Energy>(c, h, *pores);
+            if (Energy && near_[c])
             {
-                const scalar p = W_[c].p;
-                rhoE_[c] -= p*(theta_[c] - A - h*v.phi);
-                bookFixup(c, -p*(theta_[c] - (A + D))*V[c]);
-
-                if (near_[c])
-                {
-                    keepIsentrope(c, p);
-                }
+                keepIsentrope(c, W_[c].p);
             }
         }
         if (Energy)
         {
-            positive = positive && pressureClosure::isPositive(now, c);
+            positive = positive && ownPressure::isPositive(now, c);
         }
     }
     return positive;
@@ -251,11 +221,184 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const solidOnFaces* pores)
     if (General && Energy)
     {
         boolList bad(rho_.size());
-        positive = closure_->markBad(conserved(), bad);
+        positive = closure_.markBad(conserved(), bad);
     }
     if (Energy && !returnReduce(positive, andOp<bool>()))
     {
         keepPositive<Porous, General>(dt);
+    }
+}
+
+
+template<bool General>
+Foam::mpm::eulerianGas::sums Foam::mpm::eulerianGas::positiveFlux
+(
+    const gasStates<General>& states,
+    const typename gasStates<General>::state& L,
+    const typename gasStates<General>::state& R,
+    const vector& S
+)
+{
+    typedef typename gasStates<General>::state state;
+    const scalar area = mag(S);
+    const scalar uL = (L.w.u & S)/area, uR = (R.w.u & S)/area;
+    const scalar cL = states.c(L), cR = states.c(R);
+    const scalar low = min(min(uL - cL, uR - cR), scalar(0));
+    const scalar high = max(max(uL + cL, uR + cR), scalar(0));
+
+    // a F.n + b W of one side
+    sums flux{0, Zero, 0};
+    const auto add =
+        [&](const state& s, const scalar u, const scalar a, const scalar b)
+    {
+        const gasState& w = s.w;
+        const scalar E = states.rhoE(s) + 0.5*w.rho*magSqr(w.u);
+        const scalar m = area*(a*u + b)*w.rho;
+        flux.rho += m;
+        flux.rhoU += m*w.u + (a*w.p)*S;
+        flux.rhoE += area*((a*u + b)*E + a*u*w.p);
+    };
+    const scalar width = high - low;
+    add(L, uL, high/width, -low*high/width);
+    add(R, uR, -low/width, low*high/width);
+    return flux;
+}
+
+
+template<bool General>
+Foam::mpm::eulerianGas::sums Foam::mpm::eulerianGas::wallFlux
+(
+    const gasStates<General>& states,
+    const label f
+) const
+{
+    typedef typename gasStates<General>::state state;
+    const vector& S = mesh_.faceAreas()[f];
+    const scalar volume = phiLimited()[f];
+    const state c = states.cell(mesh_.faceOwner()[f]);
+    const state b = states.behind(f - mesh_.nInternalFaces());
+    const scalar z = std::sqrt(states.factor()*c.w.rho*states.q(c));
+    const scalar p = b.w.p + z*((c.w.u - b.w.u) & S)/faces_.magS[f];
+    const state& donor = volume > 0 ? c : b;
+    sums flux = carried<true>(volume, p*volume, donor.w, states.rhoE(donor));
+    flux.rhoU += p*S;
+    return flux;
+}
+
+
+template<bool Porous, bool General>
+void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
+{
+    typedef typename gasStates<General>::state state;
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const vectorField& S = mesh_.faceAreas();
+    const scalarField& V = mesh_.V();
+    const scalarField& limited = phiLimited();
+    const gasStates<General> all(allStates<General>());
+    const bool upwind = all.upwind();
+
+    boolList replaced(mesh_.nFaces(), false), bad(rho_.size());
+    scalarField behind(Wb_.size());
+    bool changed = true;
+
+    // What the step has sent through a face, and what it shall be
+    const auto give = [&](const label f, const sums& now, const label N)
+    {
+        const label P = own[f];
+        const state donor =
+            upwind
+          ? (
+                limited[f] > 0 ? all.cell(P)
+              : N < 0 ? all.behind(f - nInternal)
+              : all.cell(N)
+            )
+          : (limited[f] > 0 ? all.own(f) : all.nei(f));
+        sums d = carried<true>
+        (
+            limited[f],
+            pStar_[f]*(Porous ? phi_[f] : limited[f]),
+            donor.w,
+            all.rhoE(donor)
+        );
+        d.rho -= now.rho;
+        d.rhoU += pStar_[f]*S[f] - now.rhoU;
+        d.rhoE -= now.rhoE;
+
+        rho_[P] += dt/V[P]*d.rho;
+        rhoU_[P] += dt/V[P]*d.rhoU;
+        rhoE_[P] += dt/V[P]*d.rhoE;
+        if (N >= 0)
+        {
+            rho_[N] -= dt/V[N]*d.rho;
+            rhoU_[N] -= dt/V[N]*d.rhoU;
+            rhoE_[N] -= dt/V[N]*d.rhoE;
+        }
+        replaced[f] = true;
+        changed = true;
+        return d;
+    };
+
+    while (returnReduce(changed, orOp<bool>()))
+    {
+        changed = false;
+        closure_.markBad(conserved(), bad);
+        forAll(behind, i)
+        {
+            behind[i] = bad[own[nInternal + i]];
+        }
+        coupled_.swap(behind);
+
+        for (label f = 0; f < nInternal; ++f)
+        {
+            const label P = own[f], N = nei[f];
+            if
+            (
+                (bad[P] || bad[N]) && !replaced[f]
+             && !(Porous && (near_[P] || near_[N]))
+            )
+            {
+                give
+                (
+                    f, positiveFlux(all, all.cell(P), all.cell(N), S[f]), N
+                );
+                ++fixups_.positive;
+            }
+        }
+        for (const label f : faces_.coupled)
+        {
+            const label P = own[f], i = f - nInternal;
+            if
+            (
+                (bad[P] || behind[i] > 0.5) && !replaced[f]
+             && !(Porous && (near_[P] || near_[bad.size() + i]))
+            )
+            {
+                give
+                (
+                    f, positiveFlux(all, all.cell(P), all.behind(i), S[f]), -1
+                );
+            }
+        }
+        for (const label f : faces_.boundary)
+        {
+            const label P = own[f], i = f - nInternal;
+            if
+            (
+                bad[P] && faces_.wall[i] && !replaced[f]
+             && !(Porous && near_[P])
+            )
+            {
+                const sums d = give(f, wallFlux(all, f), -1);
+                if (flows_)
+                {
+                    flows_->mass += dt*d.rho;
+                    flows_->impulse += dt*d.rhoU;
+                    flows_->energy += dt*d.rhoE;
+                }
+            }
+        }
     }
 }
 
@@ -290,7 +433,13 @@ void Foam::mpm::eulerianGas::advance(const scalar dt, const solidOnFaces* pores)
     {
         cells<false, false, true>(dt, pores);
     }
-    addViscosity(dt, U_);
+    addViscosity(dt);
 }
+
+// * * * * * * * * * * * * * * * Instantiations  * * * * * * * * * * * * * * //
+
+template void Foam::mpm::eulerianGas::keepPositive<true, false>(const scalar);
+template void Foam::mpm::eulerianGas::keepPositive<false, false>(const scalar);
+template void Foam::mpm::eulerianGas::keepPositive<false, true>(const scalar);
 
 // ************************************************************************* //

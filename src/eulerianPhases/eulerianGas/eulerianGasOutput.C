@@ -7,8 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "eulerianGas.H"
-#include "dictionaryTools.H"
-#include "fullPrecision.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -68,58 +66,28 @@ void Foam::mpm::eulerianGas::updateTemperature()
 }
 
 
-template<class Function>
-void Foam::mpm::eulerianGas::forState(const Function& f)
+void Foam::mpm::eulerianGas::forState(const fieldAction& f)
 {
-    const auto object = [&](const word& name)
+    scalarField& psi = psi_.primitiveFieldRef();
+    forAll(psi, c)
     {
-        IOobject io(header(name, IOobject::NO_READ));
-        io.instance() = mesh_.time().timeName();
-        return io;
-    };
-
-    {
-        scalarField& psi = psi_.primitiveFieldRef();
-        forAll(psi, c)
-        {
-            psi[c] = W_[c].rho/(t_.empty() ? W_[c].p : t_[c].K);
-        }
+        psi[c] = W_[c].rho/(t_.empty() ? W_[c].p : t_[c].K);
     }
-    f(p_);
-    f(U_);
+    eulerianFlow::forState(f);
     f(rho0_);
-    if (T_ && !thermo_.isGammaLaw())
-    {
-        updateTemperature();
-    }
     if (T_)
     {
+        if (!thermo_.isGammaLaw())
+        {
+            updateTemperature();
+        }
         f(*T_);
     }
-
-    volScalarField theta
+    volScalarField::Internal rho
     (
-        object("theta"), mesh_, dimensionedScalar(dimless, Zero), "zeroGradient"
+        header("thetaRho", IOobject::NO_READ, name_), mesh_, dimDensity, rho_
     );
-    theta.primitiveFieldRef() = theta_;
-    theta.correctBoundaryConditions();
-    f(theta);
-
-    volScalarField::Internal rho(object("thetaRho"), mesh_, dimDensity, rho_);
     f(rho);
-    volVectorField::Internal rhoU
-    (
-        object("thetaRhoU"), mesh_, dimDensity*dimVelocity, rhoU_
-    );
-    f(rhoU);
-    if (thermo_.hasEnergy())
-    {
-        volScalarField::Internal rhoE
-        (
-            object("thetaRhoE"), mesh_, dimPressure, rhoE_
-        );
-        f(rhoE);
-    }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -160,14 +128,12 @@ void Foam::mpm::eulerianGas::needTemperature(const dictionary& dict) const
 
 void Foam::mpm::eulerianGas::report() const
 {
-    // Of all cells; of those that are more gas than solid
-    scalar pMin = GREAT, pMax = -GREAT, freeMin = GREAT, freeMax = -GREAT;
+    // Of cells that are more gas than solid
+    scalar freeMin = GREAT, freeMax = -GREAT;
     label nPores = 0;
     forAll(W_, celli)
     {
         const scalar p = W_[celli].p;
-        pMin = min(pMin, p);
-        pMax = max(pMax, p);
         if (theta_[celli] > 0.5)
         {
             freeMin = min(freeMin, p);
@@ -178,28 +144,24 @@ void Foam::mpm::eulerianGas::report() const
             ++nPores;
         }
     }
-    Info<< "Gas " << name_ << ": mass "
-        << returnReduce(mass(), sumOp<scalar>()) << ", momentum "
-        << returnReduce(momentum(), sumOp<vector>());
+    Info<< "Gas " << name_ << ": mass " << total(mass()) << ", momentum "
+        << total(momentum());
     if (thermo_.hasEnergy())
     {
-        Info<< ", energy " << returnReduce(energy(), sumOp<scalar>());
+        Info<< ", energy " << total(energy());
     }
-    Info<< nl << "    p " << returnReduce(pMin, minOp<scalar>()) << " to "
-        << returnReduce(pMax, maxOp<scalar>()) << ", outflow limited "
-        << returnReduce(fixups_.limited, sumOp<label>()) << ", theta kept "
-        << returnReduce(fixups_.theta, sumOp<label>())
-        << ", isentropic "
-        << returnReduce(fixups_.isentropic, sumOp<label>()) << " (energy "
-        << returnReduce(fixups_.energy, sumOp<scalar>()) << " added, mass "
-        << returnReduce(fixups_.heldBack, sumOp<scalar>()) << " held back)";
-    if (const label n = returnReduce(fixups_.positive, sumOp<label>()))
+    Info<< nl << "    p " << pressures().c_str() << ", outflow limited "
+        << total(fixups_.limited) << ", theta kept " << total(fixups_.theta)
+        << ", isentropic " << total(fixups_.isentropic) << " (energy "
+        << total(fixups_.energy) << " added, mass " << total(fixups_.heldBack)
+        << " held back)";
+    if (const label n = total(fixups_.positive))
     {
         Info<< ", kept positive at faces " << n;
     }
     reduce(freeMin, minOp<scalar>());
     reduce(freeMax, maxOp<scalar>());
-    if (returnReduce(nPores, sumOp<label>()) && freeMin <= freeMax)
+    if (total(nPores) && freeMin <= freeMax)
     {
         Info<< nl << "    where theta > 0.5: p " << freeMin << " to "
             << freeMax;
@@ -225,46 +187,6 @@ Foam::mpm::eulerianGas::fluidContents() const
         s.volume += V[c]*theta_[c];
     }
     return List<fluidSums>(1, s);
-}
-
-
-void Foam::mpm::eulerianGas::writeFields()
-{
-    const fullPrecision allDigits;
-    forState
-    (
-        [&](auto& field)
-        {
-            field.instance() = mesh_.time().timeName();
-            field.write();
-        }
-    );
-}
-
-
-Foam::mpm::fieldStates Foam::mpm::eulerianGas::takeDown()
-{
-    fieldStates states;
-    forState
-    (
-        [&](const auto& field)
-        {
-            states.set(field.name(), fieldDictionary(field));
-        }
-    );
-    return states;
-}
-
-
-Foam::dictionary Foam::mpm::eulerianGas::state() const
-{
-    return fixupState();
-}
-
-
-void Foam::mpm::eulerianGas::setState(const dictionary& state)
-{
-    setFixups(state);
 }
 
 // ************************************************************************* //

@@ -162,12 +162,8 @@ def gasRows(solve, replace, remove, several, withPoints, line):
          inPhases + ["equationOfState", "beside", "thermo perfectGas or isentropic"]),
         ("gas: poreFloor 1", solve, inAir(gas("R 287; poreFloor 1;")),
          inPhases + ["poreFloor"]),
-        ("gas: faceDrag 7", solve, inAir(gas("R 287; faceDrag 7;")),
-         inPhases + ["faceDrag 7", valid, "impedance"]),
         ("gas: faceDrag pressure", solve, inAir(gas("R 287; faceDrag pressure;")),
          inPhases + ["faceDrag pressure", valid, "impedance"]),
-        ("allowed: faceDrag 1 of an older case", solve, inAir(gas("R 287; faceDrag 1;")), None,
-         {"has": "faceDrag 1 is the older word for velocity"}),
         ("gas: mu negative", solve, inAir(gas("R 287; mu -1;")), inPhases + ["mu"]),
         ("gas: two gases", solve,
          inAir(replace(phases, r"\(air base block\);", "(air base block steam);\nsteam"

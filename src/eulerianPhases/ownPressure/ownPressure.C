@@ -7,18 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "ownPressure.H"
-#include "addToRunTimeSelectionTable.H"
-
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace mpm
-{
-    defineTypeNameAndDebug(ownPressure, 0);
-    addToRunTimeSelectionTable(pressureClosure, ownPressure, dictionary);
-}
-}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
