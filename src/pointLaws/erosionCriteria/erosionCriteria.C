@@ -10,10 +10,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "erosionCriterion.H"
-#include "dictionaryTools.H"
 #include "PtrList.H"
 #include "point.H"
-#include "addToRunTimeSelectionTable.H"
 
 namespace Foam
 {
@@ -380,6 +378,9 @@ public:
 };
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+defineTypeNameAndDebug(erosionCriterion, 0);
+defineRunTimeSelectionTable(erosionCriterion, dictionary);
 
 #define addErosion(criterion)                                                  \
     defineTypeNameAndDebug(criterion, 0);                                      \

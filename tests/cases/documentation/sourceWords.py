@@ -40,9 +40,9 @@ NOT_ENTRIES = {
     "pointEnergy.H": "energy", "pointErosion.H": "eroded outflow",
     "rigidBodies.H": "rigid",
     # Columns of points
-    "materialPointPhase.C": "failedTime", "isotropicElasticTemplates.C": "leftStretch",
-    "JohnsonCookDamage.H": "damageStrain", "TulerButcher.H": "tensileImpulse",
-    "maxPrincipalStrain.H": "leftStretch", "maxPrincipalStress.H": "crack",
+    "materialPointPhase.C": "failedTime", "isotropicElastic.H": "leftStretch",
+    "JohnsonCookDamage.C": "damageStrain", "TulerButcher.C": "tensileImpulse",
+    "maxPrincipalStrain.C": "leftStretch", "maxPrincipalStress.C": "crack",
     # Files
     "materialPointBalance.C": "total mixture", "materialPointEnergy.C": "energy",
     "materialPointPatchForces.C": "total", "surfaceShape.C": "triSurface",

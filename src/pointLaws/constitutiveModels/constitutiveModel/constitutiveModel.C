@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "constitutiveModel.H"
-#include "dictionaryTools.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

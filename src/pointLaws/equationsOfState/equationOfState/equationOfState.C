@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "equationOfState.H"
-#include "dictionaryTools.H"
 #include "noTraps.H"
 #include <cmath>
 

@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "failureModel.H"
-#include "dictionaryTools.H"
 #include "spectral.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
