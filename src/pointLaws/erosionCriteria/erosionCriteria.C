@@ -13,9 +13,7 @@ Description
 #include "PtrList.H"
 #include "point.H"
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 //- A history column of the law above a limit
@@ -398,7 +396,6 @@ addErosion(anyErosion);
 
 #undef addErosion
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

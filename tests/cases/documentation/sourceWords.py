@@ -67,7 +67,8 @@ _STRING = re.compile(r'"([A-Za-z][A-Za-z0-9_]*)(?:\(([A-Za-z]*)\)?)?"')
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*(?:<[^;(){}]*>)?\s*$")
 _TYPE = re.compile(r"TypeName\w*\s*\(\s*$")
 _CLASS = re.compile(r"\bclass (\w+)\s*:")
-_ADD = re.compile(r"\baddToRunTimeSelectionTable\s*\(\s*\w+,\s*(\w+),")
+_ADD = re.compile(r"\badd(?:Template)?ToRunTimeSelectionTable\s*\(\s*\w+,\s*"
+                  r"(?:whenMade,\s*)?(\w+),")
 _MACRO = re.compile(r"#define (add\w+)\(")
 _ADD_NAMED = re.compile(
     r"\baddNamedToRunTimeSelectionTable\s*\(\s*\w+,\s*\w+,\s*\w+,\s*(\w+)\s*\)")

@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointRegion.H"
-#include "boxShape.H"
 
 #include <algorithm>
 #include <numeric>
@@ -20,7 +19,7 @@ bool Foam::mpm::pointRegion::standsInRows
     const pointRegionShape& shape
 )
 {
-    if (!grid.hasLattice() || !isA<boxShape>(shape))
+    if (!grid.hasLattice() || shape.type() != "box")
     {
         return false;
     }

@@ -11,13 +11,10 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(constitutiveModel, 0);
     defineRunTimeSelectionTable(constitutiveModel, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

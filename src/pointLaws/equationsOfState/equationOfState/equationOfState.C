@@ -12,13 +12,10 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(equationOfState, 0);
     defineRunTimeSelectionTable(equationOfState, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

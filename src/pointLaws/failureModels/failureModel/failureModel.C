@@ -11,13 +11,10 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(failureModel, 0);
     defineRunTimeSelectionTable(failureModel, dictionary);
-}
 }
 
 const Foam::wordList Foam::mpm::failureModel::keywords
