@@ -415,7 +415,10 @@ private:
 
         OStringStream os;
         os  << "Probes: ";
-        forAll(places_, i) { os  << i << " at " << places_[i] << ", "; }
+        forAll(places_, i)
+        {
+            os  << i << " at " << places_[i] << ", ";
+        }
         forAll(patches_, i)
         {
             os  << places_.size() + i << " patch " << patches_[i] << ", ";
@@ -431,7 +434,10 @@ private:
     void see() override
     {
         const scalarList now(values());
-        forAll(histories_, i) { histories_[i].add(time_.value(), now[i]); }
+        forAll(histories_, i)
+        {
+            histories_[i].add(time_.value(), now[i]);
+        }
     }
 
     void writeRows() override

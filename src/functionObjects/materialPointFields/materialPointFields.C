@@ -206,7 +206,10 @@ class materialPointFields
             );
             shared.sum(V.data(), 1, 1);
             const scalarList all(points.gridTransfer().nodeVolumes(grid, true));
-            forAll(V, n) { V[n] = all[n] > 0 ? V[n]/all[n] : 0; }
+            forAll(V, n)
+            {
+                V[n] = all[n] > 0 ? V[n]/all[n] : 0;
+            }
             writeField<scalar>(grid, name, dimless, V);
             return;
         }

@@ -282,7 +282,10 @@ class materialPointProbes
     void shareStart()
     {
         boolList keep(start_->id().size());
-        forAll(keep, p) { keep[p] = table_[start_->id()[p]] >= 0; }
+        forAll(keep, p)
+        {
+            keep[p] = table_[start_->id()[p]] >= 0;
+        }
         start_->share(keep);
 
         for (const label id : id_)
@@ -361,11 +364,17 @@ class materialPointProbes
     {
         const mpm::materialPointCloud& cloud = phase.cloud();
         labelList there(cloud.size());
-        forAll(there, p) { there[p] = label(cloud.id()[0][p]); }
+        forAll(there, p)
+        {
+            there[p] = label(cloud.id()[0][p]);
+        }
         const mpm::idTable table(there, there.size());
 
         boolList known(id_.size());
-        forAll(id_, i) { known[i] = table[id_[i]] >= 0; }
+        forAll(id_, i)
+        {
+            known[i] = table[id_[i]] >= 0;
+        }
         Pstream::listCombineGather(known, orEqOp<bool>());
         Pstream::listCombineScatter(known);
 

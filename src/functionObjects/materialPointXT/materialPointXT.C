@@ -171,7 +171,10 @@ class materialPointXT
             return;
         }
         Ostream& os = row(0);
-        forAll(sum, b) { os  << tab << (volume[b] > 0 ? sum[b]/volume[b] : 0); }
+        forAll(sum, b)
+        {
+            os  << tab << (volume[b] > 0 ? sum[b]/volume[b] : 0);
+        }
         os  << endl;
     }
 

@@ -177,7 +177,10 @@ boolList surfaceShape::contains(const label, const pointField& x) const
     surface_->getVolumeType(x, types);
 
     boolList inside(x.size());
-    forAll(x, i) { inside[i] = types[i] == volumeType::INSIDE; }
+    forAll(x, i)
+    {
+        inside[i] = types[i] == volumeType::INSIDE;
+    }
     return inside;
 }
 

@@ -32,7 +32,7 @@ STATE = {"state", "energy", "body", "failed", "before", "record", "now"}
 
 #: Files that read only what a run or setMaterialPoints has written
 WRITTEN = {"materialPointCloudWrite.C", "materialPointCloudIO.C", "startState.C",
-           "caseTime.C", "materialPointSystemOutput.C"}
+           "caseTime.H", "materialPointSystemOutput.C"}
 
 #: Words that the above takes and that are none of a dictionary: {file: words}
 NOT_ENTRIES = {
