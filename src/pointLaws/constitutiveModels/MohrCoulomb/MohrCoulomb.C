@@ -31,10 +31,6 @@ Usage
 
 \*---------------------------------------------------------------------------*/
 
-// The compiler's own AVX-512 headers start a register from itself
-// (_mm256_undefined_pd), which it then reports in code that Eigen inlines
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-
 #include "frictionalLaw.H"
 #include <Eigen/Eigenvalues>
 
