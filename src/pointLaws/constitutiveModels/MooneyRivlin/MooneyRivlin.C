@@ -182,13 +182,8 @@ public:
         scalar sum = 0;
         for (label p = 0; p < b.n; ++p)
         {
-            double c[9] = {};
-            for (int i = 0; i < 9; ++i)
-            {
-                const int r = i/3, k = i % 3;
-                const bool stored = r == k || (r < b.nDim && k < b.nDim);
-                c[i] = stored ? b.history[symmSlot(r, k)][p] : 0;
-            }
+            double c[9];
+            fullTensor(b.history, b.nDim, p, c);
             const double tr = c[0] + c[4] + c[8];
             double cc = 0;
             for (const double x : c)

@@ -193,22 +193,11 @@ public:
 
     scalar strainEnergy(const pointBlock& b) const override
     {
-        const int D = b.nDim;
         scalar sum = 0;
         for (label p = 0; p < b.n; ++p)
         {
-            double c[9] = {};
-            for (int i = 0; i < 3; ++i)
-            {
-                c[4*i] = b.history[i][p];
-            }
-            for (int i = 0; i < D; ++i)
-            {
-                for (int j = i + 1; j < D; ++j)
-                {
-                    c[3*i + j] = c[3*j + i] = b.history[symmSlot(i, j)][p];
-                }
-            }
+            double c[9];
+            fullTensor(b.history, b.nDim, p, c);
 
             // det b = 1 + I1 + I2 + I3 with the invariants of c = b - I
             const scalar I1 = c[0] + c[4] + c[8];

@@ -81,7 +81,8 @@ public:
 
     List<historyColumn> history() const override
     {
-        return own_ ? List<historyColumn>({{"leftStretch", historyColumn::stresses}}) : List<historyColumn>();
+        const List<historyColumn> own({{"leftStretch", historyColumn::stresses}});
+        return own_ ? own : List<historyColumn>();
     }
 
     label correct(pointBlock& b) const override
@@ -112,12 +113,7 @@ public:
                 if (norm > sqr(limit))
                 {
                     double h[9];
-                    for (int i = 0; i < 9; ++i)
-                    {
-                        const int r = i/3, s = i % 3;
-                        const bool stored = r == s || (r < b.nDim && s < b.nDim);
-                        h[i] = stored ? c[symmSlot(r, s)][p] : 0;
-                    }
+                    fullTensor(c, b.nDim, p, h);
                     if (largestPrincipal(h) > limit)
                     {
                         b.damage[p] = 1;

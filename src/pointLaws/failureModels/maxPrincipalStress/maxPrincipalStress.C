@@ -120,7 +120,8 @@ public:
 
     List<historyColumn> history() const override
     {
-        return Gf_ > 0 ? List<historyColumn>({{"crack", historyColumn::scalars}}) : List<historyColumn>();
+        const List<historyColumn> own({{"crack", historyColumn::scalars}});
+        return Gf_ > 0 ? own : List<historyColumn>();
     }
 
     label correct(pointBlock& b) const override
