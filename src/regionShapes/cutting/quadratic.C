@@ -18,7 +18,7 @@ namespace
 using Foam::scalar;
 
 //- Zeros of a t^2 + b t + c. Their number
-int quadraticRoots(const scalar a, const scalar b, const scalar c, scalar* t)
+int zeros(const scalar a, const scalar b, const scalar c, scalar* t)
 {
     const scalar D = b*b - 4*a*c;
     if (D < 0 || (a == 0 && b == 0))
@@ -309,7 +309,7 @@ int Foam::mpm::quadratic::roots
         b += 2*A_[d][e]*y[e];
     }
 
-    return quadraticRoots(a, b, c, t);
+    return zeros(a, b, c, t);
 }
 
 
@@ -330,7 +330,7 @@ int Foam::mpm::quadratic::rootsAlong
             a += A_[d][e]*along[d]*along[e];
         }
     }
-    return quadraticRoots(a, b, value(x), t);
+    return zeros(a, b, value(x), t);
 }
 
 // ************************************************************************* //
