@@ -8,7 +8,7 @@ A page has [`class::function`], and at its end where that is:
     updated(page, text)     # the text with the places at its end set anew
 
 A function is where a line that is not indented has class::function (templates too), or else
-where the class' files have it indented; a class, where its header begins it.
+where the class' files have it indented; a class, where its header, or its one file, begins it.
 """
 
 import functools
@@ -42,8 +42,10 @@ def places(name):
     """All (path, line) where a function, or a class without ::, is defined."""
     if "::" not in name:
         struct = re.compile(rf"^(?:class|struct) {name}\b(?!;)")
-        found = [(path, i + 1) for path, lines in sources().items() if path.endswith(".H")
+        # In a header, or where a model is one file in that
+        found = [(path, i + 1) for path, lines in sources().items()
                  for i, line in enumerate(lines) if struct.match(line)]
+        found.sort(key=lambda place: not place[0].endswith(".H"))
         return found or [(path, 1) for path in sources() if path.endswith(f"/{name}.H")]
     owner, function = name.rsplit("::", 1)
     qualified = re.compile(
@@ -56,7 +58,7 @@ def places(name):
     inside = re.compile(
         rf"^\s+(?!return\b|const\b\s*\w+\s*=)(?:[\w:<>,&*]+ )+{function}\s*(?:\(|$)")
     for path, _ in places(owner):
-        for other in (path[:-1] + "C", path):
+        for other in dict.fromkeys((path[:-1] + "C", path)):
             found += [(other, i + 1) for i, line in enumerate(sources().get(other, ()))
                       if inside.match(line)]
     return found

@@ -26,7 +26,7 @@ def cellWidth(case="."):
 
 def spent(case, time):
     """Part of the fracture energy that each point has spent: of a crack along the cells;
-    maxPrincipalStress.H has the equation of the damage."""
+    maxPrincipalStress.C has the equation of the damage."""
     E, f, Gf = (Case(case).entry("constant/phaseProperties", k)
                 for k in ("E", "strength", "Gf"))
     r = 2*E*Gf/(f**2*cellWidth(case))

@@ -172,43 +172,6 @@ void Foam::mpm::simulation::makeFlow(const rows* from)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::simulation::readModified()
-{
-    if (points_)
-    {
-        points_->readModified();
-    }
-}
-
-
-void Foam::mpm::simulation::severalSteps(const bool several)
-{
-    if (coupling_)
-    {
-        coupling_->severalSteps(several);
-    }
-}
-
-
-void Foam::mpm::simulation::severalOfGas
-(
-    const bool several,
-    const scalar gasDeltaT
-)
-{
-    if (coupling_)
-    {
-        coupling_->severalOfGas(several, gasDeltaT);
-    }
-}
-
-
-bool Foam::mpm::simulation::advancePoints(const scalar dt, scalar& factor)
-{
-    return !points_ || points_->advance(dt, factor);
-}
-
-
 void Foam::mpm::simulation::advanceGas
 (
     const scalar dt,
@@ -225,42 +188,6 @@ void Foam::mpm::simulation::advanceGas
     {
         gas_->faceFlux(dt);
         gas_->advance(dt);
-    }
-}
-
-
-void Foam::mpm::simulation::correct()
-{
-    if (gas_)
-    {
-        const timer t(gasSeconds());
-        gas_->correct();
-    }
-}
-
-
-void Foam::mpm::simulation::report() const
-{
-    if (points_)
-    {
-        points_->report();
-    }
-    if (gas_)
-    {
-        gas_->report();
-    }
-}
-
-
-void Foam::mpm::simulation::write()
-{
-    if (points_)
-    {
-        points_->writePoints();
-    }
-    if (gas_)
-    {
-        gas_->writeFields();
     }
 }
 
@@ -324,15 +251,6 @@ Foam::mpm::simulation::rows Foam::mpm::simulation::takeDown()
     points_.clear();
     pointGrid::Delete(*mesh_);
     return r;
-}
-
-
-void Foam::mpm::simulation::reportClock() const
-{
-    if (points_)
-    {
-        points_->reportClock();
-    }
 }
 
 // ************************************************************************* //

@@ -59,26 +59,7 @@ Foam::mpm::timeStepControl::timeStepControl
     time_(time),
     simulation_(simulation),
     origin_(time.value()),
-    startTime_(time.value()),
-    nSteps_(0),
-    nRedo_(0),
-    nSub_(1),
-    start_(0),
-    done_(0),
-    sub_(0),
-    gasDone_(0),
-    gasStep_(0),
-    severalOfGas_(false),
-    nGas_(0),
-    whole_(0),
-    growFrom_(GREAT),
-    fixedDeltaT_(0),
-    last_(false),
-    endTime_(GREAT),
-    largest_(0),
-    fallen_(false),
-    grown_(false),
-    warnedCo_(0)
+    startTime_(time.value())
 {
     passed_.append
     (

@@ -60,7 +60,7 @@ class comparison
     //- Only these; all if empty
     const wordList only_;
 
-    label nRows_ = 0, nCompared_ = 0, nMissing_ = 0;
+    label nRows_ = 0, nMissing_ = 0;
     scalar worst_ = 0;
 
     bool skip(const word& name) const
@@ -90,7 +90,6 @@ class comparison
     void row(const word& name, const difference& d, const Where& where)
     {
         ++nRows_;
-        nCompared_ += d.nCompared;
         worst_ = max(worst_, d.relative(d.largest));
 
         std::ostringstream os;

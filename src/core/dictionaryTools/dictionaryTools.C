@@ -7,10 +7,127 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dictionaryTools.H"
-#include "nearWords.H"
+#include "labelList.H"
 #include "ListOps.H"
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Letters to add, remove or replace between two words
+label editDistance(const std::string& a, const std::string& b)
+{
+    labelList row(identity(label(b.size() + 1)));
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+        label corner = row[0]++;
+        for (std::size_t j = 0; j < b.size(); ++j)
+        {
+            const label above = row[j + 1];
+            row[j + 1] =
+                min(min(row[j], above) + 1, corner + label(a[i] != b[j]));
+            corner = above;
+        }
+    }
+    return row.last();
+}
+
+
+std::string small(std::string s)
+{
+    std::transform(s.begin(), s.end(), s.begin(), ::tolower);
+    return s;
+}
+
+
+std::string withoutDigits(std::string s)
+{
+    s.erase(std::remove_if(s.begin(), s.end(), ::isdigit), s.end());
+    return s;
+}
+
+
+//- Other names, in small letters, and ours
+const std::pair<const char*, const char*> otherNames[] =
+{
+    {"poissonratio", "nu"}, {"poissonsratio", "nu"}, {"poisson", "nu"},
+    {"youngmodulus", "E"}, {"youngsmodulus", "E"}, {"young", "E"},
+    {"elasticmodulus", "E"}, {"modulus", "E"},
+    {"bulkmodulus", "K"}, {"shearmodulus", "G"}, {"shearmodulus", "mu"},
+    {"density", "rho"}, {"yieldstress", "yield"}, {"yieldstrength", "yield"},
+    {"tensilestrength", "strength"}, {"fractureenergy", "Gf"},
+    {"friction", "mu"}, {"frictioncoefficient", "mu"}, {"viscosity", "mu"},
+    {"particlespercell", "pointsPerCell"}, {"ppc", "pointsPerCell"},
+    {"material", "phase"}, {"center", "centre"}, {"u", "velocity"}
+};
+
+
+bool sameName(const word& a, const word& b)
+{
+    for (const auto& n : otherNames)
+    {
+        if
+        (
+            (small(a) == n.first && b == n.second)
+         || (small(b) == n.first && a == n.second)
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+}
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::word Foam::mpm::nearWord(const word& key, const UList<word>& words)
+{
+    word near;
+    label least = labelMax;
+    for (const word& w : words)
+    {
+        const std::size_t size = min(key.size(), w.size());
+        label distance = labelMax;
+        if (w == key)
+        {
+            continue;
+        }
+        if (sameName(key, w) || (size > 1 && small(key) == small(w)))
+        {
+            distance = 0;
+        }
+        else if
+        (
+            size > 2 && withoutDigits(key) != withoutDigits(w)
+         && editDistance(key, w) <= (w.size() > 6 ? 2 : 1)
+        )
+        {
+            distance = editDistance(key, w);
+        }
+        if (distance < least)
+        {
+            near = w;
+            least = distance;
+        }
+    }
+    return near;
+}
+
+
+Foam::string Foam::mpm::meant(const word& key, const UList<word>& words)
+{
+    const word near(nearWord(key, words));
+    return near.empty() ? string() : string("; is " + near + " meant?");
+}
+
 
 void Foam::mpm::requireKeyword(const dictionary& dict, const word& key)
 {

@@ -7,19 +7,15 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flowOutput.H"
-#include "dictionaryTools.H"
 #include "IOdictionary.H"
 #include "Time.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
+namespace Foam::functionObjects
 {
     defineTypeName(flowOutput::record);
-}
 }
 
 // * * * * * * * * * * * * * * * * Record  * * * * * * * * * * * * * * * * * //
@@ -159,27 +155,8 @@ bool Foam::functionObjects::flowOutput::read(const dictionary& dict)
     }
     dict_ = dict;
     ready_ = false;
-    for (const word& key : wordList({"executeControl", "executeInterval"}))
-    {
-        if (dict.found(key))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Remove " << key << ": " << type() << " must see each step;"
-                << " writeControl and writeInterval set when it writes."
-                << exit(FatalIOError);
-        }
-    }
-    wordList valid
-    ({
-        "type", "libs", "functionObjectLibs", "enabled", "log", "errors",
-        "region", "subRegion", "timeStart", "timeEnd", "writeControl",
-        "writeInterval", "outputControl", "outputInterval", "controlMode",
-        "triggerStart", "triggerEnd", "deltaTCoeff", "nStepsToStartTimeChange",
-        "writeToFile", "writePrecision", "useUserTime", "updateHeader",
-        "useNamePrefix"
-    });
-    valid.append(keywords());
-    mpm::checkKeywords(dict, valid);
+    requireEachStep(dict, type());
+    checkOutputKeywords(dict, keywords());
 
     // Mistakes stop the run before its first step
     if (mesh_.foundObject<volScalarField>("p"))

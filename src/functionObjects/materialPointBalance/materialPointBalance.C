@@ -4,36 +4,70 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::functionObjects::materialPointBalance
+
+Description
+    Sums over the points of each phase and of all listed phases together, to
+    check conservation:
+
+        m = sum_p m_p                                                    [kg]
+        P = sum_p m_p u_p                                            [kg m/s]
+        L = sum_p m_p (x_p - x_0) x u_p                             [kg m2/s]
+        K = sum_p m_p u_p.u_p/2                                           [J]
+        W = energy stored in the points by the phase's law                [J]
+
+    If a phase has erosion or there is an outflow, also the sums of the points
+    eroded or lost since the start (erodedPoints): with these m and P are kept.
+    Of a free rigid body they are those of mass, velocity and angular momentum of
+    the body (freeBody).
+
+    In a gas also its mass, momentum and energy with what came through the
+    boundaries, and gas and points together with the impulse J that they got from
+    boundaries, gravity and rigid phases since the first row:
+
+        rest = (P - J) - (P - J)_0                                   [kg m/s]
+
+    which is rounding (body forces of phases are not in J). It needs every step:
+    executeControl is refused in a gas.
+
+    Directions that are not computed have no part in L. A point with damage
+    greater than 0 has failed.
+
+Usage
+    \verbatim
+    balance
+    {
+        type            materialPointBalance;
+        libs            (mpmFunctionObjects);
+        phases          (target flyer);
+        origin          (0 0 0);
+        writeControl    timeStep;
+        writeInterval   1;
+    }
+    \endverbatim
+
+    \table
+        Property | Description             | Required | Default
+        type     | materialPointBalance    | yes      |
+        phases   | names of phases         | no       | all
+        origin   | x_0 [m]                 | no       | (0 0 0)
+    \endtable
+
+    Files: <phase>.dat and total.dat; in a gas <gas>.dat and mixture.dat.
+
 \*---------------------------------------------------------------------------*/
 
-#include "materialPointBalance.H"
+#include "materialPointOutput.H"
 #include "pointEnergy.H"
 #include "pointErosion.H"
 #include "rigidBodies.H"
-#include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::functionObjects
 {
-namespace functionObjects
-{
-    defineTypeNameAndDebug(materialPointBalance, 0);
-    addToRunTimeSelectionTable
-    (
-        functionObject,
-        materialPointBalance,
-        dictionary
-    );
-}
-}
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
-
-using namespace Foam;
 
 //- Sums of a phase
 struct sums
@@ -57,25 +91,13 @@ struct sums
 
     void write(Ostream& os, const bool erodes) const
     {
-        os  << tab << nPoints << tab << mass;
-        for (const scalar c : momentum)
-        {
-            os  << tab << c;
-        }
-        for (const scalar c : angularMomentum)
-        {
-            os  << tab << c;
-        }
-        os  << tab << kinetic << tab << strain << tab << kinetic + strain
+        os  << tab << nPoints << tab << mass << tabs{momentum}
+            << tabs{angularMomentum} << tab << kinetic << tab << strain << tab << kinetic + strain
             << tab << nFailed;
         if (erodes)
         {
-            os  << tab << eroded.n << tab << eroded.mass;
-            for (const scalar c : eroded.momentum)
-            {
-                os  << tab << c;
-            }
-            os  << tab << eroded.kinetic << tab << eroded.stored;
+            os  << tab << eroded.n << tab << eroded.mass
+                << tabs{eroded.momentum} << tab << eroded.kinetic << tab << eroded.stored;
         }
         os  << endl;
     }
@@ -125,222 +147,192 @@ sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
 
 }
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::wordList Foam::functionObjects::materialPointBalance::keywords() const
+class materialPointBalance
+:
+    public materialPointOutput
 {
-    return {"phase", "phases", "origin"};
-}
+    point origin_ = Zero;
+    wordList phases_;
 
+    //- In a gas: impulse of boundaries and gravity on the points since the
+    //  first row; P - J and mass less what came in of the first row
+    vector impulse_ = Zero, momentum0_ = Zero;
+    scalar mass0_ = 0;
+    bool first_ = true;
 
-void Foam::functionObjects::materialPointBalance::prepare
-(
-    const mpm::materialPointSystem& points
-)
-{
-    origin_ = dict_.getOrDefault<point>("origin", Zero);
-    phases_ = selectedPhases(points);
+    wordList keywords() const override { return {"phase", "phases", "origin"}; }
 
-    wordList files(phases_);
-    files.append(word("total"));
-
-    List<string> headers(files.size());
-    forAll(files, i)
+    void prepare(const mpm::materialPointSystem& points) override
     {
-        OStringStream os;
-        if (i < phases_.size())
+        origin_ = dict_.getOrDefault<point>("origin", Zero);
+        phases_ = selectedPhases(points);
+
+        wordList files(phases_);
+        files.append(word("total"));
+
+        List<string> headers(files.size());
+        forAll(files, i)
         {
-            os  << "Phase " << phases_[i];
-        }
-        else
-        {
-            os  << "Sum of " << joined(phases_).c_str();
-        }
-        os  << ", angular momentum about " << origin_ << nl
-            << "\tnPoints\tmass[kg]"
-            << "\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
-            << "\tLx[kg.m2/s]\tLy[kg.m2/s]\tLz[kg.m2/s]"
-            << "\tkinetic[J]\tstrain[J]\ttotal[J]\tnFailed"
-            << (
-                   points.erosion().erodes()
-                 ? "\tnEroded\terodedMass[kg]\terodedPx[kg.m/s]"
-                   "\terodedPy[kg.m/s]\terodedPz[kg.m/s]"
-                   "\terodedKinetic[J]\terodedStrain[J]"
-                 : ""
-               );
-        headers[i] = os.str();
-    }
-    if (const mpm::pointCoupling* gas = points.coupling())
-    {
-        for (const word& key : wordList({"executeControl", "executeInterval"}))
-        {
-            if (dict_.found(key))
+            OStringStream os;
+            if (i < phases_.size())
             {
-                FatalIOErrorInFunction(dict_)
-                    << "Remove " << key << ": in a gas " << type()
-                    << " must see each step; writeControl and writeInterval"
-                    << " set when it writes." << exit(FatalIOError);
+                os  << "Phase " << phases_[i];
+            }
+            else
+            {
+                os  << "Sum of " << joined(phases_).c_str();
+            }
+            os  << ", angular momentum about " << origin_ << nl
+                << "\tnPoints\tmass[kg]"
+                << "\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
+                << "\tLx[kg.m2/s]\tLy[kg.m2/s]\tLz[kg.m2/s]"
+                << "\tkinetic[J]\tstrain[J]\ttotal[J]\tnFailed"
+                << (
+                       points.erosion().erodes()
+                     ? "\tnEroded\terodedMass[kg]\terodedPx[kg.m/s]"
+                       "\terodedPy[kg.m/s]\terodedPz[kg.m/s]"
+                       "\terodedKinetic[J]\terodedStrain[J]"
+                     : ""
+                   );
+            headers[i] = os.str();
+        }
+        if (const mpm::pointCoupling* gas = points.coupling())
+        {
+            requireEachStep(dict_, type(), "in a gas ");
+            mpm::materialPointSystem& system =
+                *mesh_.getObjectPtr<mpm::materialPointSystem>(points.name());
+            for (mpm::velocityField& field : system.fields())
+            {
+                field.needReactions();
+            }
+            if (!points.energy().active())
+            {
+                points.coupling()->startBudget();
+            }
+            first_ = true;
+            impulse_ = Zero;
+
+            files.append(gas->phaseName());
+            headers.append
+            (
+                "Gas " + gas->phaseName() + ", mass, impulse and energy through the"
+                " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
+                "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]"
+            );
+            files.append(word("mixture"));
+            headers.append
+            (
+                "Gas and all points, impulse of boundaries, gravity and rigid phases"
+                "\n\tmass[kg]\tmassRest[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
+                "\tJx[N.s]\tJy[N.s]\tJz[N.s]\trestx[N.s]\tresty[N.s]\trestz[N.s]"
+            );
+        }
+        setFiles(files, headers);
+    }
+
+    void sample(const mpm::materialPointSystem& points) override
+    {
+        sums total;
+        forAll(phases_, phasei)
+        {
+            sums s(sumsOf(phase(points, phases_[phasei]), origin_));
+            s.eroded = points.erosion().eroded(points.indexOf(phases_[phasei]));
+            total.add(s);
+            if (Pstream::master())
+            {
+                s.write(row(phasei), points.erosion().erodes());
             }
         }
-        mpm::materialPointSystem& system =
-            *mesh_.getObjectPtr<mpm::materialPointSystem>(points.name());
-        for (mpm::velocityField& field : system.fields())
-        {
-            field.needReactions();
-        }
-        if (!points.energy().active())
-        {
-            points.coupling()->startBudget();
-        }
-        first_ = true;
-        impulse_ = Zero;
-
-        files.append(gas->phaseName());
-        headers.append
-        (
-            "Gas " + gas->phaseName() + ", mass, impulse and energy through the"
-            " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
-            "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]"
-        );
-        files.append(word("mixture"));
-        headers.append
-        (
-            "Gas and all points, impulse of boundaries, gravity and rigid phases"
-            "\n\tmass[kg]\tmassRest[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
-            "\tJx[N.s]\tJy[N.s]\tJz[N.s]\trestx[N.s]\tresty[N.s]\trestz[N.s]"
-        );
-    }
-    setFiles(files, headers);
-}
-
-
-bool Foam::functionObjects::materialPointBalance::execute()
-{
-    const mpm::materialPointSystem& points = system();
-    if (!points.coupling() || first_)
-    {
-        return true;
-    }
-    scalar mass = 0;
-    for (const mpm::materialPointPhase& phase : points.phases())
-    {
-        mass += phase.prescribed() ? 0 : phase.mass();
-    }
-    vector J(Zero);
-    for (const mpm::velocityField& field : points.fields())
-    {
-        const mpm::nodeReactions& reactions = *field.reactions();
-        for (const mpm::nodeReactions::part& p : reactions.parts())
-        {
-            J += reactions.impulse(p);
-        }
-    }
-    reduce(J, sumOp<vector>());
-    impulse_ += J + mass*points.deltaT()*points.g();
-
-    return true;
-}
-
-
-void Foam::functionObjects::materialPointBalance::sampleGas
-(
-    const mpm::materialPointSystem& points
-)
-{
-    const mpm::gasBudget gas(points.coupling()->balance());
-    scalar mass = gas.mass;
-    vector P(gas.momentum);
-    vector J(gas.boundaryImpulse + gas.gravityImpulse + impulse_);
-    forAll(points.phases(), phasei)
-    {
-        const mpm::materialPointPhase& phase = points.phases()[phasei];
-        if (phase.prescribed())
-        {
-            J -= points.rigid().impulse(phasei);
-        }
-        else
-        {
-            mass += phase.mass();
-            P += phase.momentum();
-        }
-    }
-    if (first_)
-    {
-        first_ = false;
-        momentum0_ = P - J;
-        mass0_ = mass - gas.massIn;
-    }
-    if (Pstream::master())
-    {
-        const auto write = [](Ostream& os, const vector& v)
-        {
-            for (const scalar c : v)
-            {
-                os  << tab << c;
-            }
-        };
-        const label i = phases_.size() + 1;
-        {
-            Ostream& os = row(i);
-            os  << tab << gas.mass;
-            write(os, gas.momentum);
-            os  << tab << gas.energy << tab << gas.massIn;
-            write(os, gas.boundaryImpulse);
-            os  << tab << gas.boundary << endl;
-        }
-        Ostream& os = row(i + 1);
-        os  << tab << mass << tab << mass - gas.massIn - mass0_;
-        write(os, P);
-        write(os, J);
-        write(os, P - J - momentum0_);
-        os  << endl;
-    }
-}
-
-
-void Foam::functionObjects::materialPointBalance::sample
-(
-    const mpm::materialPointSystem& points
-)
-{
-    sums total;
-    forAll(phases_, phasei)
-    {
-        sums s(sumsOf(phase(points, phases_[phasei]), origin_));
-        s.eroded = points.erosion().eroded(points.indexOf(phases_[phasei]));
-        total.add(s);
         if (Pstream::master())
         {
-            s.write(row(phasei), points.erosion().erodes());
+            total.write(row(phases_.size()), points.erosion().erodes());
+        }
+        if (points.coupling())
+        {
+            sampleGas(points);
         }
     }
-    if (Pstream::master())
-    {
-        total.write(row(phases_.size()), points.erosion().erodes());
-    }
-    if (points.coupling())
-    {
-        sampleGas(points);
-    }
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+    //- Rows of the gas and of the mixture
+    void sampleGas(const mpm::materialPointSystem& points)
+    {
+        const mpm::gasBudget gas(points.coupling()->balance());
+        scalar mass = gas.mass;
+        vector P(gas.momentum);
+        vector J(gas.boundaryImpulse + gas.gravityImpulse + impulse_);
+        forAll(points.phases(), phasei)
+        {
+            const mpm::materialPointPhase& phase = points.phases()[phasei];
+            if (phase.prescribed())
+            {
+                J -= points.rigid().impulse(phasei);
+            }
+            else
+            {
+                mass += phase.mass();
+                P += phase.momentum();
+            }
+        }
+        if (first_)
+        {
+            first_ = false;
+            momentum0_ = P - J;
+            mass0_ = mass - gas.massIn;
+        }
+        if (Pstream::master())
+        {
+            const label i = phases_.size() + 1;
+            row(i)
+                << tab << gas.mass << tabs{gas.momentum} << tab << gas.energy
+                << tab << gas.massIn << tabs{gas.boundaryImpulse} << tab
+                << gas.boundary << endl;
+            row(i + 1)
+                << tab << mass << tab << mass - gas.massIn - mass0_ << tabs{P}
+                << tabs{J} << tabs{P - J - momentum0_} << endl;
+        }
+    }
 
-Foam::functionObjects::materialPointBalance::materialPointBalance
+public:
+
+    TypeName("materialPointBalance");
+
+    using materialPointOutput::materialPointOutput;
+
+    //- Impulses of the step
+    bool execute() override
+    {
+        const mpm::materialPointSystem& points = system();
+        if (!points.coupling() || first_)
+        {
+            return true;
+        }
+        scalar mass = 0;
+        for (const mpm::materialPointPhase& phase : points.phases())
+        {
+            mass += phase.prescribed() ? 0 : phase.mass();
+        }
+        vector J(Zero);
+        for (const mpm::velocityField& field : points.fields())
+        {
+            const mpm::nodeReactions& reactions = *field.reactions();
+            for (const mpm::nodeReactions::part& p : reactions.parts())
+            {
+                J += reactions.impulse(p);
+            }
+        }
+        reduce(J, sumOp<vector>());
+        impulse_ += J + mass*points.deltaT()*points.g();
+
+        return true;
+    }
+};
+
+defineTypeNameAndDebug(materialPointBalance, 0);
+addTemplateToRunTimeSelectionTable
 (
-    const word& name,
-    const Time& runTime,
-    const dictionary& dict
-)
-:
-    materialPointOutput(name, runTime, dict),
-    origin_(Zero),
-    impulse_(Zero),
-    momentum0_(Zero),
-    mass0_(0),
-    first_(true)
-{
-    read(dict);
-}
+    functionObject, whenMade, materialPointBalance, dictionary
+);
+
+} // End namespace Foam::functionObjects
 
 // ************************************************************************* //

@@ -4,163 +4,182 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::functionObjects::materialPointEnergy
+
+Description
+    The energy budget of all phases over time [J]: see energyBudget for the
+    terms. Summed from the start of the run (through restarts) or from the time
+    when the function object was added.
+
+        K + W = K_0 + W_0 + transfer + boundary + external + failure + erosion
+                + dissipation + remap + damping + contact + residual
+
+    Columns erosion, damping and contact are there if the case has any. In a
+    gas the residual is that of points and gas, with remap in it. The energy of
+    the gas (gas, gasGained since the start) and its gain by boundaries,
+    gravity, prescribed bodies, dry points and fix-ups are further columns, and
+    half of what the stress of the last step does (lastStep):
+
+        K + W + E = (K + W + E)_0 + transfer + boundary + external + failure
+                    + gasBoundary + gasExternal + gasRigid + gasDry
+                    + gasFixups + dissipation + contact + lastStep + heat
+                    + granular + residual
+
+    heat, what the gas gains from that of the points, and granular, the work of
+    granularPressure, are there where a phase has the model.
+
+    The first row is that of the first step. With -postProcess there is no
+    budget: nothing is written.
+
+Usage
+    \verbatim
+    energy
+    {
+        type            materialPointEnergy;
+        libs            (mpmFunctionObjects);
+        writeControl    timeStep;
+        writeInterval   10;
+    }
+    \endverbatim
+
+    File: energy.dat.
+
 \*---------------------------------------------------------------------------*/
 
-#include "materialPointEnergy.H"
+#include "materialPointOutput.H"
 #include "pointEnergy.H"
 #include "pointErosion.H"
-#include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::functionObjects
 {
-namespace functionObjects
+
+class materialPointEnergy
+:
+    public materialPointOutput
 {
-    defineTypeNameAndDebug(materialPointEnergy, 0);
-    addToRunTimeSelectionTable
-    (
-        functionObject,
-        materialPointEnergy,
-        dictionary
-    );
-}
-}
+    virtual wordList keywords() const { return wordList(); }
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::wordList Foam::functionObjects::materialPointEnergy::keywords() const
-{
-    return wordList();
-}
-
-
-void Foam::functionObjects::materialPointEnergy::prepare
-(
-    const mpm::materialPointSystem& points
-)
-{
-    if (!functionObject::postProcess)
+    void prepare(const mpm::materialPointSystem& points) override
     {
-        points.energy().startBudget();
-    }
-    string header
-    (
-        "Energy budget of all phases\n"
-        "\tkinetic[J]\tstrain[J]\ttotal[J]\ttransfer[J]\tboundary[J]"
-        "\texternal[J]\tresidual[J]\tfailure[J]"
-    );
-    if (points.coupling())
-    {
-        header +=
-            "\tgas[J]\tgasGained[J]\tgasBoundary[J]\tgasExternal[J]"
-            "\tgasRigid[J]\tgasDry[J]\tgasFixups[J]";
-    }
-    if (points.erosion().erodes())
-    {
-        header += "\terosion[J]";
-    }
-    header += "\tdissipation[J]";
-    if (!points.coupling())
-    {
-        header += "\tremap[J]";
-    }
-    if (points.damps())
-    {
-        header += "\tdamping[J]";
-    }
-    if (points.energy().hasContact())
-    {
-        header += "\tcontact[J]";
-    }
-    if (points.coupling())
-    {
-        header += "\tlastStep[J]";
-        if (points.coupling()->exchangesHeat())
+        if (!functionObject::postProcess)
         {
-            header += "\theat[J]";
+            points.energy().startBudget();
         }
-        if (points.coupling()->pressesGrains())
+        string header
+        (
+            "Energy budget of all phases\n"
+            "\tkinetic[J]\tstrain[J]\ttotal[J]\ttransfer[J]\tboundary[J]"
+            "\texternal[J]\tresidual[J]\tfailure[J]"
+        );
+        if (points.coupling())
         {
-            header += "\tgranular[J]";
-        }
-    }
-    setFiles(wordList(1, "energy"), List<string>(1, header));
-}
-
-
-void Foam::functionObjects::materialPointEnergy::sample
-(
-    const mpm::materialPointSystem& points
-)
-{
-    if (const mpm::energyBudget* b = points.energy().budget())
-    {
-        Ostream& os = row(0);
-        os  << tab << b->kinetic << tab << b->strain
-            << tab << b->kinetic + b->strain << tab << b->transfer()
-            << tab << b->work.boundary << tab << b->work.external
-            << tab << b->residual() << tab << b->losses.failure;
-        if (b->hasGas)
-        {
-            const mpm::gasBudget& g = b->gas;
-            for
-            (
-                const scalar e :
-                {
-                    g.energy, g.energy - g.energy0, g.boundary, g.external,
-                    g.rigid, g.dry, g.fixups
-                }
-            )
-            {
-                os  << tab << e;
-            }
+            header +=
+                "\tgas[J]\tgasGained[J]\tgasBoundary[J]\tgasExternal[J]"
+                "\tgasRigid[J]\tgasDry[J]\tgasFixups[J]";
         }
         if (points.erosion().erodes())
         {
-            os  << tab << b->erosion();
+            header += "\terosion[J]";
         }
-        os  << tab << b->losses.dissipation;
-        if (!b->hasGas)
+        header += "\tdissipation[J]";
+        if (!points.coupling())
         {
-            os  << tab << b->remap();
+            header += "\tremap[J]";
         }
         if (points.damps())
         {
-            os  << tab << b->damping;
+            header += "\tdamping[J]";
         }
         if (points.energy().hasContact())
         {
-            os  << tab << b->work.contact;
+            header += "\tcontact[J]";
         }
-        if (b->hasGas)
+        if (points.coupling())
         {
-            os  << tab << b->lastStep();
+            header += "\tlastStep[J]";
             if (points.coupling()->exchangesHeat())
             {
-                os  << tab << b->gas.heat;
+                header += "\theat[J]";
             }
             if (points.coupling()->pressesGrains())
             {
-                os  << tab << b->gas.granular;
+                header += "\tgranular[J]";
             }
         }
-        os  << endl;
+        setFiles(wordList(1, "energy"), List<string>(1, header));
     }
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+    void sample(const mpm::materialPointSystem& points) override
+    {
+        if (const mpm::energyBudget* b = points.energy().budget())
+        {
+            Ostream& os = row(0);
+            os  << tab << b->kinetic << tab << b->strain
+                << tab << b->kinetic + b->strain << tab << b->transfer()
+                << tab << b->work.boundary << tab << b->work.external
+                << tab << b->residual() << tab << b->losses.failure;
+            if (b->hasGas)
+            {
+                const mpm::gasBudget& g = b->gas;
+                for
+                (
+                    const scalar e :
+                    {
+                        g.energy, g.energy - g.energy0, g.boundary, g.external,
+                        g.rigid, g.dry, g.fixups
+                    }
+                )
+                {
+                    os  << tab << e;
+                }
+            }
+            if (points.erosion().erodes())
+            {
+                os  << tab << b->erosion();
+            }
+            os  << tab << b->losses.dissipation;
+            if (!b->hasGas)
+            {
+                os  << tab << b->remap();
+            }
+            if (points.damps())
+            {
+                os  << tab << b->damping;
+            }
+            if (points.energy().hasContact())
+            {
+                os  << tab << b->work.contact;
+            }
+            if (b->hasGas)
+            {
+                os  << tab << b->lastStep();
+                if (points.coupling()->exchangesHeat())
+                {
+                    os  << tab << b->gas.heat;
+                }
+                if (points.coupling()->pressesGrains())
+                {
+                    os  << tab << b->gas.granular;
+                }
+            }
+            os  << endl;
+        }
+    }
 
-Foam::functionObjects::materialPointEnergy::materialPointEnergy
+public:
+
+    TypeName("materialPointEnergy");
+
+    using materialPointOutput::materialPointOutput;
+};
+
+defineTypeNameAndDebug(materialPointEnergy, 0);
+addTemplateToRunTimeSelectionTable
 (
-    const word& name,
-    const Time& runTime,
-    const dictionary& dict
-)
-:
-    materialPointOutput(name, runTime, dict)
-{
-    read(dict);
-}
+    functionObject, whenMade, materialPointEnergy, dictionary
+);
+
+} // End namespace Foam::functionObjects
 
 // ************************************************************************* //

@@ -4,39 +4,59 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::functionObjects::materialPointFields
+
+Description
+    Fields on the mesh's points for smooth pictures, made of the points of each
+    phase with the shape functions S_l of the run:
+
+        f_l     = sum_p w_p S_l(x_p) f_p / sum_p w_p S_l(x_p)
+        alpha_l = sum_p V_p S_l(x_p) / V_l                                [-]
+
+    with the volume V_p as weight w_p, for the velocity U the mass m_p, and V_l
+    the node's share of the cells around it, sum_c V_c/2^D. Mesh points that no
+    material point reaches have 0. Towards a free surface alpha goes to 0 over
+    the width of S_l; inside a compact material it is 1, for B-splines beside
+    the sides of the mesh only about 1.
+
+    Fields are computed and written only at write times, beside the others, as
+    point<Field>.<phase>: pointAlpha.target, pointSigma.target, ...; foamToVTK
+    and ParaView show them as point data. Nothing reads them again.
+
+Usage
+    \verbatim
+    pictures
+    {
+        type            materialPointFields;
+        libs            (mpmFunctionObjects);
+        fields          (alpha sigma U sigmaEq);
+        phases          (target flyer);
+    }
+    \endverbatim
+
+    \table
+        Property | Description                              | Required | Default
+        type     | materialPointFields                      | yes      |
+        fields   | alpha, and those of mpm::pointQuantity   | yes      |
+        phases   | names of phases                          | no       | all
+    \endtable
+
 \*---------------------------------------------------------------------------*/
 
-#include "materialPointFields.H"
-#include "addToRunTimeSelectionTable.H"
+#include "materialPointOutput.H"
+#include "startState.H"
 #include "FlatOutput.H"
 #include "pointFields.H"
 #include "pointMesh.H"
 #include "pointQuantity.H"
-#include "dictionaryTools.H"
 #include <cctype>
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::functionObjects
 {
-namespace functionObjects
-{
-    defineTypeNameAndDebug(materialPointFields, 0);
-    addToRunTimeSelectionTable
-    (
-        functionObject,
-        materialPointFields,
-        dictionary
-    );
-}
-}
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
-
-using namespace Foam;
 
 //- Dimensions of a unit of mpm::pointQuantity; none for an unknown one
 dimensionSet dimensionsOf(const std::string& unit)
@@ -88,60 +108,185 @@ void forWeights
 
 }
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::wordList Foam::functionObjects::materialPointFields::keywords() const
+class materialPointFields
+:
+    public materialPointOutput
 {
-    return {"phase", "phases", "fields"};
-}
+    wordList fields_;
+    wordList phases_;
 
+    //- Start of each phase: only if something refers to it
+    PtrList<mpm::startState> start_;
 
-void Foam::functionObjects::materialPointFields::prepare
-(
-    const mpm::materialPointSystem& points
-)
-{
-    phases_ = selectedPhases(points);
-    fields_ = mpm::required<wordList>(dict_, "fields");
-    if (fields_.empty())
+    wordList keywords() const override { return {"phase", "phases", "fields"}; }
+
+    void prepare(const mpm::materialPointSystem& points) override
     {
-        FatalIOErrorInFunction(dict_)
-            << "The list of fields is empty." << nl << nl
-            << "Valid fields are: alpha "
-            << flatOutput
-               (
-                   mpm::pointQuantity::names(phase(points, phases_[0]))
-               ) << nl
-            << exit(FatalIOError);
-    }
-
-    start_.clear();
-    start_.setSize(phases_.size());
-    forAll(phases_, i)
-    {
-        const mpm::materialPointPhase& material = phase(points, phases_[i]);
-        bool needsStart = false;
-        for (const word& field : fields_)
+        phases_ = selectedPhases(points);
+        fields_ = mpm::required<wordList>(dict_, "fields");
+        if (fields_.empty())
         {
-            if (field != "alpha")
+            FatalIOErrorInFunction(dict_)
+                << "The list of fields is empty." << nl << nl
+                << "Valid fields are: alpha "
+                << flatOutput
+                   (
+                       mpm::pointQuantity::names(phase(points, phases_[0]))
+                   ) << nl
+                << exit(FatalIOError);
+        }
+
+        start_.clear();
+        start_.setSize(phases_.size());
+        forAll(phases_, i)
+        {
+            const mpm::materialPointPhase& material = phase(points, phases_[i]);
+            bool needsStart = false;
+            for (const word& field : fields_)
             {
-                // Unknown names end here
-                mpm::pointQuantity(dict_, material, field, nullptr);
-                needsStart =
-                    needsStart || mpm::pointQuantity::needsStart(field);
+                if (field != "alpha")
+                {
+                    // Unknown names end here
+                    mpm::pointQuantity(dict_, material, field, nullptr);
+                    needsStart =
+                        needsStart || mpm::pointQuantity::needsStart(field);
+                }
+            }
+            if (needsStart)
+            {
+                start_.set(i, new mpm::startState(dict_, material));
+                start_[i].share(boolList(start_[i].id().size(), true));
             }
         }
-        if (needsStart)
+    }
+
+    void sample(const mpm::materialPointSystem& points) override
+    {
+        if (!functionObject::postProcess && !mesh_.time().writeTime())
         {
-            start_.set(i, new mpm::startState(dict_, material));
-            start_[i].share(boolList(start_[i].id().size(), true));
+            return;
+        }
+        forAll(phases_, phasei)
+        {
+            for (const word& field : fields_)
+            {
+                writeQuantity(points, phasei, field);
+            }
         }
     }
-}
 
+    //- Write a field of a phase
+    void writeQuantity
+    (
+        const mpm::materialPointSystem& points,
+        const label phasei,
+        const word& field
+    )
+    {
+        const mpm::materialPointPhase& material = phase(points, phases_[phasei]);
+        const mpm::materialPointCloud& cloud = material.cloud();
+        const mpm::pointGrid& grid = points.grid();
+        const mpm::sharedNodes& shared = grid.shared(points.gridTransfer().reach());
+
+        word name(field);
+        name[0] = char(std::toupper(name[0]));
+        name = IOobject::groupName("point" + name, material.name());
+
+        if (field == "alpha")
+        {
+            scalarField V(grid.nNodes(), Zero);
+            forWeights
+            (
+                points.gridTransfer(),
+                cloud,
+                [&](const label p, const label n, const scalar S)
+                {
+                    V[n] += cloud.volume()[0][p]*S;
+                }
+            );
+            shared.sum(V.data(), 1, 1);
+            const scalarList all(points.gridTransfer().nodeVolumes(grid, true));
+            forAll(V, n)
+            {
+                V[n] = all[n] > 0 ? V[n]/all[n] : 0;
+            }
+            writeField<scalar>(grid, name, dimless, V);
+            return;
+        }
+
+        const mpm::pointQuantity q
+        (
+            dict_,
+            material,
+            field,
+            start_.set(phasei) ? &start_[phasei] : nullptr
+        );
+        const mpm::column& weight =
+            field.substr(0, field.find('_')) == "U" ? cloud.mass() : cloud.volume();
+
+        const int size = q.size();
+        scalarField sum(size*grid.nNodes(), Zero), sumW(grid.nNodes(), Zero);
+        scalar v[mpm::pointQuantity::maxSize];
+        label last = -1;
+        forWeights
+        (
+            points.gridTransfer(),
+            cloud,
+            [&](const label p, const label n, const scalar S)
+            {
+                if (p != last)
+                {
+                    q.get(p, v);
+                    last = p;
+                }
+                const scalar w = weight[0][p]*S;
+                sumW[n] += w;
+                for (int c = 0; c < size; ++c)
+                {
+                    sum[size*n + c] += w*v[c];
+                }
+            }
+        );
+        shared.sum(sum.data(), size, size);
+        shared.sum(sumW.data(), 1, 1);
+        forAll(sumW, n)
+        {
+            // Weights are never negative: they are 0 only without points
+            for (int c = 0; c < size; ++c)
+            {
+                sum[size*n + c] = sumW[n] > 0 ? sum[size*n + c]/sumW[n] : 0;
+            }
+        }
+
+        const dimensionSet dimensions(dimensionsOf(q.unit()));
+        switch (size)
+        {
+            case 1: writeField<scalar>(grid, name, dimensions, sum); break;
+            case 3: writeField<vector>(grid, name, dimensions, sum); break;
+            case 6: writeField<symmTensor>(grid, name, dimensions, sum); break;
+            default: writeField<tensor>(grid, name, dimensions, sum);
+        }
+    }
+
+    //- Write values, one row of components per node
+    template<class Type>
+    void writeField
+    (
+        const mpm::pointGrid& grid,
+        const word& name,
+        const dimensionSet& dimensions,
+        const UList<scalar>& values
+    ) const;
+
+public:
+
+    TypeName("materialPointFields");
+
+    using materialPointOutput::materialPointOutput;
+};
 
 template<class Type>
-void Foam::functionObjects::materialPointFields::writeField
+void materialPointFields::writeField
 (
     const mpm::pointGrid& grid,
     const word& name,
@@ -175,133 +320,12 @@ void Foam::functionObjects::materialPointFields::writeField
     field.write();
 }
 
-
-void Foam::functionObjects::materialPointFields::writeQuantity
+defineTypeNameAndDebug(materialPointFields, 0);
+addTemplateToRunTimeSelectionTable
 (
-    const mpm::materialPointSystem& points,
-    const label phasei,
-    const word& field
-)
-{
-    const mpm::materialPointPhase& material = phase(points, phases_[phasei]);
-    const mpm::materialPointCloud& cloud = material.cloud();
-    const mpm::pointGrid& grid = points.grid();
-    const mpm::sharedNodes& shared = grid.shared(points.gridTransfer().reach());
+    functionObject, whenMade, materialPointFields, dictionary
+);
 
-    word name(field);
-    name[0] = char(std::toupper(name[0]));
-    name = IOobject::groupName("point" + name, material.name());
-
-    if (field == "alpha")
-    {
-        scalarField V(grid.nNodes(), Zero);
-        forWeights
-        (
-            points.gridTransfer(),
-            cloud,
-            [&](const label p, const label n, const scalar S)
-            {
-                V[n] += cloud.volume()[0][p]*S;
-            }
-        );
-        shared.sum(V.data(), 1, 1);
-        const scalarList all
-        (
-            points.gridTransfer().nodeVolumes(grid, true)
-        );
-        forAll(V, n)
-        {
-            V[n] = all[n] > 0 ? V[n]/all[n] : 0;
-        }
-        writeField<scalar>(grid, name, dimless, V);
-        return;
-    }
-
-    const mpm::pointQuantity q
-    (
-        dict_,
-        material,
-        field,
-        start_.set(phasei) ? &start_[phasei] : nullptr
-    );
-    const mpm::column& weight =
-        field.substr(0, field.find('_')) == "U" ? cloud.mass() : cloud.volume();
-
-    const int size = q.size();
-    scalarField sum(size*grid.nNodes(), Zero), sumW(grid.nNodes(), Zero);
-    scalar v[mpm::pointQuantity::maxSize];
-    label last = -1;
-    forWeights
-    (
-        points.gridTransfer(),
-        cloud,
-        [&](const label p, const label n, const scalar S)
-        {
-            if (p != last)
-            {
-                q.get(p, v);
-                last = p;
-            }
-            const scalar w = weight[0][p]*S;
-            sumW[n] += w;
-            for (int c = 0; c < size; ++c)
-            {
-                sum[size*n + c] += w*v[c];
-            }
-        }
-    );
-    shared.sum(sum.data(), size, size);
-    shared.sum(sumW.data(), 1, 1);
-    forAll(sumW, n)
-    {
-        // Weights are never negative: they are 0 only without points
-        for (int c = 0; c < size; ++c)
-        {
-            sum[size*n + c] = sumW[n] > 0 ? sum[size*n + c]/sumW[n] : 0;
-        }
-    }
-
-    const dimensionSet dimensions(dimensionsOf(q.unit()));
-    switch (size)
-    {
-        case 1: writeField<scalar>(grid, name, dimensions, sum); break;
-        case 3: writeField<vector>(grid, name, dimensions, sum); break;
-        case 6: writeField<symmTensor>(grid, name, dimensions, sum); break;
-        default: writeField<tensor>(grid, name, dimensions, sum);
-    }
-}
-
-
-void Foam::functionObjects::materialPointFields::sample
-(
-    const mpm::materialPointSystem& points
-)
-{
-    if (!functionObject::postProcess && !mesh_.time().writeTime())
-    {
-        return;
-    }
-    forAll(phases_, phasei)
-    {
-        for (const word& field : fields_)
-        {
-            writeQuantity(points, phasei, field);
-        }
-    }
-}
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::functionObjects::materialPointFields::materialPointFields
-(
-    const word& name,
-    const Time& runTime,
-    const dictionary& dict
-)
-:
-    materialPointOutput(name, runTime, dict)
-{
-    read(dict);
-}
+} // End namespace Foam::functionObjects
 
 // ************************************************************************* //

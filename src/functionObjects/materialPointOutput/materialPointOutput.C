@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointOutput.H"
-#include "dictionaryTools.H"
 #include <sstream>
 #include "OSspecific.H"
 #include "Time.H"
@@ -256,17 +255,7 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
     // writeToFile_ is false on all processors but the master
     sampled_ = dict.getOrDefault<bool>("writeToFile", true);
 
-    wordList valid
-    ({
-        "type", "libs", "functionObjectLibs", "enabled", "log", "errors",
-        "region", "subRegion", "timeStart", "timeEnd", "executeControl",
-        "executeInterval", "writeControl", "writeInterval", "outputControl",
-        "outputInterval", "controlMode", "triggerStart", "triggerEnd",
-        "deltaTCoeff", "nStepsToStartTimeChange", "writeToFile",
-        "writePrecision", "useUserTime", "updateHeader", "useNamePrefix"
-    });
-    valid.append(keywords());
-    mpm::checkKeywords(dict, valid);
+    checkOutputKeywords(dict, keywords());
 
     // Mistakes in the dictionary stop the run before its first step
     if (const mpm::materialPointSystem* points = findPoints())

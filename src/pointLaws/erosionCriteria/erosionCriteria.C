@@ -10,14 +10,10 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "erosionCriterion.H"
-#include "dictionaryTools.H"
 #include "PtrList.H"
 #include "point.H"
-#include "addToRunTimeSelectionTable.H"
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 //- A history column of the law above a limit
@@ -381,6 +377,9 @@ public:
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
+defineTypeNameAndDebug(erosionCriterion, 0);
+defineRunTimeSelectionTable(erosionCriterion, dictionary);
+
 #define addErosion(criterion)                                                  \
     defineTypeNameAndDebug(criterion, 0);                                      \
     addToRunTimeSelectionTable(erosionCriterion, criterion, dictionary)
@@ -397,7 +396,6 @@ addErosion(anyErosion);
 
 #undef addErosion
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

@@ -4,103 +4,112 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::mpm::cellsShape
+    Foam::mpm::cellZoneShape
+
+Description
+    All cells of the mesh, or those of a cell zone.
+
+Usage
+    \table
+        Property | Description          | Required
+        type     | cells or cellZone    | yes
+        zone     | name of the cellZone | for cellZone
+    \endtable
+
 \*---------------------------------------------------------------------------*/
 
-#include "cellShapes.H"
-#include "dictionaryTools.H"
+#include "pointRegionShape.H"
 #include "shapeFormula.H"
-#include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::mpm
 {
-namespace mpm
-{
-    defineTypeNameAndDebug(cellsShape, 0);
-    addToRunTimeSelectionTable(pointRegionShape, cellsShape, dictionary);
-    defineTypeNameAndDebug(cellZoneShape, 0);
-    addToRunTimeSelectionTable(pointRegionShape, cellZoneShape, dictionary);
-}
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::cellsShape::cellsShape(const pointGrid& grid, const dictionary&)
+class cellsShape
 :
-    pointRegionShape(grid)
-{}
-
-
-Foam::mpm::cellZoneShape::cellZoneShape
-(
-    const pointGrid& grid,
-    const dictionary& dict
-)
-:
-    cellsShape(grid, dict),
-    inZone_(grid.nCells(), false)
+    public pointRegionShape
 {
-    const cellZoneMesh& zones = grid.mesh().cellZones();
+public:
 
-    for (const label celli : zones[oneOf(dict, "zone", zones.names())])
+    TypeName("cells");
+
+    cellsShape(const pointGrid& grid, const dictionary&)
+    :
+        pointRegionShape(grid)
+    {}
+
+    using pointRegionShape::contains;
+
+    wordList keywords() const override { return {}; }
+    boundBox bounds() const override { return grid_.mesh().bounds(); }
+    bool contains(const label, const point&) const override { return true; }
+    bool insideMesh() const override { return true; }
+
+    bool formula(shapeFormula& f) const override
     {
-        inZone_[celli] = true;
+        f.cells
+        (
+            [this](const label celli) { return contains(celli, point::zero); }
+        );
+        return true;
     }
-}
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::wordList Foam::mpm::cellsShape::keywords() const
-{
-    return wordList();
-}
-
-
-Foam::boundBox Foam::mpm::cellsShape::bounds() const
-{
-    return grid_.mesh().bounds();
-}
-
-
-bool Foam::mpm::cellsShape::contains(const label, const point&) const
-{
-    return true;
-}
-
-
-bool Foam::mpm::cellsShape::formula(shapeFormula& f) const
-{
-    f.cells([this](const label celli) { return contains(celli, point::zero); });
-    return true;
-}
-
-
-Foam::scalar Foam::mpm::cellsShape::volume() const
-{
-    const scalarField& V = grid_.mesh().cellVolumes();
-
-    scalar sum = 0;
-    forAll(V, celli)
+    scalar volume() const override
     {
-        if (contains(celli, grid_.mesh().cellCentres()[celli]))
+        const scalarField& V = grid_.mesh().cellVolumes();
+
+        scalar sum = 0;
+        forAll(V, celli)
         {
-            sum += V[celli];
+            if (contains(celli, grid_.mesh().cellCentres()[celli]))
+            {
+                sum += V[celli];
+            }
+        }
+        return sum;
+    }
+};
+
+
+class cellZoneShape
+:
+    public cellsShape
+{
+    boolList inZone_;
+
+public:
+
+    TypeName("cellZone");
+
+    cellZoneShape(const pointGrid& grid, const dictionary& dict)
+    :
+        cellsShape(grid, dict),
+        inZone_(grid.nCells(), false)
+    {
+        const cellZoneMesh& zones = grid.mesh().cellZones();
+
+        for (const label celli : zones[oneOf(dict, "zone", zones.names())])
+        {
+            inZone_[celli] = true;
         }
     }
-    return sum;
-}
 
+    using pointRegionShape::contains;
 
-Foam::wordList Foam::mpm::cellZoneShape::keywords() const
-{
-    return {"zone"};
-}
+    wordList keywords() const override { return {"zone"}; }
 
+    bool contains(const label celli, const point&) const override
+    {
+        return inZone_[celli];
+    }
+};
 
-bool Foam::mpm::cellZoneShape::contains(const label celli, const point&) const
-{
-    return inZone_[celli];
-}
+defineTypeNameAndDebug(cellsShape, 0);
+addToRunTimeSelectionTable(pointRegionShape, cellsShape, dictionary);
+defineTypeNameAndDebug(cellZoneShape, 0);
+addToRunTimeSelectionTable(pointRegionShape, cellZoneShape, dictionary);
+
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

@@ -4,141 +4,161 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::mpm::compositeShape
+
+Description
+    Shapes made of shapes: what lies in one of them, in all of them, or in the
+    first but in none of the others. They may be nested. With a surface among
+    them parts of sub-cells are those of samples^nDim positions.
+
+Usage
+    \verbatim
+    plate
+    {
+        phase           plate;
+        type            difference;
+        shapes
+        {
+            whole  { type box; min (0 0 0); max (1 1 0.1); }
+            hole   { type cylinder; point1 (0.5 0.5 -1); point2 (0.5 0.5 1);
+                     radius 0.2; }
+        }
+        pointsPerCell   2;
+    }
+    \endverbatim
+    \table
+        Property | Description                               | Required
+        type     | union, intersection or difference         | yes
+        shapes   | dictionaries of any names, one or more    | yes
+    \endtable
+
 \*---------------------------------------------------------------------------*/
 
-#include "dictionaryTools.H"
-#include "compositeShapes.H"
+#include "pointRegionShape.H"
+#include "PtrList.H"
 #include "shapeFormula.H"
-#include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::mpm
 {
-namespace mpm
-{
-    defineTypeNameAndDebug(compositeShape, 0);
-    addNamedToRunTimeSelectionTable
-    (
-        pointRegionShape,
-        compositeShape,
-        dictionary,
-        union
-    );
-    addNamedToRunTimeSelectionTable
-    (
-        pointRegionShape,
-        compositeShape,
-        dictionary,
-        intersection
-    );
-    addNamedToRunTimeSelectionTable
-    (
-        pointRegionShape,
-        compositeShape,
-        dictionary,
-        difference
-    );
-}
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::compositeShape::compositeShape
-(
-    const pointGrid& grid,
-    const dictionary& dict
-)
+class compositeShape
 :
-    pointRegionShape(grid),
-    joint_
-    (
-        dict.get<word>("type") == "union" ? anyOf
-      : dict.get<word>("type") == "intersection" ? allOf
-      : firstOnly
-    )
+    public pointRegionShape
 {
-    const dictionary& shapesDict = requiredDict(dict, "shapes");
-    for (const word& name : shapesDict.toc())
-    {
-        const dictionary& shapeDict = requiredDict(shapesDict, name);
-        shapes_.append(pointRegionShape::New(grid, shapeDict));
-        wordList valid({"type"});
-        valid.append(shapes_.last().keywords());
-        checkKeywords(shapeDict, valid);
-    }
-    if (shapes_.empty())
-    {
-        FatalIOErrorInFunction(shapesDict)
-            << "There are no shapes; write  shapes { a { type box; ...; }"
-            << " b { type sphere; ...; } }" << exit(FatalIOError);
-    }
-}
+    enum joints {anyOf, allOf, firstOnly};
+    const joints joint_;
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+    PtrList<pointRegionShape> shapes_;
 
-bool Foam::mpm::compositeShape::formula(shapeFormula& f) const
-{
-    forAll(shapes_, i)
+public:
+
+    TypeName("composite");
+
+    compositeShape(const pointGrid& grid, const dictionary& dict)
+    :
+        pointRegionShape(grid),
+        joint_
+        (
+            dict.get<word>("type") == "union" ? anyOf
+          : dict.get<word>("type") == "intersection" ? allOf
+          : firstOnly
+        )
     {
-        if (!shapes_[i].formula(f))
+        const dictionary& shapesDict = requiredDict(dict, "shapes");
+        for (const word& name : shapesDict.toc())
         {
-            return false;
+            const dictionary& shapeDict = requiredDict(shapesDict, name);
+            shapes_.append(pointRegionShape::New(grid, shapeDict));
+            wordList valid({"type"});
+            valid.append(shapes_.last().keywords());
+            checkKeywords(shapeDict, valid);
         }
-        if (i == 0)
+        if (shapes_.empty())
         {
-            continue;
-        }
-        switch (joint_)
-        {
-            case anyOf: f.orLast(); break;
-            case allOf: f.andLast(); break;
-            case firstOnly: f.notLast(); f.andLast(); break;
+            FatalIOErrorInFunction(shapesDict)
+                << "There are no shapes; write  shapes { a { type box; ...; }"
+                << " b { type sphere; ...; } }" << exit(FatalIOError);
         }
     }
-    return true;
-}
 
+    using pointRegionShape::contains;
 
-Foam::boundBox Foam::mpm::compositeShape::bounds() const
-{
-    boundBox bb(shapes_[0].bounds());
-    for (const pointRegionShape& s : shapes_)
+    wordList keywords() const override { return {"shapes"}; }
+
+    boundBox bounds() const override
     {
-        if (joint_ == anyOf)
+        boundBox bb(shapes_[0].bounds());
+        for (const pointRegionShape& s : shapes_)
         {
-            bb.add(s.bounds());
+            if (joint_ == anyOf)
+            {
+                bb.add(s.bounds());
+            }
+            else if (joint_ == allOf)
+            {
+                bb.min() = max(bb.min(), s.bounds().min());
+                bb.max() = min(bb.max(), s.bounds().max());
+            }
         }
-        else if (joint_ == allOf)
-        {
-            bb.min() = max(bb.min(), s.bounds().min());
-            bb.max() = min(bb.max(), s.bounds().max());
-        }
+        return bb;
     }
-    return bb;
-}
 
+    bool contains(const label celli, const point& x) const override
+    {
+        // The first one that decides ends the search
+        const bool first = shapes_[0].contains(celli, x);
+        if (first == (joint_ == anyOf))
+        {
+            return first;
+        }
+        for (label i = 1; i < shapes_.size(); ++i)
+        {
+            if (shapes_[i].contains(celli, x) == (joint_ != allOf))
+            {
+                return joint_ == anyOf;
+            }
+        }
+        return joint_ != anyOf;
+    }
 
-bool Foam::mpm::compositeShape::contains
+    bool formula(shapeFormula& f) const override
+    {
+        forAll(shapes_, i)
+        {
+            if (!shapes_[i].formula(f))
+            {
+                return false;
+            }
+            if (i == 0)
+            {
+                continue;
+            }
+            switch (joint_)
+            {
+                case anyOf: f.orLast(); break;
+                case allOf: f.andLast(); break;
+                case firstOnly: f.notLast(); f.andLast(); break;
+            }
+        }
+        return true;
+    }
+};
+
+defineTypeNameAndDebug(compositeShape, 0);
+addNamedToRunTimeSelectionTable
 (
-    const label celli,
-    const point& x
-) const
-{
-    // The first one that decides ends the search
-    const bool first = shapes_[0].contains(celli, x);
-    if (first == (joint_ == anyOf))
-    {
-        return first;
-    }
-    for (label i = 1; i < shapes_.size(); ++i)
-    {
-        if (shapes_[i].contains(celli, x) == (joint_ != allOf))
-        {
-            return joint_ == anyOf;
-        }
-    }
-    return joint_ != anyOf;
-}
+    pointRegionShape, compositeShape, dictionary, union
+);
+addNamedToRunTimeSelectionTable
+(
+    pointRegionShape, compositeShape, dictionary, intersection
+);
+addNamedToRunTimeSelectionTable
+(
+    pointRegionShape, compositeShape, dictionary, difference
+);
+
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

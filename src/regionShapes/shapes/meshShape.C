@@ -7,19 +7,14 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "meshShape.H"
-#include "dictionaryTools.H"
 #include "Time.H"
-#include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(meshShape, 0);
     addToRunTimeSelectionTable(pointRegionShape, meshShape, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

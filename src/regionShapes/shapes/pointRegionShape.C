@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointRegionShape.H"
-#include "dictionaryTools.H"
 #include "shapeFormula.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
@@ -16,13 +15,10 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(pointRegionShape, 0);
     defineRunTimeSelectionTable(pointRegionShape, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

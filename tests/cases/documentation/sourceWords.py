@@ -32,7 +32,7 @@ STATE = {"state", "energy", "body", "failed", "before", "record", "now"}
 
 #: Files that read only what a run or setMaterialPoints has written
 WRITTEN = {"materialPointCloudWrite.C", "materialPointCloudIO.C", "startState.C",
-           "caseTime.C", "materialPointSystemOutput.C"}
+           "caseTime.H", "materialPointSystemOutput.C"}
 
 #: Words that the above takes and that are none of a dictionary: {file: words}
 NOT_ENTRIES = {
@@ -40,9 +40,9 @@ NOT_ENTRIES = {
     "pointEnergy.H": "energy", "pointErosion.H": "eroded outflow",
     "rigidBodies.H": "rigid",
     # Columns of points
-    "materialPointPhase.C": "failedTime", "isotropicElasticTemplates.C": "leftStretch",
-    "JohnsonCookDamage.H": "damageStrain", "TulerButcher.H": "tensileImpulse",
-    "maxPrincipalStrain.H": "leftStretch", "maxPrincipalStress.H": "crack",
+    "materialPointPhase.C": "failedTime", "isotropicElastic.H": "leftStretch",
+    "JohnsonCookDamage.C": "damageStrain", "TulerButcher.C": "tensileImpulse",
+    "maxPrincipalStrain.C": "leftStretch", "maxPrincipalStress.C": "crack",
     # Files
     "materialPointBalance.C": "total mixture", "materialPointEnergy.C": "energy",
     "materialPointPatchForces.C": "total", "surfaceShape.C": "triSurface",
@@ -67,7 +67,8 @@ _STRING = re.compile(r'"([A-Za-z][A-Za-z0-9_]*)(?:\(([A-Za-z]*)\)?)?"')
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*(?:<[^;(){}]*>)?\s*$")
 _TYPE = re.compile(r"TypeName\w*\s*\(\s*$")
 _CLASS = re.compile(r"\bclass (\w+)\s*:")
-_ADD = re.compile(r"\baddToRunTimeSelectionTable\s*\(\s*\w+,\s*(\w+),")
+_ADD = re.compile(r"\badd(?:Template)?ToRunTimeSelectionTable\s*\(\s*\w+,\s*"
+                  r"(?:whenMade,\s*)?(\w+),")
 _MACRO = re.compile(r"#define (add\w+)\(")
 _ADD_NAMED = re.compile(
     r"\baddNamedToRunTimeSelectionTable\s*\(\s*\w+,\s*\w+,\s*\w+,\s*(\w+)\s*\)")

@@ -4,41 +4,123 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::mpm::MohrCoulomb
+
+Description
+    Mohr and Coulomb's pyramid; elasticity and entries: frictionalLaw.
+
+        f = (s1 - s3) + (s1 + s3) sin(phi) - 2 c cos(phi) <= 0
+
+    with the principal stresses s1 >= s2 >= s3, tension positive, and the same
+    with psi as potential. Return in principal stresses, to the plane, an
+    edge or the apex. Then principal stresses above tensionCutoff are cut to it.
+    Points that cannot reach a plane of the pyramid skip the principal
+    values.
+
+Usage
+    \table
+        Property      | Description                          | Required | Unit
+        type          | MohrCoulomb                          | yes      |
+        tensionCutoff | largest principal stress             | no       | none
+        rho, E, nu, cohesion, frictionAngle, dilationAngle | see frictionalLaw | |
+    \endtable
+
+    Reference: E. de Souza Neto, D. Peric, D. Owen, Computational methods for
+    plasticity, Wiley (2008), chapter 8.
+
 \*---------------------------------------------------------------------------*/
 
-// The compiler's own AVX-512 headers start a register from itself
-// (_mm256_undefined_pd), which it then reports in code that Eigen inlines
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-
-#include "MohrCoulomb.H"
-#include "dictionaryTools.H"
-#include "addToRunTimeSelectionTable.H"
+#include "frictionalLaw.H"
 #include <Eigen/Eigenvalues>
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::mpm
 {
-namespace mpm
-{
-    defineTypeNameAndDebug(MohrCoulomb, 0);
-    addToRunTimeSelectionTable(constitutiveModel, MohrCoulomb, dictionary);
-}
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::MohrCoulomb::MohrCoulomb(const dictionary& dict)
+class MohrCoulomb
 :
-    frictionalLaw<MohrCoulomb>(dict, wordList()),
-    sinPhi_(std::sin(phi_)),
-    sinPsi_(std::sin(psi_)),
-    cCosPhi_(c_*std::cos(phi_))
-{}
+    public frictionalLaw<MohrCoulomb>
+{
+    scalar sinPhi_, sinPsi_, cCosPhi_;
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+    //- Principal stresses s, ascending, to the pyramid; false if inside
+    bool principalReturn(double (&s)[3]) const;
 
-bool Foam::mpm::MohrCoulomb::principalReturn(double (&s)[3]) const
+    //- Deviator and trace of the elastic strain of one point after flow,
+    //  in full storage; the equivalent plastic strain
+    double pointFlow(double (&X)[9], double& theta) const;
+
+public:
+
+    TypeName("MohrCoulomb");
+
+    explicit MohrCoulomb(const dictionary& dict)
+    :
+        frictionalLaw<MohrCoulomb>(dict, wordList()),
+        sinPhi_(std::sin(phi_)),
+        sinPsi_(std::sin(psi_)),
+        cCosPhi_(c_*std::cos(phi_))
+    {}
+
+    //- See frictionalLaw
+    template<int DIM>
+    void flow
+    (
+        elasticStrainStep<DIM>& step,
+        lanes<laneWidth<DIM>>& theta,
+        lanes<laneWidth<DIM>>& dEps,
+        const int nLanes
+    ) const
+    {
+        constexpr int W = laneWidth<DIM>;
+        typedef lanes<W> T;
+
+        // No principal stress is further from the mean than 2 sqrt(J2/3)
+        T XX, XU, UU;
+        step.products(XX, XU, UU);
+        const T r = 2*G_*laneSqrt(2.0/3*XX), s = K_*theta;
+        const laneMask<W> near =
+            (2.0*r + 2.0*s*sinPhi_ - 2*cCosPhi_ > 0.0) | (s + r > tension_);
+        if (!anyOf<W>(near))
+        {
+            return;
+        }
+        for (int l = 0; l < nLanes; ++l)
+        {
+            if (!near[l])
+            {
+                continue;
+            }
+            double X[9] = {}, trace = theta[l];
+            for (int i = 0; i < DIM; ++i)
+            {
+                for (int j = 0; j < DIM; ++j)
+                {
+                    X[3*i + j] = step.X[i*DIM + j][l];
+                }
+            }
+            for (int i = DIM; i < 3; ++i)
+            {
+                X[4*i] = step.side[i][l];
+            }
+            dEps[l] = pointFlow(X, trace);
+            theta[l] = trace;
+            for (int i = 0; i < DIM; ++i)
+            {
+                for (int j = 0; j < DIM; ++j)
+                {
+                    step.X[i*DIM + j][l] = X[3*i + j];
+                }
+            }
+            for (int i = DIM; i < 3; ++i)
+            {
+                step.side[i][l] = X[4*i];
+            }
+        }
+    }
+};
+
+bool MohrCoulomb::principalReturn(double (&s)[3]) const
 {
     // Trial stresses in descending order
     const double t1 = s[2], t2 = s[1], t3 = s[0];
@@ -102,9 +184,8 @@ bool Foam::mpm::MohrCoulomb::principalReturn(double (&s)[3]) const
     return changed;
 }
 
-
 double
-Foam::mpm::MohrCoulomb::pointFlow(double (&X)[9], double& theta) const
+MohrCoulomb::pointFlow(double (&X)[9], double& theta) const
 {
     typedef Eigen::Matrix3d matrix;
     Eigen::Map<matrix> x(X);
@@ -137,5 +218,10 @@ Foam::mpm::MohrCoulomb::pointFlow(double (&X)[9], double& theta) const
     x = result;
     return std::sqrt(2.0/3*flow);
 }
+
+defineTypeNameAndDebug(MohrCoulomb, 0);
+addToRunTimeSelectionTable(constitutiveModel, MohrCoulomb, dictionary);
+
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

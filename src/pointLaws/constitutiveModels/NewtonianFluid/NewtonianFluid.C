@@ -4,48 +4,170 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::mpm::NewtonianFluid
+
+Description
+    Compressible viscous fluid:
+
+        sigma = -(p + q) I + 2 mu dev(D)                               [Pa]
+
+    with the pressure of pressurePart, the viscosity mu and the rate of strain D
+    of the step, log(U)/dt turned by R with exp(dt L) = R U: a superposed
+    rotation turns it exactly. Viscous work goes into the internal energy where the
+    equation of state has one. Columns: volumeStrain, ln(rho0/rho), and e.
+
+    The time step also obeys the diffusion of momentum: the wave speed of the
+    state is c + 2 nDim 4 mu/(3 rho l) with the width l of the cell.
+
+    pMin cuts the pressure off below (0: a liquid that cannot be pulled); the
+    stored energy then is that of the pressure that is left (pressurePart).
+    Viscous work goes into e, or is dissipated (pointBlock).
+
+    Initial stress: its pressure only; a deviator is fatal.
+
+Usage
+    \table
+        Property | Description                               | Required | Unit
+        type     | NewtonianFluid                            | yes      |
+        rho      | density of the reference state            | yes      | kg/m3
+        mu       | viscosity, >= 0                           | yes      | Pa s
+        pMin     | least pressure                            | no       | none
+        K, equationOfState, bulkViscosity | see pressurePart | yes     |
+    \endtable
+
 \*---------------------------------------------------------------------------*/
 
-#include "NewtonianFluid.H"
-#include "dictionaryTools.H"
+#include "constitutiveModel.H"
+#include "pressurePart.H"
 #include "elasticStrain.H"
 #include "laneMath.H"
-#include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::mpm
 {
-namespace mpm
-{
-    defineTypeNameAndDebug(NewtonianFluid, 0);
-    addToRunTimeSelectionTable(constitutiveModel, NewtonianFluid, dictionary);
-}
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::NewtonianFluid::NewtonianFluid(const dictionary& dict)
+class NewtonianFluid
 :
-    constitutiveModel(dict),
-    mu_(bounded(dict, "mu", 0, GREAT)),
-    pressure_
-    (
-        dict,
-        rho(),
-        0,
-        dict.found("pMin") ? bounded(dict, "pMin", -GREAT, GREAT) : -GREAT
-    )
+    public constitutiveModel
 {
-    wordList valid({"type", "rho", "mu", "pMin"});
-    valid.append(pressurePart::keywords);
-    checkKeywords(dict, valid);
-}
+    //- Viscosity [Pa s]
+    scalar mu_;
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+    pressurePart pressure_;
+
+    template<int DIM>
+    void update(pointBlock& block) const;
+
+public:
+
+    TypeName("NewtonianFluid");
+
+    explicit NewtonianFluid(const dictionary& dict)
+    :
+        constitutiveModel(dict),
+        mu_(bounded(dict, "mu", 0, GREAT)),
+        pressure_
+        (
+            dict,
+            rho(),
+            0,
+            dict.found("pMin") ? bounded(dict, "pMin", -GREAT, GREAT) : -GREAT
+        )
+    {
+        wordList valid({"type", "rho", "mu", "pMin"});
+        valid.append(pressurePart::keywords);
+        checkKeywords(dict, valid);
+    }
+
+    List<historyColumn> history() const override
+    {
+        List<historyColumn> h(1 + pressure_.usesEnergy());
+        h[0] = historyColumn{"volumeStrain", historyColumn::scalars};
+        if (pressure_.usesEnergy())
+        {
+            h[1] = historyColumn{"e", historyColumn::scalars};
+        }
+        return h;
+    }
+
+    bool needsWidth() const override
+    {
+        return mu_ > 0 || pressure_.usesWidth();
+    }
+
+    void start(pointBlock& b) const override
+    {
+        for (label p = 0; pressure_.usesEnergy() && p < b.n; ++p)
+        {
+            b.history[1][p] = pressure_.equation().e0();
+        }
+    }
+
+    scalar startPressure() const override { return pressure_.startPressure(); }
+
+    void initialise(pointBlock& b) const override
+    {
+        for (label p = 0; p < b.n; ++p)
+        {
+            const scalar mean =
+                (b.stress[0][p] + b.stress[1][p] + b.stress[2][p])/3;
+            for (int i = 0; i < nStress(b.nDim); ++i)
+            {
+                if (mag(b.stress[i][p] - (i < 3 ? mean : 0)) > 1e-9*mag(mean))
+                {
+                    FatalErrorInFunction
+                        << "The law " << type() << " cannot start with a shear"
+                        << " stress, as " << b.nameOf(p).c_str()
+                        << " does; give a pressure."
+                        << exit(FatalError);
+                }
+            }
+            scalar e;
+            pressure_.stateOf(-mean, b, p, b.history[0][p], e);
+            if (pressure_.usesEnergy())
+            {
+                b.history[1][p] = e;
+            }
+        }
+    }
+
+    void correct(pointBlock& b) const override
+    {
+        switch (b.nDim)
+        {
+            case 1: update<1>(b); break;
+            case 2: update<2>(b); break;
+            default: update<3>(b);
+        }
+    }
+
+    bool holdsTogether() const override { return false; }
+
+    scalar waveSpeed() const override
+    {
+        return std::sqrt(pressure_.bulkModulus()/rho());
+    }
+
+    bool waveSpeedVaries() const override { return true; }
+
+    scalar strainEnergy(const pointBlock& b) const override
+    {
+        const scalar* energy = pressure_.usesEnergy() ? b.history[1] : nullptr;
+        scalar sum = 0;
+        for (label p = 0; p < b.n; ++p)
+        {
+            sum += b.mass[p]*pressure_.energy
+            (
+                rho()*std::exp(-b.history[0][p]),
+                energy ? energy + p : nullptr
+            );
+        }
+        return sum;
+    }
+};
 
 template<int DIM>
-void Foam::mpm::NewtonianFluid::update(pointBlock& b) const
+void NewtonianFluid::update(pointBlock& b) const
 {
     constexpr int W = laneWidth<DIM>;
     typedef lanes<W> T;
@@ -129,87 +251,9 @@ void Foam::mpm::NewtonianFluid::update(pointBlock& b) const
     b.waveSpeed = max(b.waveSpeed, fastest + 8.0/3*DIM*mu_*diffusion);
 }
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+defineTypeNameAndDebug(NewtonianFluid, 0);
+addToRunTimeSelectionTable(constitutiveModel, NewtonianFluid, dictionary);
 
-Foam::List<Foam::mpm::historyColumn> Foam::mpm::NewtonianFluid::history() const
-{
-    List<historyColumn> h(1 + pressure_.usesEnergy());
-    h[0] = historyColumn{"volumeStrain", historyColumn::scalars};
-    if (pressure_.usesEnergy())
-    {
-        h[1] = historyColumn{"e", historyColumn::scalars};
-    }
-    return h;
-}
-
-
-void Foam::mpm::NewtonianFluid::start(pointBlock& b) const
-{
-    for (label p = 0; pressure_.usesEnergy() && p < b.n; ++p)
-    {
-        b.history[1][p] = pressure_.equation().e0();
-    }
-}
-
-
-void Foam::mpm::NewtonianFluid::initialise(pointBlock& b) const
-{
-    for (label p = 0; p < b.n; ++p)
-    {
-        const scalar mean =
-            (b.stress[0][p] + b.stress[1][p] + b.stress[2][p])/3;
-        for (int i = 0; i < nStress(b.nDim); ++i)
-        {
-            if (mag(b.stress[i][p] - (i < 3 ? mean : 0)) > 1e-9*mag(mean))
-            {
-                FatalErrorInFunction
-                    << "The law " << type() << " cannot start with a shear"
-                    << " stress, as " << b.nameOf(p).c_str()
-                    << " does; give a pressure."
-                    << exit(FatalError);
-            }
-        }
-        scalar e;
-        pressure_.stateOf(-mean, b, p, b.history[0][p], e);
-        if (pressure_.usesEnergy())
-        {
-            b.history[1][p] = e;
-        }
-    }
-}
-
-
-void Foam::mpm::NewtonianFluid::correct(pointBlock& b) const
-{
-    switch (b.nDim)
-    {
-        case 1: update<1>(b); break;
-        case 2: update<2>(b); break;
-        default: update<3>(b);
-    }
-}
-
-
-Foam::scalar Foam::mpm::NewtonianFluid::waveSpeed() const
-{
-    return std::sqrt(pressure_.bulkModulus()/rho());
-}
-
-
-Foam::scalar
-Foam::mpm::NewtonianFluid::strainEnergy(const pointBlock& b) const
-{
-    const scalar* energy = pressure_.usesEnergy() ? b.history[1] : nullptr;
-    scalar sum = 0;
-    for (label p = 0; p < b.n; ++p)
-    {
-        sum += b.mass[p]*pressure_.energy
-        (
-            rho()*std::exp(-b.history[0][p]),
-            energy ? energy + p : nullptr
-        );
-    }
-    return sum;
-}
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

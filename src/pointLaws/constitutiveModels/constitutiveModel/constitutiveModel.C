@@ -7,18 +7,14 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "constitutiveModel.H"
-#include "dictionaryTools.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(constitutiveModel, 0);
     defineRunTimeSelectionTable(constitutiveModel, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

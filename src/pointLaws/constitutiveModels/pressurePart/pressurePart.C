@@ -7,7 +7,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pressurePart.H"
-#include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

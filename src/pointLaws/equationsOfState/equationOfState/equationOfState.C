@@ -7,19 +7,15 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "equationOfState.H"
-#include "dictionaryTools.H"
 #include "noTraps.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(equationOfState, 0);
     defineRunTimeSelectionTable(equationOfState, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

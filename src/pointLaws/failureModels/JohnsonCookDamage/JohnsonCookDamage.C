@@ -4,133 +4,170 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::mpm::JohnsonCookDamage
+
+Description
+    Ductile failure of Johnson and Cook: the damage grows with the equivalent
+    plastic strain eps of the law, and at d = 1 the point fails.
+
+        dd = dEps/epsF
+        epsF = (D1 + D2 exp(D3 S))(1 + D4 ln(max(rate/rate0, 1)))(1 + D5 T*)
+        S = mean stress/sigma_eq, -3 to 1.5
+        T* = (T - T0)/(Tm - T0), 0 to 1
+
+    epsF is at least 1e-6. The stress is that of the whole material until then;
+    what a failed point carries: failureModel. A scattered limit (Weibull)
+    multiplies epsF. The law must have the column plasticStrain, and T
+    where D5 is not 0. Damage between 0 and 1 is in the column damage.
+
+    Column damageStrain: the plastic strain already counted.
+
+Usage
+    \table
+        Property | Description                              | Required | Unit
+        type     | JohnsonCookDamage                        | yes      |
+        D1 to D5 | constants                                | yes      | -
+        referenceRate | rate0, > 0                          | yes      | 1/s
+        referenceTemperature | T0, > 0                      | yes      | K
+        meltTemperature | Tm, > T0                          | yes      | K
+        failed, weibull, ambientPressure | see failureModel | no       |
+    \endtable
+
+    Reference: G. R. Johnson, W. H. Cook, Eng. Fract. Mech. 21 (1985) 31.
+
 \*---------------------------------------------------------------------------*/
 
-#include "JohnsonCookDamage.H"
-#include "dictionaryTools.H"
-#include "addToRunTimeSelectionTable.H"
+#include "failureModel.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::mpm
 {
-namespace mpm
-{
-    defineTypeNameAndDebug(JohnsonCookDamage, 0);
-    addToRunTimeSelectionTable(failureModel, JohnsonCookDamage, dictionary);
-}
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::JohnsonCookDamage::JohnsonCookDamage(const dictionary& dict)
+class JohnsonCookDamage
 :
-    failureModel(dict, word()),
-    D1_(bounded(dict, "D1", -100, 100)),
-    D2_(bounded(dict, "D2", -100, 100)),
-    D3_(bounded(dict, "D3", -100, 100)),
-    D4_(bounded(dict, "D4", -100, 100)),
-    D5_(bounded(dict, "D5", -100, 100)),
-    rate0_(positive(dict, "referenceRate")),
-    T0_(positive(dict, "referenceTemperature")),
-    Tm_(positive(dict, "meltTemperature")),
-    plastic_(-1),
-    temperature_(-1),
-    counted_(-1)
+    public failureModel
 {
-    wordList valid(keywords);
-    valid.append
-    (
-        wordList
-        ({
-            "D1", "D2", "D3", "D4", "D5", "referenceRate",
-            "referenceTemperature", "meltTemperature"
-        })
-    );
-    if (!(Tm_ > T0_))
+    scalar D1_, D2_, D3_, D4_, D5_, rate0_, T0_, Tm_;
+
+    //- Places of the columns; T -1: none
+    int plastic_, temperature_, counted_;
+
+public:
+
+    TypeName("JohnsonCookDamage");
+
+    explicit JohnsonCookDamage(const dictionary& dict)
+    :
+        failureModel(dict, word()),
+        D1_(bounded(dict, "D1", -100, 100)),
+        D2_(bounded(dict, "D2", -100, 100)),
+        D3_(bounded(dict, "D3", -100, 100)),
+        D4_(bounded(dict, "D4", -100, 100)),
+        D5_(bounded(dict, "D5", -100, 100)),
+        rate0_(positive(dict, "referenceRate")),
+        T0_(positive(dict, "referenceTemperature")),
+        Tm_(positive(dict, "meltTemperature")),
+        plastic_(-1),
+        temperature_(-1),
+        counted_(-1)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry meltTemperature is " << Tm_ << "; it must be greater than"
-            << " referenceTemperature, " << T0_ << "." << exit(FatalIOError);
-    }
-    checkKeywords(dict, valid);
-}
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::mpm::JohnsonCookDamage::connect
-(
-    const constitutiveModel& law,
-    const int nDim
-)
-{
-    failureModel::connect(law, nDim);
-    plastic_ = law.columnOf("plasticStrain", nDim);
-    temperature_ = law.columnOf("T", nDim);
-    counted_ = law.nColumns(nDim);
-    if (plastic_ < 0 || (temperature_ < 0 && D5_ != 0))
-    {
-        FatalErrorInFunction
-            << "The failure model " << type() << " needs a law with "
-            << (plastic_ < 0 ? "plastic strain" : "temperature (D5 is not 0)")
-            << "; " << law.type() << " has none." << exit(FatalError);
-    }
-}
-
-
-Foam::label Foam::mpm::JohnsonCookDamage::correct(pointBlock& b) const
-{
-    label nFailed = 0;
-    const scalar* eps = b.history[plastic_];
-    const scalar* T = temperature_ < 0 ? nullptr : b.history[temperature_];
-    scalar* counted = b.history[counted_];
-    for (label p = 0; p < b.n; ++p)
-    {
-        const scalar dEps = eps[p] - counted[p];
-        if (b.damage[p] < 1 && dEps > 0)
+        wordList valid(keywords);
+        valid.append
+        (
+            wordList
+            ({
+                "D1", "D2", "D3", "D4", "D5", "referenceRate",
+                "referenceTemperature", "meltTemperature"
+            })
+        );
+        if (!(Tm_ > T0_))
         {
-            counted[p] = eps[p];
+            FatalIOErrorInFunction(dict)
+                << "Entry meltTemperature is " << Tm_ << "; it must be greater than"
+                << " referenceTemperature, " << T0_ << "." << exit(FatalIOError);
+        }
+        checkKeywords(dict, valid);
+    }
 
-            const scalar mean =
-                (b.stress[0][p] + b.stress[1][p] + b.stress[2][p])/3;
-            scalar ss = 0;
-            for (int i = 0; i < nStress(b.nDim); ++i)
+    void connect(const constitutiveModel& law, const int nDim) override
+    {
+        failureModel::connect(law, nDim);
+        plastic_ = law.columnOf("plasticStrain", nDim);
+        temperature_ = law.columnOf("T", nDim);
+        counted_ = law.nColumns(nDim);
+        if (plastic_ < 0 || (temperature_ < 0 && D5_ != 0))
+        {
+            FatalErrorInFunction
+                << "The failure model " << type() << " needs a law with "
+                << (plastic_ < 0 ? "plastic strain" : "temperature (D5 is not 0)")
+                << "; " << law.type() << " has none." << exit(FatalError);
+        }
+    }
+
+    List<historyColumn> history() const override
+    {
+        return {{"damageStrain", historyColumn::scalars}};
+    }
+
+    label correct(pointBlock& b) const override
+    {
+        label nFailed = 0;
+        const scalar* eps = b.history[plastic_];
+        const scalar* T = temperature_ < 0 ? nullptr : b.history[temperature_];
+        scalar* counted = b.history[counted_];
+        for (label p = 0; p < b.n; ++p)
+        {
+            const scalar dEps = eps[p] - counted[p];
+            if (b.damage[p] < 1 && dEps > 0)
             {
-                ss +=
-                    i < 3
-                  ? sqr(b.stress[i][p] - mean)
-                  : 2*sqr(b.stress[i][p]);
-            }
-            const scalar S =
-                max
-                (
-                    min(mean/max(std::sqrt(1.5*ss), VSMALL), scalar(1.5)),
-                    scalar(-3)
-                );
-            const scalar rate = dEps/(b.dt*rate0_);
-            const scalar t =
-                T
-              ? min(max((T[p] - T0_)/(Tm_ - T0_), scalar(0)), scalar(1))
-              : 0;
-            const scalar epsF =
-                (b.strength ? b.strength[p] : scalar(1))
-               *(D1_ + D2_*std::exp(D3_*S))
-               *(1 + D4_*(rate > 1 ? std::log(rate) : 0))
-               *(1 + D5_*t);
+                counted[p] = eps[p];
 
-            b.damage[p] += dEps/max(epsF, scalar(1e-6));
+                const scalar mean =
+                    (b.stress[0][p] + b.stress[1][p] + b.stress[2][p])/3;
+                scalar ss = 0;
+                for (int i = 0; i < nStress(b.nDim); ++i)
+                {
+                    ss +=
+                        i < 3
+                      ? sqr(b.stress[i][p] - mean)
+                      : 2*sqr(b.stress[i][p]);
+                }
+                const scalar S =
+                    max
+                    (
+                        min(mean/max(std::sqrt(1.5*ss), VSMALL), scalar(1.5)),
+                        scalar(-3)
+                    );
+                const scalar rate = dEps/(b.dt*rate0_);
+                const scalar t =
+                    T
+                  ? min(max((T[p] - T0_)/(Tm_ - T0_), scalar(0)), scalar(1))
+                  : 0;
+                const scalar epsF =
+                    (b.strength ? b.strength[p] : scalar(1))
+                   *(D1_ + D2_*std::exp(D3_*S))
+                   *(1 + D4_*(rate > 1 ? std::log(rate) : 0))
+                   *(1 + D5_*t);
+
+                b.damage[p] += dEps/max(epsF, scalar(1e-6));
+                if (b.damage[p] >= 1)
+                {
+                    b.damage[p] = 1;
+                    ++nFailed;
+                }
+            }
             if (b.damage[p] >= 1)
             {
-                b.damage[p] = 1;
-                ++nFailed;
+                release(b, p);
             }
         }
-        if (b.damage[p] >= 1)
-        {
-            release(b, p);
-        }
+        return nFailed;
     }
-    return nFailed;
-}
+};
+
+defineTypeNameAndDebug(JohnsonCookDamage, 0);
+addToRunTimeSelectionTable(failureModel, JohnsonCookDamage, dictionary);
+
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

@@ -4,76 +4,107 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::mpm::TulerButcher
+
+Description
+    Tensile failure with a time dependence: a point fails when
+
+        int (s - strength)^exponent dt >= impulse,    s > strength
+
+    with its largest principal Cauchy stress s [Pa]. A pulse above the strength
+    that is too short leaves the point intact. What a failed point carries:
+    failureModel. Scatter acts on the strength.
+
+    Column tensileImpulse: the integral over impulse, 1 where it fails.
+
+Usage
+    \table
+        Property | Description                              | Required | Unit
+        type     | TulerButcher                             | yes      |
+        strength | threshold (Weibull: scale), > 0          | yes      | Pa
+        exponent | > 0 (published: 1 to 2)                  | yes      | -
+        impulse  | > 0                                      | yes      | Pa^exponent s
+        failed, weibull, ambientPressure | see failureModel | no       |
+    \endtable
+
+    Reference: F. R. Tuler, B. M. Butcher, Int. J. Fracture Mech. 4 (1968) 431.
+
 \*---------------------------------------------------------------------------*/
 
-#include "TulerButcher.H"
-#include "dictionaryTools.H"
-#include "addToRunTimeSelectionTable.H"
+#include "failureModel.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::mpm
 {
-namespace mpm
-{
-    defineTypeNameAndDebug(TulerButcher, 0);
-    addToRunTimeSelectionTable(failureModel, TulerButcher, dictionary);
-}
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::TulerButcher::TulerButcher(const dictionary& dict)
+class TulerButcher
 :
-    failureModel(dict, "strength"),
-    exponent_(positive(dict, "exponent")),
-    impulse_(positive(dict, "impulse")),
-    column_(-1)
+    public failureModel
 {
-    wordList valid(keywords);
-    valid.append(wordList({"strength", "exponent", "impulse"}));
-    checkKeywords(dict, valid);
-}
+    scalar exponent_, impulse_;
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+    //- Place of its column
+    int column_;
 
-void Foam::mpm::TulerButcher::connect
-(
-    const constitutiveModel& law,
-    const int nDim
-)
-{
-    failureModel::connect(law, nDim);
-    column_ = law.nColumns(nDim);
-}
+public:
 
+    TypeName("TulerButcher");
 
-Foam::label Foam::mpm::TulerButcher::correct(pointBlock& b) const
-{
-    label nFailed = 0;
-    scalar* sum = b.history[column_];
-    for (label p = 0; p < b.n; ++p)
+    explicit TulerButcher(const dictionary& dict)
+    :
+        failureModel(dict, "strength"),
+        exponent_(positive(dict, "exponent")),
+        impulse_(positive(dict, "impulse")),
+        column_(-1)
     {
-        const scalar limit = b.strength ? b.strength[p] : strength();
-        if (b.damage[p] < 1 && largestBound(b, p) > limit)
+        wordList valid(keywords);
+        valid.append(wordList({"strength", "exponent", "impulse"}));
+        checkKeywords(dict, valid);
+    }
+
+    void connect(const constitutiveModel& law, const int nDim) override
+    {
+        failureModel::connect(law, nDim);
+        column_ = law.nColumns(nDim);
+    }
+
+    List<historyColumn> history() const override
+    {
+        return {{"tensileImpulse", historyColumn::scalars}};
+    }
+
+    label correct(pointBlock& b) const override
+    {
+        label nFailed = 0;
+        scalar* sum = b.history[column_];
+        for (label p = 0; p < b.n; ++p)
         {
-            const scalar over = largestStress(b, p) - limit;
-            if (over > 0)
+            const scalar limit = b.strength ? b.strength[p] : strength();
+            if (b.damage[p] < 1 && largestBound(b, p) > limit)
             {
-                sum[p] += std::pow(over, exponent_)*b.dt/impulse_;
-                if (sum[p] >= 1)
+                const scalar over = largestStress(b, p) - limit;
+                if (over > 0)
                 {
-                    b.damage[p] = 1;
-                    ++nFailed;
+                    sum[p] += std::pow(over, exponent_)*b.dt/impulse_;
+                    if (sum[p] >= 1)
+                    {
+                        b.damage[p] = 1;
+                        ++nFailed;
+                    }
                 }
             }
+            if (b.damage[p] >= 1)
+            {
+                release(b, p);
+            }
         }
-        if (b.damage[p] >= 1)
-        {
-            release(b, p);
-        }
+        return nFailed;
     }
-    return nFailed;
-}
+};
+
+defineTypeNameAndDebug(TulerButcher, 0);
+addToRunTimeSelectionTable(failureModel, TulerButcher, dictionary);
+
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

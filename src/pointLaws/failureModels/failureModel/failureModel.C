@@ -7,18 +7,14 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "failureModel.H"
-#include "dictionaryTools.H"
 #include "spectral.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(failureModel, 0);
     defineRunTimeSelectionTable(failureModel, dictionary);
-}
 }
 
 const Foam::wordList Foam::mpm::failureModel::keywords
@@ -283,12 +279,7 @@ Foam::mpm::failureModel::givenBack(const pointBlock& b, const label p) const
         return max(v*tr*b.history[strain_][p]/6, scalar(0));
     }
     scalar c[9];
-    for (int i = 0; i < 9; ++i)
-    {
-        const int r = i/3, s = i % 3;
-        const bool stored = r == s || (r < b.nDim && s < b.nDim);
-        c[i] = stored ? b.history[strain_ + symmSlot(r, s)][p] : 0;
-    }
+    fullTensor(b.history + strain_, b.nDim, p, c);
     if (strainKind_ == stretch)
     {
         scalar h[9];

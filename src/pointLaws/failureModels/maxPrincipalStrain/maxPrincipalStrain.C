@@ -4,65 +4,134 @@
 License
     GPL-3.0-or-later, see LICENSE in the project's top folder.
 
+Class
+    Foam::mpm::maxPrincipalStrain
+
+Description
+    A point fails when its largest principal logarithmic strain exceeds its
+    limit. It is the total strain, log(b)/2 with the left Cauchy-Green tensor
+    b = F F^T: that of the law's column leftStretch; with laws that only
+    have an elastic strain (J2Plasticity, JohnsonCook, DruckerPrager,
+    MohrCoulomb) a column leftStretch (b - I) of this model, from the start of the
+    run on. What a failed point carries: failureModel.
+
+Usage
+    \table
+        Property | Description                              | Required | Unit
+        type     | maxPrincipalStrain                       | yes      |
+        strain   | limit (Weibull: scale), > 0              | yes      | -
+        failed, weibull, ambientPressure | see failureModel | no       |
+    \endtable
+
+    Reference: B. de Saint-Venant, Comptes rendus 70 (1870) 473.
+
 \*---------------------------------------------------------------------------*/
 
-#include "maxPrincipalStrain.H"
-#include "dictionaryTools.H"
+#include "failureModel.H"
 #include "spectral.H"
 #include "leftStretch.H"
-#include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
+namespace Foam::mpm
 {
-namespace mpm
-{
-    defineTypeNameAndDebug(maxPrincipalStrain, 0);
-    addToRunTimeSelectionTable(failureModel, maxPrincipalStrain, dictionary);
-}
-}
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::mpm::maxPrincipalStrain::maxPrincipalStrain(const dictionary& dict)
+class maxPrincipalStrain
 :
-    failureModel(dict, "strain"),
-    stretch_(0),
-    own_(false)
+    public failureModel
 {
-    wordList valid(keywords);
-    valid.append("strain");
-    checkKeywords(dict, valid);
-}
+    //- Index of the column leftStretch; true if it belongs to this model
+    int stretch_;
+    bool own_;
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+    //- Step of the model's own column
+    template<int DIM>
+    void strain(pointBlock b) const;
 
-void Foam::mpm::maxPrincipalStrain::connect
-(
-    const constitutiveModel& law,
-    const int nDim
-)
-{
-    failureModel::connect(law, nDim);
-    stretch_ = law.columnOf("leftStretch", nDim);
-    own_ = stretch_ < 0;
-    if (own_)
+public:
+
+    TypeName("maxPrincipalStrain");
+
+    explicit maxPrincipalStrain(const dictionary& dict)
+    :
+        failureModel(dict, "strain"),
+        stretch_(0),
+        own_(false)
     {
-        stretch_ = law.nColumns(nDim);
+        wordList valid(keywords);
+        valid.append("strain");
+        checkKeywords(dict, valid);
     }
-    if (own_ && law.columnOf("elasticStrain", nDim) < 0)
-    {
-        FatalErrorInFunction
-            << "The failure model " << type() << " needs a law with a column"
-            << " leftStretch or elasticStrain; " << law.type()
-            << " has none." << exit(FatalError);
-    }
-}
 
+    void connect(const constitutiveModel& law, const int nDim) override
+    {
+        failureModel::connect(law, nDim);
+        stretch_ = law.columnOf("leftStretch", nDim);
+        own_ = stretch_ < 0;
+        if (own_)
+        {
+            stretch_ = law.nColumns(nDim);
+        }
+        if (own_ && law.columnOf("elasticStrain", nDim) < 0)
+        {
+            FatalErrorInFunction
+                << "The failure model " << type() << " needs a law with a column"
+                << " leftStretch or elasticStrain; " << law.type()
+                << " has none." << exit(FatalError);
+        }
+    }
+
+    List<historyColumn> history() const override
+    {
+        const List<historyColumn> own({{"leftStretch", historyColumn::stresses}});
+        return own_ ? own : List<historyColumn>();
+    }
+
+    label correct(pointBlock& b) const override
+    {
+        if (own_)
+        {
+            switch (b.nDim)
+            {
+                case 1: strain<1>(b); break;
+                case 2: strain<2>(b); break;
+                default: strain<3>(b);
+            }
+        }
+        scalar* const* c = b.history + stretch_;
+        label nFailed = 0;
+        for (label p = 0; p < b.n; ++p)
+        {
+            const scalar strain = b.strength ? b.strength[p] : strength();
+            const scalar limit = std::expm1(2*strain);
+            if (b.damage[p] < 1)
+            {
+                // No principal value exceeds the norm
+                scalar norm = 0;
+                for (int i = 0; i < nStress(b.nDim); ++i)
+                {
+                    norm += (i < 3 ? 1 : 2)*sqr(c[i][p]);
+                }
+                if (norm > sqr(limit))
+                {
+                    double h[9];
+                    fullTensor(c, b.nDim, p, h);
+                    if (largestPrincipal(h) > limit)
+                    {
+                        b.damage[p] = 1;
+                        ++nFailed;
+                    }
+                }
+            }
+            if (b.damage[p] > 0)
+            {
+                release(b, p);
+            }
+        }
+        return nFailed;
+    }
+};
 
 template<int DIM>
-void Foam::mpm::maxPrincipalStrain::strain(pointBlock b) const
+void maxPrincipalStrain::strain(pointBlock b) const
 {
     constexpr int W = laneWidth<DIM>;
 
@@ -82,54 +151,9 @@ void Foam::mpm::maxPrincipalStrain::strain(pointBlock b) const
     }
 }
 
+defineTypeNameAndDebug(maxPrincipalStrain, 0);
+addToRunTimeSelectionTable(failureModel, maxPrincipalStrain, dictionary);
 
-Foam::label Foam::mpm::maxPrincipalStrain::correct(pointBlock& b) const
-{
-    if (own_)
-    {
-        switch (b.nDim)
-        {
-            case 1: strain<1>(b); break;
-            case 2: strain<2>(b); break;
-            default: strain<3>(b);
-        }
-    }
-    scalar* const* c = b.history + stretch_;
-    label nFailed = 0;
-    for (label p = 0; p < b.n; ++p)
-    {
-        const scalar strain = b.strength ? b.strength[p] : strength();
-        const scalar limit = std::expm1(2*strain);
-        if (b.damage[p] < 1)
-        {
-            // No principal value exceeds the norm
-            scalar norm = 0;
-            for (int i = 0; i < nStress(b.nDim); ++i)
-            {
-                norm += (i < 3 ? 1 : 2)*sqr(c[i][p]);
-            }
-            if (norm > sqr(limit))
-            {
-                double h[9];
-                for (int i = 0; i < 9; ++i)
-                {
-                    const int r = i/3, s = i % 3;
-                    const bool stored = r == s || (r < b.nDim && s < b.nDim);
-                    h[i] = stored ? c[symmSlot(r, s)][p] : 0;
-                }
-                if (largestPrincipal(h) > limit)
-                {
-                    b.damage[p] = 1;
-                    ++nFailed;
-                }
-            }
-        }
-        if (b.damage[p] > 0)
-        {
-            release(b, p);
-        }
-    }
-    return nFailed;
-}
+} // End namespace Foam::mpm
 
 // ************************************************************************* //
