@@ -278,6 +278,43 @@ void Foam::mpm::materialPointCloud::needGas()
 }
 
 
+Foam::mpm::pointBlock Foam::mpm::materialPointCloud::block
+(
+    const label first,
+    const label n
+)
+{
+    pointBlock b;
+    b.nDim = grid_.nDim();
+    b.n = n;
+    b.dt = 0;
+    for (const scalar*& l : b.dL)
+    {
+        l = nullptr;
+    }
+    b.mass = mass_[0] + first;
+    b.volume = volume_[0] + first;
+    b.id = id_[0] + first;
+    b.phase = name().c_str();
+    for (int i = 0; i < nStress(b.nDim); ++i)
+    {
+        b.stress[i] = stress_[i] + first;
+    }
+    int h = 0;
+    for (column& c : history_)
+    {
+        for (int i = 0; i < c.nComponents(); ++i)
+        {
+            b.history[h++] = c[i] + first;
+        }
+    }
+    b.damage = damage_ ? (*damage_)[0] + first : nullptr;
+    b.strength = strength_ ? (*strength_)[0] + first : nullptr;
+
+    return b;
+}
+
+
 Foam::scalar Foam::mpm::materialPointCloud::bytesPerPoint() const
 {
     // The columns and scratch

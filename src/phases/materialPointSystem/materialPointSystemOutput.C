@@ -241,7 +241,7 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
 
 void Foam::mpm::materialPointSystem::report() const
 {
-    parts_.report();
+    parts_.within(&stepPart::report);
     if (walls_)
     {
         scalar deepest = 0;
@@ -306,7 +306,7 @@ void Foam::mpm::materialPointSystem::reportClock() const
 
 void Foam::mpm::materialPointSystem::writePoints()
 {
-    parts_.write();
+    parts_.within(&stepPart::write);
     for (mpm::velocityField& field : fields_)
     {
         field.writeField();
@@ -347,7 +347,7 @@ Foam::dictionary Foam::mpm::materialPointSystem::state() const
         );
     }
     state.add("failed", failed);
-    parts_.addState(state);
+    parts_.within(&stepPart::addState, state);
     return state;
 }
 
@@ -395,7 +395,7 @@ void Foam::mpm::materialPointSystem::setState(const dictionary& state)
     }
     checkKeywords(failed, wordList(names));
 
-    parts_.setState(state);
+    parts_.within(&stepPart::setState, state);
     if (parts_.timeDependent())
     {
         startNodes();
@@ -422,7 +422,7 @@ Foam::mpm::materialPointSystem::rows Foam::mpm::materialPointSystem::takeDown()
             r.reactions.append(field.name());
         }
     }
-    parts_.addFields(r.cellFields);
+    parts_.within(&stepPart::addFields, r.cellFields);
     r.numerics = numerics_;
     r.numericsRead = numericsRead_;
     r.clock = clock_;

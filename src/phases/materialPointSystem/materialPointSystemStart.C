@@ -14,7 +14,6 @@ License
 #include "rigidBodies.H"
 #include "contactPart.H"
 #include "phaseWatches.H"
-#include "unitHints.H"
 #include "startHints.H"
 #include "dictionaryTools.H"
 #include "fatalMessages.H"

@@ -16,14 +16,14 @@ namespace Foam
 namespace mpm
 {
 
-typedef shapeFunction<cubicBSplineShape> cubicBSpline;
-addNamedToRunTimeSelectionTable
-(
-    pointGridTransfer,
-    cubicBSpline,
-    grid,
-    cubicBSpline
-);
+#define addBSpline(name)                                                      \
+    typedef shapeFunction<name##Shape> name;                                  \
+    addNamedToRunTimeSelectionTable(pointGridTransfer, name, grid, name);
+
+addBSpline(quadraticBSpline)
+addBSpline(cubicBSpline)
+
+#undef addBSpline
 
 }
 }
