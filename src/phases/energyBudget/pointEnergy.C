@@ -10,7 +10,7 @@ License
 #include "materialPointSystem.H"
 #include "phaseDamping.H"
 #include "pointErosion.H"
-#include "contactPart.H"
+#include "pointContact.H"
 #include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -139,7 +139,7 @@ void Foam::mpm::pointEnergy::update() const
 
 bool Foam::mpm::pointEnergy::hasContact() const
 {
-    return points_.parts().find<contactPart>();
+    return points_.parts().find<pointContact>();
 }
 
 

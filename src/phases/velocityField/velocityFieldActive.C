@@ -85,22 +85,6 @@ void Foam::mpm::velocityField::activate
 }
 
 
-void Foam::mpm::velocityField::keepActive()
-{
-    activeNew_ = active_;
-}
-
-
-Foam::scalar* Foam::mpm::velocityField::load()
-{
-    if (!load_.data())
-    {
-        load_ = alignedArray(stride_*grid_.nNodes());
-    }
-    return load_.data();
-}
-
-
 void Foam::mpm::velocityField::addLoad()
 {
     if (!load_.data())
@@ -108,13 +92,7 @@ void Foam::mpm::velocityField::addLoad()
         return;
     }
     sumColumn(load_.data());
-    for (const label n : active_)
-    {
-        for (int d = 0; d < nDim_; ++d)
-        {
-            f_.data()[stride_*n + d] += load_.data()[stride_*n + d];
-        }
-    }
+    forComponents([&](const label i) { f_.data()[i] += load_.data()[i]; });
 }
 
 
