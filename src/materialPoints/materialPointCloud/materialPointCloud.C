@@ -221,7 +221,7 @@ void Foam::mpm::materialPointCloud::take
         [&](cloudColumn& c)
         {
             const cloudColumn* source = from.findColumn(c.name());
-            if (!source || !source->rules().carried())
+            if (!source || !source->rules().carried)
             {
                 c.fill(n_, n);
                 return;

@@ -88,53 +88,6 @@ void Foam::mpm::materialPointCloud::forComponents
     }
 }
 
-
-void Foam::mpm::materialPointCloud::setValue
-(
-    column& c,
-    const label pointi,
-    const scalar value
-) const
-{
-    c[0][pointi] = value;
-}
-
-
-void Foam::mpm::materialPointCloud::setValue
-(
-    column& c,
-    const label pointi,
-    const vector& v
-) const
-{
-    for (int d = 0; d < grid_.nDim(); ++d)
-    {
-        c[d][pointi] = v[grid_.direction(d)];
-    }
-}
-
-
-void Foam::mpm::materialPointCloud::setValue
-(
-    column& c,
-    const label pointi,
-    const tensor& t
-) const
-{
-    setTensor(c, pointi, t);
-}
-
-
-void Foam::mpm::materialPointCloud::setValue
-(
-    column& c,
-    const label pointi,
-    const symmTensor& t
-) const
-{
-    setTensor(c, pointi, tensor(t));
-}
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::mpm::cloudColumn& Foam::mpm::materialPointCloud::need

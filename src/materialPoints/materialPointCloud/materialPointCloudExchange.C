@@ -308,7 +308,7 @@ Foam::label Foam::mpm::materialPointCloud::setRows(const pointRows& rows)
     for (cloudColumn& c : columns_)
     {
         c.fill(0, n);
-        c.fromFile() = c.rules().inFiles() != columnRules::none;
+        c.fromFile() = c.rules().inFiles != columnRules::none;
     }
 
     const label size = rows.rowSize();
