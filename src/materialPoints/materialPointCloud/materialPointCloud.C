@@ -11,12 +11,9 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(materialPointCloud, 0);
-}
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

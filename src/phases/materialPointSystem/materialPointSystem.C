@@ -15,12 +15,9 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(materialPointSystem, 0);
-}
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -11,9 +11,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 #define addBSpline(name)                                                      \
@@ -25,7 +23,6 @@ addBSpline(cubicBSpline)
 
 #undef addBSpline
 
-}
 }
 
 // ************************************************************************* //

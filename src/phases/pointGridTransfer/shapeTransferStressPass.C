@@ -9,9 +9,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 // * * * * * * * * * * * * * * * Nested Classes  * * * * * * * * * * * * * * //
@@ -360,7 +358,6 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     }
 };
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

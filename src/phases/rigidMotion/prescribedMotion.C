@@ -80,9 +80,7 @@ void Foam::mpm::prescribedMotion::advance(const scalar t0, const scalar t1)
     checkDirection(placement_.velocity, "velocity");
 }
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 // * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
@@ -300,7 +298,6 @@ addToRunTimeSelectionTable(rigidMotion, fixedMotion, dictionary);
 addToRunTimeSelectionTable(rigidMotion, translationMotion, dictionary);
 addToRunTimeSelectionTable(rigidMotion, rotationMotion, dictionary);
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

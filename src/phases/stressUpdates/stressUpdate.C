@@ -13,13 +13,10 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(stressUpdate, 0);
     defineRunTimeSelectionTable(stressUpdate, word);
-}
 }
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
@@ -42,9 +39,7 @@ Foam::mpm::stressUpdate::New(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Stress Updates  * * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 class MUSL
@@ -139,7 +134,6 @@ public:
 defineTypeNameAndDebug(USAVG, 0);
 addToRunTimeSelectionTable(stressUpdate, USAVG, word);
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

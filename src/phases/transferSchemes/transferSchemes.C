@@ -16,9 +16,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(FLIP, 0);
     defineTypeNameAndDebug(FMPM, 0);
@@ -28,7 +26,6 @@ namespace mpm
     addToRunTimeSelectionTable(transferScheme, FMPM, dictionary);
     addToRunTimeSelectionTable(transferScheme, XPIC, dictionary);
     addToRunTimeSelectionTable(transferScheme, APIC, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -12,13 +12,10 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(contactLaw, 0);
     defineRunTimeSelectionTable(contactLaw, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -60,9 +57,7 @@ Foam::scalar Foam::mpm::contactLaw::slope(const state& s) const
     return (limit(more) - limit(less))/(more.Jn - less.Jn);
 }
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 namespace contactLaws
 {
@@ -171,7 +166,6 @@ addToRunTimeSelectionTable(contactLaw, Coulomb, dictionary);
 addToRunTimeSelectionTable(contactLaw, stick, dictionary);
 
 } // End namespace contactLaws
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //
