@@ -14,14 +14,17 @@ License
 namespace Foam::mpm
 {
 
-#define addBSpline(name)                                                      \
-    typedef shapeFunction<name##Shape> name;                                  \
-    addNamedToRunTimeSelectionTable(pointGridTransfer, name, grid, name);
+typedef shapeFunction<quadraticBSplineShape> quadraticBSpline;
+typedef shapeFunction<cubicBSplineShape> cubicBSpline;
 
-addBSpline(quadraticBSpline)
-addBSpline(cubicBSpline)
-
-#undef addBSpline
+addNamedToRunTimeSelectionTable
+(
+    pointGridTransfer, quadraticBSpline, grid, quadraticBSpline
+);
+addNamedToRunTimeSelectionTable
+(
+    pointGridTransfer, cubicBSpline, grid, cubicBSpline
+);
 
 }
 
