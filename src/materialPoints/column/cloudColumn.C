@@ -49,7 +49,7 @@ void Foam::mpm::cloudColumn::fill(const label first, const label end)
 {
     for (int i = 0; i < nComponents(); ++i)
     {
-        std::fill((*this)[i] + first, (*this)[i] + end, rules_.initialValue());
+        std::fill((*this)[i] + first, (*this)[i] + end, rules_.initialValue);
     }
 }
 

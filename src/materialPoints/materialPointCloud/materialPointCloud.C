@@ -11,12 +11,9 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(materialPointCloud, 0);
-}
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -221,7 +218,7 @@ void Foam::mpm::materialPointCloud::take
         [&](cloudColumn& c)
         {
             const cloudColumn* source = from.findColumn(c.name());
-            if (!source || !source->rules().carried())
+            if (!source || !source->rules().carried)
             {
                 c.fill(n_, n);
                 return;

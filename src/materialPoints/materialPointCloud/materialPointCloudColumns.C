@@ -88,53 +88,6 @@ void Foam::mpm::materialPointCloud::forComponents
     }
 }
 
-
-void Foam::mpm::materialPointCloud::setValue
-(
-    column& c,
-    const label pointi,
-    const scalar value
-) const
-{
-    c[0][pointi] = value;
-}
-
-
-void Foam::mpm::materialPointCloud::setValue
-(
-    column& c,
-    const label pointi,
-    const vector& v
-) const
-{
-    for (int d = 0; d < grid_.nDim(); ++d)
-    {
-        c[d][pointi] = v[grid_.direction(d)];
-    }
-}
-
-
-void Foam::mpm::materialPointCloud::setValue
-(
-    column& c,
-    const label pointi,
-    const tensor& t
-) const
-{
-    setTensor(c, pointi, t);
-}
-
-
-void Foam::mpm::materialPointCloud::setValue
-(
-    column& c,
-    const label pointi,
-    const symmTensor& t
-) const
-{
-    setTensor(c, pointi, tensor(t));
-}
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::mpm::cloudColumn& Foam::mpm::materialPointCloud::need
@@ -275,6 +228,43 @@ void Foam::mpm::materialPointCloud::needGas()
     displacement_ = &need("displacement", column::vectors, columnRules());
     gasPressure_ = &need("gasPressure", column::scalars, buffer);
     gasForce_ = &need("gasForce", column::vectors, buffer);
+}
+
+
+Foam::mpm::pointBlock Foam::mpm::materialPointCloud::block
+(
+    const label first,
+    const label n
+)
+{
+    pointBlock b;
+    b.nDim = grid_.nDim();
+    b.n = n;
+    b.dt = 0;
+    for (const scalar*& l : b.dL)
+    {
+        l = nullptr;
+    }
+    b.mass = mass_[0] + first;
+    b.volume = volume_[0] + first;
+    b.id = id_[0] + first;
+    b.phase = name().c_str();
+    for (int i = 0; i < nStress(b.nDim); ++i)
+    {
+        b.stress[i] = stress_[i] + first;
+    }
+    int h = 0;
+    for (column& c : history_)
+    {
+        for (int i = 0; i < c.nComponents(); ++i)
+        {
+            b.history[h++] = c[i] + first;
+        }
+    }
+    b.damage = damage_ ? (*damage_)[0] + first : nullptr;
+    b.strength = strength_ ? (*strength_)[0] + first : nullptr;
+
+    return b;
 }
 
 

@@ -98,7 +98,7 @@ bool onDisk(const materialPointCloud& c, const word& name)
 //- Name of a column for messages
 string titleOf(const cloudColumn& c)
 {
-    const string& title = c.rules().title();
+    const string& title = c.rules().title;
     return title.empty() ? string(c.name()) : c.name() + " (" + title + ")";
 }
 
@@ -223,14 +223,14 @@ bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
         onDisk(*this, c.name())
         // OpenFOAM's own message names the missing file
      || (
-            rules.inFiles() == columnRules::required
-         && rules.remedySentence().empty()
+            rules.inFiles == columnRules::required
+         && rules.remedySentence.empty()
         )
     )
     {
         return true;
     }
-    if (rules.inFiles() == columnRules::optional)
+    if (rules.inFiles == columnRules::optional)
     {
         return false;
     }
@@ -242,7 +242,7 @@ bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
         time().path()/time().timeName()/"uniform"/"materialPointState"
     );
     const bool ours =
-        rules.inFiles() == columnRules::sinceStart && onDisk(*this, "x");
+        rules.inFiles == columnRules::sinceStart && onDisk(*this, "x");
     if (written || ours)
     {
         FatalErrorInFunction
@@ -252,14 +252,14 @@ bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
             << "Restart from another time, or run setMaterialPoints."
             << exit(FatalError);
     }
-    if (rules.inFiles() == columnRules::required)
+    if (rules.inFiles == columnRules::required)
     {
         FatalErrorInFunction
             << "Phase " << this->name() << " has "
-            << rules.neededFor().c_str() << ", but its points of time "
+            << rules.neededFor.c_str() << ", but its points of time "
             << time().timeName() << " have no column "
             << titleOf(c).c_str() << "." << nl
-            << rules.remedySentence().c_str() << exit(FatalError);
+            << rules.remedySentence.c_str() << exit(FatalError);
     }
     return false;
 }
@@ -276,7 +276,7 @@ void Foam::mpm::materialPointCloud::checkValue
 {
     const columnRules& rules = c.rules();
     bool good = true;
-    if (rules.sign() == columnRules::finite)
+    if (rules.sign == columnRules::finite)
     {
         good = std::isfinite(magSqr(value));
     }
@@ -292,8 +292,8 @@ void Foam::mpm::materialPointCloud::checkValue
             good =
                 good
              && (
-                    rules.sign() == columnRules::positives
-                  ? a > 0 && a < rules.limit()
+                    rules.sign == columnRules::positives
+                  ? a > 0 && a < rules.limit
                   : a >= 0 && a <= 1
                 );
         }
@@ -306,7 +306,7 @@ void Foam::mpm::materialPointCloud::checkValue
             << "Material point " << label(id_[0][pointi]) << " of "
             << this->name() << " at " << position(pointi, celli) << ", time "
             << time().timeName() << ": " << titleOf(c).c_str() << " is "
-            << text.str().c_str() << "; it must be " << rules.rule().c_str()
+            << text.str().c_str() << "; it must be " << rules.rule.c_str()
             << "." << exit(FatalError);
     }
 }
@@ -323,7 +323,21 @@ void Foam::mpm::materialPointCloud::fillColumn
     forAll(values, p)
     {
         checkValue(c, values[p], p, cell[p]);
-        setValue(c, p, values[p]);
+        if constexpr (std::is_same<Type, scalar>::value)
+        {
+            c[0][p] = values[p];
+        }
+        else if constexpr (std::is_same<Type, vector>::value)
+        {
+            for (int d = 0; d < grid_.nDim(); ++d)
+            {
+                c[d][p] = values[p][grid_.direction(d)];
+            }
+        }
+        else
+        {
+            setTensor(c, p, tensor(values[p]));
+        }
     }
 }
 
@@ -336,7 +350,7 @@ void Foam::mpm::materialPointCloud::readColumn
 {
     const label n = cell.size();
     c.fromFile() = present(c);
-    const word file(c.fromFile() ? c.name() : c.rules().orElseFile());
+    const word file(c.fromFile() ? c.name() : c.rules().orElseFile);
     if (file.empty())
     {
         return;
@@ -544,7 +558,7 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
         mass.clear();
         for (cloudColumn& c : columns_)
         {
-            const columnRules::files files = c.rules().inFiles();
+            const columnRules::files files = c.rules().inFiles;
             if (files != columnRules::none && files != columnRules::key)
             {
                 readColumn(c, cell);

@@ -192,7 +192,7 @@ void Foam::mpm::materialPointCloud::writeColumn
                 [&](label p)
                 {
                     vector v(Zero);
-                    if (c.rules().isPosition())
+                    if (c.rules().isPosition)
                     {
                         v = position(p, cell[p]);
                     }
@@ -240,7 +240,7 @@ void Foam::mpm::materialPointCloud::writePoints() const
 
     for (const cloudColumn& c : columns_)
     {
-        if (c.rules().inFiles() != columnRules::none)
+        if (c.rules().inFiles != columnRules::none)
         {
             writeColumn(c, cell);
         }

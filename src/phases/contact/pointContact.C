@@ -7,6 +7,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointContact.H"
+#include "materialPointSystem.H"
+#include "pointEnergy.H"
 #include "dictionaryTools.H"
 #include "twoLevelShares.H"
 
@@ -126,37 +128,31 @@ void Foam::mpm::pointContact::computeImpulses
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointContact::pointContact
-(
-    const dictionary& dict,
-    const pointGrid& grid,
-    const PtrList<materialPointPhase>& phases,
-    PtrList<velocityField>& fields,
-    const labelList& fieldOf,
-    const pointGridTransfer& passes
-)
+Foam::mpm::pointContact::pointContact(materialPointSystem& points)
 :
-    grid_(grid),
-    phases_(phases),
-    fields_(fields),
-    fieldOf_(fieldOf),
-    gridTransfer_(passes),
-    nDim_(grid.nDim()),
+    stepPart("contact"),
+    points_(points),
+    grid_(points.grid()),
+    phases_(points.phases()),
+    fields_(points.fields()),
+    fieldOf_(points.fieldOf()),
+    gridTransfer_(points.gridTransfer()),
+    nDim_(grid_.nDim()),
     any_(false),
-    has_(fields.size(), false),
-    position_(grid.nodePositions()),
-    gradient_(fields.size()),
-    impulse_(fields.size()),
-    prescribedStamp_(grid.nNodes(), label(-1)),
+    has_(fields_.size(), false),
+    position_(grid_.nodePositions()),
+    gradient_(fields_.size()),
+    impulse_(fields_.size()),
+    prescribedStamp_(grid_.nNodes(), label(-1)),
     stamp_(0),
-    owner_(grid.nNodes(), label(-1)),
-    otherOwner_(grid.nNodes(), label(-1)),
-    placeOf_(grid.nNodes(), label(-1)),
-    other_(grid.nNodes(), scalar(-1)),
-    nReach_(dynamic_cast<const twoLevelShares*>(&passes) ? 8 : 4),
-    reach_(nReach_*grid.nNodes(), -GREAT)
+    owner_(grid_.nNodes(), label(-1)),
+    otherOwner_(grid_.nNodes(), label(-1)),
+    placeOf_(grid_.nNodes(), label(-1)),
+    other_(grid_.nNodes(), scalar(-1)),
+    nReach_(dynamic_cast<const twoLevelShares*>(&gridTransfer_) ? 8 : 4),
+    reach_(nReach_*grid_.nNodes(), -GREAT)
 {
-    read(dict);
+    read(requiredDict(points.properties(), "contact"));
     pressed_.setSize(pairs_.size());
     if (nReach_ > 4)
     {
@@ -177,36 +173,6 @@ Foam::mpm::pointContact::pointContact
             );
         }
     }
-}
-
-
-Foam::autoPtr<Foam::mpm::pointContact> Foam::mpm::pointContact::New
-(
-    const dictionary& phaseProperties,
-    const pointGrid& grid,
-    const PtrList<materialPointPhase>& phases,
-    PtrList<velocityField>& fields,
-    const labelList& fieldOf,
-    const pointGridTransfer& passes
-)
-{
-    autoPtr<pointContact> contact;
-    if (phaseProperties.found("contact"))
-    {
-        contact.reset
-        (
-            new pointContact
-            (
-                requiredDict(phaseProperties, "contact"),
-                grid,
-                phases,
-                fields,
-                fieldOf,
-                passes
-            )
-        );
-    }
-    return contact;
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -363,7 +329,32 @@ Foam::scalar Foam::mpm::pointContact::work(scalar& driven) const
 }
 
 
-void Foam::mpm::pointContact::applyStrainImpulses(const scalar dt)
+void Foam::mpm::pointContact::impulse(const scalar dt)
+{
+    pointEnergy& energy = points_.energy();
+    const scalar boundary = applyImpulses(dt, energy.active());
+    if (energy.active())
+    {
+        energy.sums().step.boundary +=
+            returnReduce(boundary, sumOp<scalar>());
+    }
+}
+
+
+void Foam::mpm::pointContact::exchange(const scalar)
+{
+    pointEnergy& energy = points_.energy();
+    if (energy.active())
+    {
+        scalar driven;
+        const scalar all = work(driven);
+        energy.sums().step.contact += returnReduce(all, sumOp<scalar>());
+        energy.sums().step.driven += returnReduce(driven, sumOp<scalar>());
+    }
+}
+
+
+void Foam::mpm::pointContact::strainVelocity(const scalar dt)
 {
     if (!any_)
     {
@@ -400,7 +391,7 @@ void Foam::mpm::pointContact::applyStrainImpulses(const scalar dt)
 }
 
 
-void Foam::mpm::pointContact::filter(const bool changes)
+void Foam::mpm::pointContact::filtered(const bool changes)
 {
     if (!any_)
     {
@@ -475,16 +466,31 @@ void Foam::mpm::pointContact::filter(const bool changes)
 }
 
 
-void Foam::mpm::pointContact::accept()
+void Foam::mpm::pointContact::accepted(const scalar)
 {
     for (contactPair& pair : pairs_)
     {
         pair.sum += pair.step;
     }
+    if (!points_.strainsEarly())
+    {
+        update();
+    }
 }
 
 
-void Foam::mpm::pointContact::report(const scalar dt) const
+void Foam::mpm::pointContact::end(const scalar)
+{
+    // Of use to a strain at the start of the next step only
+    if (!points_.strainsEarly())
+    {
+        release();
+    }
+    update();
+}
+
+
+void Foam::mpm::pointContact::report() const
 {
     for (const contactPair& pair : pairs_)
     {
@@ -508,7 +514,8 @@ void Foam::mpm::pointContact::report(const scalar dt) const
             << (pair.b >= 0 ? "" : "patch ")
             << (pair.b >= 0 ? fields_[pair.b].name() : pair.patch)
             << ": force "
-            << returnReduce(pair.step, sumOp<vector>())/max(dt, VSMALL)
+            << returnReduce(pair.step, sumOp<vector>())
+               /max(points_.deltaT(), VSMALL)
             << " N, impulse " << returnReduce(pair.sum, sumOp<vector>())
             << " N s, gap ";
         if (gap < GREAT)

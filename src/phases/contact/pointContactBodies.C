@@ -60,7 +60,7 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness
     else
     {
         P = n*n.transpose();
-        if (Jt > 0 && kind != filtered)
+        if (Jt > 0 && kind != ofFilter)
         {
             // |J_t| is proportional to J_n and points along the slip
             Eigen::Matrix3d across(-n*n.transpose());
@@ -81,43 +81,60 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness
 }
 
 
+template<class Impulse>
 Foam::List<Foam::mpm::freeBody::vector6>
-Foam::mpm::pointContact::pushes() const
+Foam::mpm::pointContact::sumOverBodies(const Impulse& impulse) const
 {
     List<vector> sums(2*bodies_.size(), vector(Zero));
     for (const contactNode& m : contactNodes_)
     {
-        const scalar part = fields_[pairs_[m.pair].a].part(m.node);
+        scalar J[3] = {0, 0, 0};
+        impulse(m, fields_[pairs_[m.pair].a].part(m.node), J);
         for (int side = 0; side < 2; ++side)
         {
             const label b = side == 0 ? m.bodyA : m.bodyB;
-            vector J(Zero);
+            vector Jb(Zero);
             for (int d = 0; b >= 0 && d < nDim_; ++d)
             {
-                J[grid_.direction(d)] =
-                    (side == 0 ? -part : part)*(m.Jn*m.n[d] + m.Jt[d]);
+                Jb[grid_.direction(d)] = side == 0 ? -J[d] : J[d];
             }
             if (b >= 0)
             {
-                sums[2*b] += J;
+                sums[2*b] += Jb;
                 sums[2*b + 1] +=
-                    (m.at - bodies_[b].body->centre(false)) ^ J;
+                    (m.at - bodies_[b].body->centre(false)) ^ Jb;
             }
         }
     }
     Pstream::listCombineGather(sums, plusEqOp<vector>());
     Pstream::listCombineScatter(sums);
 
-    List<freeBody::vector6> J(bodies_.size());
-    forAll(J, b)
+    List<freeBody::vector6> all(bodies_.size());
+    forAll(all, b)
     {
         for (int d = 0; d < 3; ++d)
         {
-            J[b](d) = sums[2*b][d];
-            J[b](3 + d) = sums[2*b + 1][d];
+            all[b](d) = sums[2*b][d];
+            all[b](3 + d) = sums[2*b + 1][d];
         }
     }
-    return J;
+    return all;
+}
+
+
+Foam::List<Foam::mpm::freeBody::vector6>
+Foam::mpm::pointContact::pushes() const
+{
+    return sumOverBodies
+    (
+        [&](const contactNode& m, const scalar part, scalar* J)
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                J[d] = part*(m.Jn*m.n[d] + m.Jt[d]);
+            }
+        }
+    );
 }
 
 
@@ -136,7 +153,7 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
         (
             (m.bodyA < 0 && m.bodyB < 0)
          || !m.closed
-         || (kind == filtered && hard(m))
+         || (kind == ofFilter && hard(m))
         )
         {
             continue;
@@ -332,58 +349,41 @@ void Foam::mpm::pointContact::solveBodies
 void Foam::mpm::pointContact::shareIncrement()
 {
     // r for W = 0: impulses from the increments of the other side
-    List<vector> sums(2*bodies_.size(), vector(Zero));
-    for (const contactNode& m : contactNodes_)
-    {
-        if (!m.closed || hard(m) || (m.bodyA < 0 && m.bodyB < 0))
-        {
-            continue;
-        }
-        const contactPair& pair = pairs_[m.pair];
-        const int step = fields_[pair.a].stride();
-        const scalar part = fields_[pair.a].part(m.node);
-        scalar dv[3] = {0, 0, 0}, dvn = 0;
-        for (int d = 0; d < nDim_; ++d)
-        {
-            dv[d] =
-                (
-                    pair.b < 0
-                  ? 0 : fields_[pair.b].increment()[step*m.node + d]
-                )
-              - fields_[pair.a].increment()[step*m.node + d];
-            dvn += dv[d]*m.n[d];
-        }
-        vector take(Zero);
-        for (int d = 0; d < nDim_; ++d)
-        {
-            take[grid_.direction(d)] =
-                part*(m.stuck ? dv[d] : dvn*m.n[d])/(m.ia + m.ib);
-        }
-        for (int side = 0; side < 2; ++side)
-        {
-            const label b = side == 0 ? m.bodyA : m.bodyB;
-            if (b >= 0)
+    List<freeBody::vector6> r
+    (
+        sumOverBodies
+        (
+            [&](const contactNode& m, const scalar part, scalar* J)
             {
-                const vector J(side == 0 ? take : -take);
-                sums[2*b] += J;
-                sums[2*b + 1] +=
-                    (m.at - bodies_[b].body->centre(false)) ^ J;
+                if (!m.closed || hard(m))
+                {
+                    return;
+                }
+                const contactPair& pair = pairs_[m.pair];
+                const int step = fields_[pair.a].stride();
+                scalar dv[3] = {0, 0, 0}, dvn = 0;
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    dv[d] =
+                        (
+                            pair.b < 0
+                          ? 0 : fields_[pair.b].increment()[step*m.node + d]
+                        )
+                      - fields_[pair.a].increment()[step*m.node + d];
+                    dvn += dv[d]*m.n[d];
+                }
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    J[d] = part*(m.stuck ? dv[d] : dvn*m.n[d])/(m.ia + m.ib);
+                }
             }
-        }
-    }
-    Pstream::listCombineGather(sums, plusEqOp<vector>());
-    Pstream::listCombineScatter(sums);
-    List<freeBody::vector6> r(bodies_.size());
+        )
+    );
     forAll(r, b)
     {
-        for (int d = 0; d < 3; ++d)
-        {
-            r[b](d) = -sums[2*b][d];
-            r[b](3 + d) = -sums[2*b + 1][d];
-        }
         r[b] = bodies_[b].body->masked(r[b]);
     }
-    const List<freeBody::vector6> W(newton(r, filtered));
+    const List<freeBody::vector6> W(newton(r, ofFilter));
     forAll(bodies_, b)
     {
         velocityField& field = fields_[bodies_[b].field];

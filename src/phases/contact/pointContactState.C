@@ -7,6 +7,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointContact.H"
+#include "dictionaryTools.H"
 #include "ListListOps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -62,16 +63,7 @@ void Foam::mpm::pointContact::findPressed
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::pointContact::release()
-{
-    for (DynamicList<label>& nodes : pressed_)
-    {
-        nodes.clear();
-    }
-}
-
-
-Foam::dictionary Foam::mpm::pointContact::state() const
+void Foam::mpm::pointContact::addState(dictionary& to) const
 {
     dictionary state;
     forAll(pairs_, pairi)
@@ -115,12 +107,17 @@ Foam::dictionary Foam::mpm::pointContact::state() const
             );
         }
     }
-    return state;
+    to.add("contact", state);
 }
 
 
-void Foam::mpm::pointContact::setState(const dictionary& state)
+void Foam::mpm::pointContact::setState(const dictionary& from)
 {
+    if (!from.found("contact"))
+    {
+        return;
+    }
+    const dictionary& state = requiredDict(from, "contact");
     forAll(pairs_, pairi)
     {
         const vector sum

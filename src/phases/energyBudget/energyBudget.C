@@ -10,6 +10,7 @@ License
 #include "dictionaryTools.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
+#include <type_traits>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -45,48 +46,10 @@ void forLaterSums(Budget& b, const Function& f)
 }
 
 
-struct adder
+//- Add those of all processors
+const auto addAll = [](const char*, auto& value)
 {
-    template<class T>
-    void operator()(const char*, T& value) const
-    {
-        reduce(value, sumOp<T>());
-    }
-};
-
-
-struct writer
-{
-    dictionary& to;
-
-    template<class T>
-    void operator()(const char* name, const T& value) const
-    {
-        to.add(name, value);
-    }
-};
-
-
-struct reader
-{
-    const dictionary& from;
-
-    template<class T>
-    void operator()(const char* name, T& value) const
-    {
-        value = mpm::required<T>(from, name);
-    }
-};
-
-
-struct laterReader
-{
-    const dictionary& from;
-
-    void operator()(const char* name, scalar& value) const
-    {
-        value = from.getOrDefault<scalar>(name, 0);
-    }
+    reduce(value, sumOp<std::decay_t<decltype(value)>>());
 };
 
 }
@@ -103,8 +66,8 @@ void Foam::mpm::pointLosses::reduceAll()
 
 void Foam::mpm::gasBudget::reduceAll()
 {
-    forSums(*this, adder());
-    forLaterSums(*this, adder());
+    forSums(*this, addAll);
+    forLaterSums(*this, addAll);
     reduce(mass, sumOp<scalar>());
     reduce(energy, sumOp<scalar>());
     reduce(momentum, sumOp<vector>());
@@ -114,16 +77,34 @@ void Foam::mpm::gasBudget::reduceAll()
 Foam::dictionary Foam::mpm::gasBudget::state() const
 {
     dictionary state;
-    forSums(*this, writer{state});
-    forLaterSums(*this, writer{state});
+    const auto write = [&](const char* name, const auto& value)
+    {
+        state.add(name, value);
+    };
+    forSums(*this, write);
+    forLaterSums(*this, write);
     return state;
 }
 
 
 void Foam::mpm::gasBudget::setState(const dictionary& state)
 {
-    forSums(*this, reader{state});
-    forLaterSums(*this, laterReader{state});
+    forSums
+    (
+        *this,
+        [&](const char* name, auto& value)
+        {
+            value = required<std::decay_t<decltype(value)>>(state, name);
+        }
+    );
+    forLaterSums
+    (
+        *this,
+        [&](const char* name, scalar& value)
+        {
+            value = state.getOrDefault<scalar>(name, 0);
+        }
+    );
 }
 
 // ************************************************************************* //

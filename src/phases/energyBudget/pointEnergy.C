@@ -10,8 +10,39 @@ License
 #include "materialPointSystem.H"
 #include "phaseDamping.H"
 #include "pointErosion.H"
-#include "contactPart.H"
+#include "pointContact.H"
 #include "dictionaryTools.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Call f(name, value) for terms of a state that goes on
+template<class Budget, class Function>
+void forTerms(Budget& b, const Function& f)
+{
+    f("kinetic0", b.kinetic0);
+    f("strain0", b.strain0);
+    f("internal", b.work.internal);
+    f("external", b.work.external);
+    f("boundary", b.work.boundary);
+}
+
+
+//- The same of those that older states do not have
+template<class Budget, class Function>
+void forLaterTerms(Budget& b, const Function& f)
+{
+    f("erodedKinetic", b.erodedKinetic);
+    f("erodedStored", b.erodedStored);
+    f("contact", b.work.contact);
+    f("damping", b.damping);
+    f("driven", b.work.driven);
+    f("exchanged", b.exchanged);
+}
+
+}
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -139,7 +170,7 @@ void Foam::mpm::pointEnergy::update() const
 
 bool Foam::mpm::pointEnergy::hasContact() const
 {
-    return points_.parts().find<contactPart>();
+    return points_.parts().find<pointContact>();
 }
 
 
@@ -252,26 +283,21 @@ void Foam::mpm::pointEnergy::addState(dictionary& state) const
         return;
     }
     dictionary energy;
-    energy.add("kinetic0", sums_.kinetic0);
-    energy.add("strain0", sums_.strain0);
-    energy.add("internal", sums_.work.internal);
-    energy.add("external", sums_.work.external);
-    energy.add("boundary", sums_.work.boundary);
+    const auto add = [&](const char* name, const scalar value)
+    {
+        energy.add(name, value);
+    };
+    forTerms(sums_, add);
     pointLosses losses(losses_);
     losses.reduceAll();
     energy.add("failure", losses.failure);
     energy.add("dissipation", losses.dissipation);
     energy.add("stressWork", losses.work);
-    energy.add("erodedKinetic", sums_.erodedKinetic);
-    energy.add("erodedStored", sums_.erodedStored);
+    forLaterTerms(sums_, add);
     if (const pointCoupling* gas = points_.coupling())
     {
         energy.add("gas", gas->balance().state());
     }
-    energy.add("contact", sums_.work.contact);
-    energy.add("damping", sums_.damping);
-    energy.add("driven", sums_.work.driven);
-    energy.add("exchanged", sums_.exchanged);
     energy.add("largest", max(largestEnergy_, largestRead_));
     energy.add("leastUnexplained", leastUnexplained_);
     state.add("energy", energy);
@@ -296,13 +322,22 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
             "largest", "leastUnexplained"
         }
     );
-    sums_.kinetic0 = required<scalar>(energy, "kinetic0");
-    sums_.strain0 = required<scalar>(energy, "strain0");
-    sums_.work.internal = required<scalar>(energy, "internal");
-    sums_.work.external = required<scalar>(energy, "external");
-    sums_.work.boundary = required<scalar>(energy, "boundary");
-    sums_.erodedKinetic = energy.getOrDefault<scalar>("erodedKinetic", 0);
-    sums_.erodedStored = energy.getOrDefault<scalar>("erodedStored", 0);
+    forTerms
+    (
+        sums_,
+        [&](const char* name, scalar& value)
+        {
+            value = required<scalar>(energy, name);
+        }
+    );
+    forLaterTerms
+    (
+        sums_,
+        [&](const char* name, scalar& value)
+        {
+            value = energy.getOrDefault<scalar>(name, 0);
+        }
+    );
     losses_ = pointLosses();
     if (Pstream::master())
     {
@@ -324,10 +359,6 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
             gas->setBalance(sums);
         }
     }
-    sums_.work.contact = energy.getOrDefault<scalar>("contact", 0);
-    sums_.damping = energy.getOrDefault<scalar>("damping", 0);
-    sums_.work.driven = energy.getOrDefault<scalar>("driven", 0);
-    sums_.exchanged = energy.getOrDefault<scalar>("exchanged", 0);
     largestRead_ = energy.getOrDefault<scalar>("largest", 0);
     // Of an older state: what is there now
     leastUnexplained_ =

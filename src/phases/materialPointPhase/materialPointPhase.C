@@ -421,51 +421,6 @@ void Foam::mpm::materialPointPhase::restoreStress()
 }
 
 
-Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block()
-{
-    return block(0, cloud_.size());
-}
-
-
-Foam::mpm::pointBlock Foam::mpm::materialPointPhase::block
-(
-    const label first,
-    const label n
-)
-{
-    pointBlock b;
-    b.nDim = cloud_.grid().nDim();
-    b.n = n;
-    b.dt = 0;
-    for (const scalar*& l : b.dL)
-    {
-        l = nullptr;
-    }
-    b.mass = cloud_.mass()[0] + first;
-    b.volume = cloud_.volume()[0] + first;
-    b.id = cloud_.id()[0] + first;
-    b.phase = cloud_.name().c_str();
-    for (int i = 0; i < nStress(b.nDim); ++i)
-    {
-        b.stress[i] = cloud_.stress()[i] + first;
-    }
-    int h = 0;
-    for (column& c : cloud_.history())
-    {
-        for (int i = 0; i < c.nComponents(); ++i)
-        {
-            b.history[h++] = c[i] + first;
-        }
-    }
-    b.damage =
-        cloud_.damage() ? (*cloud_.damage())[0] + first : nullptr;
-    b.strength =
-        cloud_.strength() ? (*cloud_.strength())[0] + first : nullptr;
-
-    return b;
-}
-
-
 Foam::scalar
 Foam::mpm::materialPointPhase::storedEnergy(const pointBlock& b) const
 {

@@ -202,7 +202,7 @@ Foam::mpm::erodedPoints Foam::mpm::materialPointPhase::sumOf
 {
     erodedPoints sums;
     sums.n = n;
-    sums.stored = storedEnergy(block(first, n));
+    sums.stored = storedEnergy(cloud_.block(first, n));
     for (label p = first; p < first + n; ++p)
     {
         const scalar m = cloud_.mass()[0][p];

@@ -10,15 +10,14 @@ License
 #include "pointEnergy.H"
 #include "phaseDamping.H"
 #include "rigidBodies.H"
+#include "dictionaryTools.H"
+#include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(materialPointSystem, 0);
-}
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -132,6 +131,144 @@ void Foam::mpm::materialPointSystem::addImpulse
     {
         energy_->sums().step.boundary += returnReduce(work, sumOp<scalar>());
     }
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::materialPointSystem::readNumerics()
+{
+    if (!from_ && !mesh_.solutionDict().found("materialPoints"))
+    {
+        FatalIOErrorInFunction(mesh_.solutionDict())
+            << "Entry materialPoints is missing in "
+            << mesh_.solutionDict().name() << ". It has the numerics of the"
+            << " phases " << flatOutput(materialPointPhase::names(properties_))
+            << ", which are of material points: they have neither  type gas"
+            << "  nor  type fluid  in constant/phaseProperties."
+            << exit(FatalIOError);
+    }
+    const dictionary& dict =
+        from_
+      ? from_->numerics
+      : requiredDict(mesh_.solutionDict(), "materialPoints");
+
+    checkNumerics(dict);
+    numerics_ = dict;
+    if (!dict.found("shapeFunction"))
+    {
+        numerics_.add("shapeFunction", pointGridTransfer::usual(grid_));
+    }
+    numericsRead_ = from_ ? from_->numericsRead : dict;
+    transfer_ = transferScheme::New(numerics_);
+    stressUpdate_ = stressUpdate::New(dict);
+    readLimits(dict);
+}
+
+
+void Foam::mpm::materialPointSystem::readLimits(const dictionary& dict)
+{
+    maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
+    maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
+}
+
+
+void Foam::mpm::materialPointSystem::checkNumerics(const dictionary& dict)
+{
+    wordList valid(transferScheme::keywordsOfAll(dict));
+    valid.append
+    (
+        wordList
+        ({
+            "shapeFunction", "dilatation", "stressUpdate", "energyBudget",
+            "maxTravel", "maxStrain"
+        })
+    );
+    checkKeywords(dict, valid);
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::materialPointSystem::readModified()
+{
+    if (!mesh_.time().runTimeModifiable())
+    {
+        return;
+    }
+    dictionary dict(requiredDict(mesh_.solutionDict(), "materialPoints"));
+    if (numericsRead_ == dict)
+    {
+        return;
+    }
+    numericsRead_ = dict;
+    if (!dict.found("shapeFunction"))
+    {
+        dict.add("shapeFunction", pointGridTransfer::usual(grid_));
+    }
+
+    // Entries that are fixed during a run; if the transfer has changed, its own
+    // entries too
+    wordList fixed({"shapeFunction", "dilatation", "transfer", "stressUpdate"});
+    if
+    (
+        dict.getOrDefault<word>("transfer", "")
+     != numerics_.getOrDefault<word>("transfer", "")
+    )
+    {
+        fixed = transferScheme::keywordsOfAll(dict);
+        fixed.append(wordList({"shapeFunction", "dilatation", "stressUpdate"}));
+    }
+    if (energy_->active())
+    {
+        fixed.append("energyBudget");
+    }
+    wordList keys(dict.toc());
+    for (const word& key : numerics_.toc())
+    {
+        if (!keys.found(key))
+        {
+            keys.append(key);
+        }
+    }
+    dictionary now(dict);
+    wordList acts, later;
+    for (const word& key : keys)
+    {
+        const entry* a = numerics_.findEntry(key);
+        const entry* b = dict.findEntry(key);
+        if (a && b && *a == *b)
+        {
+            continue;
+        }
+        (fixed.found(key) ? later : acts).append(key);
+        if (fixed.found(key) && a)
+        {
+            now.set(a->clone(now).ptr());
+        }
+        else if (fixed.found(key))
+        {
+            now.remove(key);
+        }
+    }
+    checkNumerics(dict);
+    transfer_ = transferScheme::New(now);
+    readLimits(now);
+    if (now.getOrDefault<bool>("energyBudget", false))
+    {
+        energy_->startBudget();
+    }
+    if (acts.size())
+    {
+        Info<< "fvSolution.materialPoints has changed: " << flatOutput(acts)
+            << " act from time " << mesh_.time().timeName() << " on" << nl
+            << endl;
+    }
+    if (later.size())
+    {
+        WarningInFunction
+            << "fvSolution.materialPoints has changed: " << flatOutput(later)
+            << " act only in a new run; this one keeps the old ones." << endl;
+    }
+    numerics_ = now;
 }
 
 // ************************************************************************* //

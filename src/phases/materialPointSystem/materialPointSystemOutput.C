@@ -66,51 +66,33 @@ string inWords
 
 void Foam::mpm::materialPointSystem::makeMeans(const label phasei)
 {
-    const auto object = [&](const word& name)
+    const auto make = [&](auto& fields, const word& name, const auto& zero)
     {
-        return IOobject
-        (
-            IOobject::groupName(name, phases_[phasei].name()),
-            mesh_.time().timeName(),
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::AUTO_WRITE
-        );
-    };
-    alpha_.set
-    (
-        phasei,
-        new volScalarField
-        (object("alpha"), mesh_, dimensionedScalar(dimless, Zero))
-    );
-    Umean_.set
-    (
-        phasei,
-        new volVectorField
-        (object("Umean"), mesh_, dimensionedVector(dimVelocity, Zero))
-    );
-    sigmaMean_.set
-    (
-        phasei,
-        new volSymmTensorField
-        (
-            object("sigma"),
-            mesh_,
-            dimensionedSymmTensor(dimPressure, Zero)
-        )
-    );
-    if (phases_[phasei].cloud().temperature())
-    {
-        Tmean_.set
+        typedef typename std::decay_t<decltype(fields)>::value_type fieldType;
+        fields.set
         (
             phasei,
-            new volScalarField
+            new fieldType
             (
-                object("Tmean"),
+                IOobject
+                (
+                    IOobject::groupName(name, phases_[phasei].name()),
+                    mesh_.time().timeName(),
+                    mesh_,
+                    IOobject::NO_READ,
+                    IOobject::AUTO_WRITE
+                ),
                 mesh_,
-                dimensionedScalar(dimTemperature, Zero)
+                zero
             )
         );
+    };
+    make(alpha_, "alpha", dimensionedScalar(dimless, Zero));
+    make(Umean_, "Umean", dimensionedVector(dimVelocity, Zero));
+    make(sigmaMean_, "sigma", dimensionedSymmTensor(dimPressure, Zero));
+    if (phases_[phasei].cloud().temperature())
+    {
+        make(Tmean_, "Tmean", dimensionedScalar(dimTemperature, Zero));
     }
 }
 
@@ -121,11 +103,16 @@ void Foam::mpm::materialPointSystem::updateMeans(const label phasei)
     alpha_[phasei] = dimensionedScalar(dimless, Zero);
     Umean_[phasei] = dimensionedVector(dimVelocity, Zero);
     sigmaMean_[phasei] = dimensionedSymmTensor(dimPressure, Zero);
+    const column* T = cloud.temperature();
+    if (T)
+    {
+        Tmean_[phasei] = dimensionedScalar(dimTemperature, Zero);
+    }
 
     forAll(cloud.cells(), k)
     {
         const label celli = cloud.cells()[k];
-        scalar v = 0, m = 0;
+        scalar v = 0, m = 0, mT = 0;
         vector mU(Zero);
         symmTensor vSigma(Zero);
         for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
@@ -136,23 +123,14 @@ void Foam::mpm::materialPointSystem::updateMeans(const label phasei)
             m += mp;
             mU += mp*cloud.velocity(p);
             vSigma += vp*cloud.sigma(p);
+            mT += T ? mp*(*T)[0][p] : 0;
         }
         alpha_[phasei][celli] = v/mesh_.V()[celli];
         Umean_[phasei][celli] = mU/m;
         sigmaMean_[phasei][celli] = vSigma/v;
-    }
-    if (const column* T = cloud.temperature())
-    {
-        Tmean_[phasei] = dimensionedScalar(dimTemperature, Zero);
-        forAll(cloud.cells(), k)
+        if (T)
         {
-            scalar m = 0, mT = 0;
-            for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
-            {
-                m += cloud.mass()[0][p];
-                mT += cloud.mass()[0][p]*(*T)[0][p];
-            }
-            Tmean_[phasei][cloud.cells()[k]] = mT/m;
+            Tmean_[phasei][celli] = mT/m;
         }
     }
 }
@@ -241,7 +219,7 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
 
 void Foam::mpm::materialPointSystem::report() const
 {
-    parts_.report();
+    parts_.within(&stepPart::report);
     if (walls_)
     {
         scalar deepest = 0;
@@ -306,7 +284,7 @@ void Foam::mpm::materialPointSystem::reportClock() const
 
 void Foam::mpm::materialPointSystem::writePoints()
 {
-    parts_.write();
+    parts_.within(&stepPart::write);
     for (mpm::velocityField& field : fields_)
     {
         field.writeField();
@@ -347,7 +325,7 @@ Foam::dictionary Foam::mpm::materialPointSystem::state() const
         );
     }
     state.add("failed", failed);
-    parts_.addState(state);
+    parts_.within(&stepPart::addState, state);
     return state;
 }
 
@@ -395,7 +373,7 @@ void Foam::mpm::materialPointSystem::setState(const dictionary& state)
     }
     checkKeywords(failed, wordList(names));
 
-    parts_.setState(state);
+    parts_.within(&stepPart::setState, state);
     if (parts_.timeDependent())
     {
         startNodes();
@@ -422,7 +400,7 @@ Foam::mpm::materialPointSystem::rows Foam::mpm::materialPointSystem::takeDown()
             r.reactions.append(field.name());
         }
     }
-    parts_.addFields(r.cellFields);
+    parts_.within(&stepPart::addFields, r.cellFields);
     r.numerics = numerics_;
     r.numericsRead = numericsRead_;
     r.clock = clock_;

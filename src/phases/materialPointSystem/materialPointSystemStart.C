@@ -12,9 +12,8 @@ License
 #include "pointLoads.H"
 #include "phaseDamping.H"
 #include "rigidBodies.H"
-#include "contactPart.H"
+#include "pointContact.H"
 #include "phaseWatches.H"
-#include "unitHints.H"
 #include "startHints.H"
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
@@ -312,7 +311,7 @@ void Foam::mpm::materialPointSystem::makeParts()
     parts_.own(new phaseDamping(*this));
     if (properties_.found("contact"))
     {
-        parts_.own(new contactPart(*this));
+        parts_.own(new pointContact(*this));
     }
     parts_.select
     (

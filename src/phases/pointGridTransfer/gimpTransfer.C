@@ -11,15 +11,12 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 typedef shapeFunction<gimpShape> GIMP;
 addNamedToRunTimeSelectionTable(pointGridTransfer, GIMP, grid, GIMP);
 
-}
 }
 
 // ************************************************************************* //

@@ -12,9 +12,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 //- By products of 1D functions on a lattice, through the cells' own coordinates
@@ -32,7 +30,6 @@ struct linear
 
 addNamedToRunTimeSelectionTable(pointGridTransfer, linear, grid, linear);
 
-}
 }
 
 // ************************************************************************* //

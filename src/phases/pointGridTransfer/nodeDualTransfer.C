@@ -13,9 +13,7 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 //- By products on a lattice, linear where all cells are simplices, in their
@@ -48,7 +46,6 @@ addNamedToRunTimeSelectionTable
     pointGridTransfer, nodeDualFunctions, grid, nodeDual
 );
 
-}
 }
 
 // ************************************************************************* //

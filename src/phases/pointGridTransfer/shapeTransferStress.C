@@ -9,9 +9,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -236,7 +234,6 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress
     return result;
 }
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

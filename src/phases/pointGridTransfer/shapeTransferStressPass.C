@@ -9,9 +9,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 // * * * * * * * * * * * * * * * Nested Classes  * * * * * * * * * * * * * * //
@@ -261,34 +259,13 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     //- What the law gets
     MPM_INLINE pointBlock block() const
     {
-        pointBlock b;
-        b.nDim = DIM;
-        b.n = end - begin;
+        pointBlock b(cloud.block(begin, end - begin));
         b.dt = dt;
         for (int i = 0; i < DIM*DIM; ++i)
         {
             b.dL[i] = room.dL[i];
         }
         b.hoop = HOOP ? room.dL[N - 1] : nullptr;
-        b.mass = cloud.mass()[0] + begin;
-        b.volume = volume + begin;
-        b.id = cloud.id()[0] + begin;
-        b.phase = cloud.name().c_str();
-        for (int i = 0; i < nStress(DIM); ++i)
-        {
-            b.stress[i] = stress[i] + begin;
-        }
-        int h = 0;
-        for (column& c : cloud.history())
-        {
-            for (int i = 0; i < c.nComponents(); ++i)
-            {
-                b.history[h++] = c[i] + begin;
-            }
-        }
-        b.damage = cloud.damage() ? (*cloud.damage())[0] + begin : nullptr;
-        b.strength =
-            cloud.strength() ? (*cloud.strength())[0] + begin : nullptr;
         return b;
     }
 
@@ -381,7 +358,6 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     }
 };
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

@@ -9,9 +9,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -310,7 +308,6 @@ void shapeTransfer<Shape, DIM, HOOP>::massTimes
     );
 }
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

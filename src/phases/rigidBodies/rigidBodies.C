@@ -8,7 +8,7 @@ License
 
 #include "rigidBodies.H"
 #include "materialPointSystem.H"
-#include "contactPart.H"
+#include "pointContact.H"
 #include "pointEnergy.H"
 #include "dictionaryTools.H"
 #include "Time.H"
@@ -22,8 +22,8 @@ bool Foam::mpm::rigidBodies::sharesNodes(const label phasei) const
     {
         return false;
     }
-    const contactPart* contact = points_.parts().find<contactPart>();
-    return !(contact && contact->contact().has(points_.fieldOf(phasei)));
+    const pointContact* contact = points_.parts().find<pointContact>();
+    return !(contact && contact->has(points_.fieldOf(phasei)));
 }
 
 

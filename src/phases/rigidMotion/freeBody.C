@@ -14,13 +14,10 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(freeBody, 0);
     addToRunTimeSelectionTable(rigidMotion, freeBody, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //

@@ -11,13 +11,10 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(transferScheme, 0);
     defineRunTimeSelectionTable(transferScheme, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

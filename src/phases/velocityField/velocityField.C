@@ -119,36 +119,12 @@ Foam::mpm::velocityField::velocityField
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::velocityField::clearMomentum()
-{
-    for (const label n : activeNew_)
-    {
-        for (int c = 0; c < stride_; ++c)
-        {
-            mUNew_.data()[stride_*n + c] = 0;
-        }
-    }
-}
-
-
 void Foam::mpm::velocityField::clearForce()
 {
-    for (const label n : active_)
-    {
-        for (int c = 0; c < stride_; ++c)
-        {
-            f_.data()[stride_*n + c] = 0;
-        }
-    }
+    zero(f_);
     if (load_.data())
     {
-        for (const label n : active_)
-        {
-            for (int d = 0; d < nDim_; ++d)
-            {
-                load_.data()[stride_*n + d] = 0;
-            }
-        }
+        forComponents([&](const label i) { load_.data()[i] = 0; });
     }
 }
 
@@ -249,13 +225,7 @@ void Foam::mpm::velocityField::momentumStep
     constrainStep(UL, false);
     rigid_.addTractionImpulse(dt);
 
-    for (const label n : active_)
-    {
-        for (int d = 0; d < nDim_; ++d)
-        {
-            dU[stride_*n + d] = UL[stride_*n + d] - U[stride_*n + d];
-        }
-    }
+    forComponents([&](const label i) { dU[i] = UL[i] - U[i]; });
     turning_.clear();
     if (turn && slip_.turns())
     {
@@ -329,17 +299,16 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
     const scalar* mU = mU_.data();
     scalar* UL = UL_.data();
     scalar* dU = dU_.data();
-    for (const label n : active_)
-    {
-        const scalar m = mU[stride_*n + nDim_];
-        const scalar rm = m > 0 ? 1/m : 0;
-        for (int d = 0; d < nDim_; ++d)
+    forMasses
+    (
+        mU,
+        [&](const label i, const scalar rm)
         {
             // du gets the change that is left after boundary conditions
-            dU[stride_*n + d] -= UL[stride_*n + d];
-            UL[stride_*n + d] += rm*impulse[stride_*n + d];
+            dU[i] -= UL[i];
+            UL[i] += rm*impulse[i];
         }
-    }
+    );
 
     // Impulse J = m (u* - u) of the conditions, at the mean velocity
     const labelList nodes(withWork ? constrained() : labelList());
@@ -369,13 +338,7 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
                 m*(u - free[nDim_*i + d])*0.5*(U_.data()[stride_*n + d] + u);
         }
     }
-    for (const label n : active_)
-    {
-        for (int d = 0; d < nDim_; ++d)
-        {
-            dU[stride_*n + d] += UL[stride_*n + d];
-        }
-    }
+    forComponents([&](const label i) { dU[i] += UL[i]; });
     return work;
 }
 
@@ -395,12 +358,6 @@ void Foam::mpm::velocityField::replace()
     rigid_.takeNew();
     mU_.swap(mUNew_);
     U_.swap(UNew_);
-}
-
-
-void Foam::mpm::velocityField::reject()
-{
-    activeNew_.clear();
 }
 
 

@@ -85,9 +85,47 @@ void Foam::mpm::velocityField::activate
 }
 
 
-void Foam::mpm::velocityField::keepActive()
+void Foam::mpm::velocityField::addLoad()
 {
-    activeNew_ = active_;
+    if (!load_.data())
+    {
+        return;
+    }
+    sumColumn(load_.data());
+    forComponents([&](const label i) { f_.data()[i] += load_.data()[i]; });
+}
+
+
+Foam::scalar Foam::mpm::velocityField::loadWork(const scalar dt) const
+{
+    scalar work = 0;
+    for (label i = 0; load_.data() && i < active_.size(); ++i)
+    {
+        const label n = active_[i];
+        for (int d = 0; d < nDim_; ++d)
+        {
+            work +=
+                part(n)*dt*load_.data()[stride_*n + d]
+               *(
+                    U_.data()[stride_*n + d]
+                  + 0.5*dU_.data()[stride_*n + d]
+                );
+        }
+    }
+    return work;
+}
+
+
+const Foam::scalarList& Foam::mpm::velocityField::nodeVolume
+(
+    const pointGridTransfer& transfer
+)
+{
+    if (nodeVolume_.empty())
+    {
+        nodeVolume_ = transfer.nodeVolumes(grid_, false);
+    }
+    return nodeVolume_;
 }
 
 // ************************************************************************* //

@@ -16,13 +16,7 @@ void Foam::mpm::velocityField::strainFromU(const bool copy)
     if (copy)
     {
         scalar* to = strainMomentum();
-        for (const label n : active_)
-        {
-            for (int d = 0; d < nDim_; ++d)
-            {
-                to[stride_*n + d] = U_.data()[stride_*n + d];
-            }
-        }
+        forComponents([&](const label i) { to[i] = U_.data()[i]; });
     }
 }
 
@@ -30,45 +24,28 @@ void Foam::mpm::velocityField::strainFromU(const bool copy)
 void Foam::mpm::velocityField::strainFromUL(const scalar weight)
 {
     scalar* to = strainMomentum();
-    for (const label n : active_)
-    {
-        for (int d = 0; d < nDim_; ++d)
+    forComponents
+    (
+        [&](const label i)
         {
-            const scalar u =
-                U_.data()[stride_*n + d] + dU_.data()[stride_*n + d];
-            to[stride_*n + d] = u + weight*(UL_.data()[stride_*n + d] - u);
+            const scalar u = U_.data()[i] + dU_.data()[i];
+            to[i] = u + weight*(UL_.data()[i] - u);
         }
-    }
+    );
 }
 
 
 void Foam::mpm::velocityField::addChangeToStrain()
 {
-    for (const label n : active_)
-    {
-        for (int d = 0; d < nDim_; ++d)
-        {
-            Ustrain_.data()[stride_*n + d] += dU_.data()[stride_*n + d];
-        }
-    }
+    forComponents([&](const label i) { Ustrain_.data()[i] += dU_.data()[i]; });
 }
 
 
 Foam::scalar* Foam::mpm::velocityField::strainMomentum()
 {
     strainIsU_ = false;
-    if (!Ustrain_.data())
-    {
-        Ustrain_ = alignedArray(stride_*grid_.nNodes());
-    }
-    for (const label n : active_)
-    {
-        for (int c = 0; c < stride_; ++c)
-        {
-            Ustrain_.data()[stride_*n + c] = 0;
-        }
-    }
-    return Ustrain_.data();
+    need(Ustrain_);
+    return zero(Ustrain_);
 }
 
 
@@ -76,15 +53,7 @@ void Foam::mpm::velocityField::strainFromMomentum()
 {
     scalar* u = Ustrain_.data();
     shared_.sum(u, stride_, nDim_ + 1);
-    for (const label n : active_)
-    {
-        const scalar m = u[stride_*n + nDim_];
-        const scalar rm = m > 0 ? 1/m : 0;
-        for (int d = 0; d < nDim_; ++d)
-        {
-            u[stride_*n + d] *= rm;
-        }
-    }
+    forMasses(u, [&](const label i, const scalar rm) { u[i] *= rm; });
     constrain(u, stride_, false, false);
 }
 
@@ -96,38 +65,15 @@ void Foam::mpm::velocityField::startFilter
 )
 {
     filtered_ = s;
-    if (!increment_.data())
-    {
-        increment_ = alignedArray(stride_*grid_.nNodes());
-        product_ = alignedArray(stride_*grid_.nNodes());
-    }
+    need(increment_);
+    need(product_);
     const scalar* from =
         s == ofUL ? UL_.data()
       : s == ofU ? U_.data()
       : s == ofDU ? dU_.data()
       : Ustrain_.data();
     scalar* v = increment_.data();
-    for (const label n : active_)
-    {
-        for (int d = 0; d < nDim_; ++d)
-        {
-            v[stride_*n + d] = scale*from[stride_*n + d];
-        }
-    }
-}
-
-
-Foam::scalar* Foam::mpm::velocityField::zeroProduct()
-{
-    scalar* Mv = product_.data();
-    for (const label n : active_)
-    {
-        for (int c = 0; c < stride_; ++c)
-        {
-            Mv[stride_*n + c] = 0;
-        }
-    }
-    return Mv;
+    forComponents([&](const label i) { v[i] = scale*from[i]; });
 }
 
 
@@ -137,15 +83,7 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
     scalar* v = increment_.data();
     const scalar* Mv = product_.data();
 
-    for (const label n : active_)
-    {
-        const scalar m = mU[stride_*n + nDim_];
-        const scalar rm = m > 0 ? 1/m : 0;
-        for (int d = 0; d < nDim_; ++d)
-        {
-            v[stride_*n + d] -= rm*Mv[stride_*n + d];
-        }
-    }
+    forMasses(mU, [&](const label i, const scalar rm) { v[i] -= rm*Mv[i]; });
 
     // Increments are zero at fixed nodes: the sum keeps their velocity
     rigid_.takeIncrement(v, mU, stride_, s != ofStrain);
@@ -162,17 +100,12 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
 
 void Foam::mpm::velocityField::addToIncrement(const scalar* impulse)
 {
-    const scalar* mU = mU_.data();
     scalar* v = increment_.data();
-    for (const label n : active_)
-    {
-        const scalar m = mU[stride_*n + nDim_];
-        const scalar rm = m > 0 ? 1/m : 0;
-        for (int d = 0; d < nDim_; ++d)
-        {
-            v[stride_*n + d] += rm*impulse[stride_*n + d];
-        }
-    }
+    forMasses
+    (
+        mU_.data(),
+        [&](const label i, const scalar rm) { v[i] += rm*impulse[i]; }
+    );
     constrainStep(v, true);
 }
 
@@ -181,17 +114,17 @@ void Foam::mpm::velocityField::addIncrement(const series s, const scalar weight)
 {
     const scalar* v = increment_.data();
     scalar* to = s == ofStrain ? Ustrain_.data() : UL_.data();
-    for (const label n : active_)
-    {
-        for (int d = 0; d < nDim_; ++d)
+    forComponents
+    (
+        [&](const label i)
         {
-            to[stride_*n + d] += weight*v[stride_*n + d];
+            to[i] += weight*v[i];
             if (s == ofDU)
             {
-                dU_.data()[stride_*n + d] += weight*v[stride_*n + d];
+                dU_.data()[i] += weight*v[i];
             }
         }
-    }
+    );
 }
 
 // ************************************************************************* //

@@ -8,7 +8,7 @@ License
 
 #include "phaseWatches.H"
 #include "materialPointSystem.H"
-#include "contactPart.H"
+#include "pointContact.H"
 #include "dictionaryTools.H"
 #include "Time.H"
 
@@ -21,14 +21,14 @@ Foam::mpm::phaseWatches::phaseWatches(materialPointSystem& points)
     warned_(points.fields().size() < 2),
     watches_(points.phases().size())
 {
-    if (const contactPart* contact = points.parts().find<contactPart>())
+    if (const pointContact* contact = points.parts().find<pointContact>())
     {
         warned_ = true;
         for (label a = 0; a < points.fields().size(); ++a)
         {
             for (label b = a + 1; b < points.fields().size(); ++b)
             {
-                warned_ = warned_ && contact->contact().between(a, b);
+                warned_ = warned_ && contact->between(a, b);
             }
         }
     }
@@ -101,7 +101,7 @@ void Foam::mpm::phaseWatches::checkOverlap()
     {
         return;
     }
-    const contactPart* contact = points_.parts().find<contactPart>();
+    const pointContact* contact = points_.parts().find<pointContact>();
     const pointGrid& grid = points_.grid();
     labelList owner(grid.nNodes(), label(-1));
     labelList rigidOf(grid.nNodes(), label(-1));
@@ -129,7 +129,7 @@ void Foam::mpm::phaseWatches::checkOverlap()
             (
                 owner[n] >= 0
              && !warned_
-             && !(contact && contact->contact().between(owner[n], fieldi))
+             && !(contact && contact->between(owner[n], fieldi))
             )
             {
                 warned_ = true;

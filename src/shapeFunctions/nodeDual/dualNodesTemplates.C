@@ -9,9 +9,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -421,7 +419,6 @@ void dualNodes::force(const scalar* F, const bool beside, scalar* f) const
     }
 }
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // ************************************************************************* //

@@ -14,12 +14,9 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
     defineTypeNameAndDebug(pointGrid, 0);
-}
 }
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -55,11 +55,12 @@ NOT_ENTRIES = {
     "simulation.C": "gas", "regionTable.C": "gas contact",
     "setMaterialPoints.C": "gas velocity stress pressure",
     "materialPointSystem.C": "outflow", "materialPointSystemStop.C": "adjustTimeStep",
-    "gasCoupling.C": "stick type", "unitHints.C": "constitutiveModel failureModel type",
+    "gasCoupling.C": "stick type",
     "phaseWatches.C": "failureModel none", "phaseWatches.H": "materials",
     "pointRegionRead.C": "scale surface",
     "functionChecks.C": "functions",
-    "startHints.C": "regions phase density contact normal fields gas",
+    "startHints.C": "regions phase density contact normal fields gas "
+                    "constitutiveModel failureModel type",
 }
 
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])\'|//[^\n]*|/\*.*?\*/', re.S)

@@ -11,21 +11,21 @@ License
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
+typedef shapeFunction<quadraticBSplineShape> quadraticBSpline;
 typedef shapeFunction<cubicBSplineShape> cubicBSpline;
+
 addNamedToRunTimeSelectionTable
 (
-    pointGridTransfer,
-    cubicBSpline,
-    grid,
-    cubicBSpline
+    pointGridTransfer, quadraticBSpline, grid, quadraticBSpline
+);
+addNamedToRunTimeSelectionTable
+(
+    pointGridTransfer, cubicBSpline, grid, cubicBSpline
 );
 
-}
 }
 
 // ************************************************************************* //
