@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Application
     machineRates
@@ -34,10 +31,8 @@ constexpr int bytes = 16;
 
 double seconds()
 {
-    return std::chrono::duration<double>
-    (
-        std::chrono::steady_clock::now().time_since_epoch()
-    ).count();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 }
@@ -51,7 +46,9 @@ int main()
         std::unique_ptr<double[]> a(new double[n]), b(new double[n]), c(new double[n]);
         for (long i = 0; i < n; ++i)
         {
-            a[i] = 0; b[i] = i; c[i] = 1;
+            a[i] = 0;
+            b[i] = i;
+            c[i] = 1;
         }
         for (int rep = 0; rep < 8; ++rep)
         {
@@ -61,11 +58,12 @@ int main()
             const double s = 0.5 + rep, t = seconds();
             for (long i = 0; i < n; ++i)
             {
-                pa[i] = pb[i] + s*pc[i];
+                pa[i] = pb[i] + s * pc[i];
             }
-            triad = std::max(triad, 24.0*n/(seconds() - t)*1e-9);
+            triad = std::max(triad, 24.0 * n / (seconds() - t) * 1e-9);
         }
-        if (a[n/2] < 0) std::puts("");
+        if (a[n / 2] < 0)
+            std::puts("");
     }
 
     {
@@ -80,26 +78,31 @@ int main()
             const double t = seconds();
             for (long k = 0; k < n; ++k)
             {
-                x0 = x0*m + d; x1 = x1*m + d; x2 = x2*m + d; x3 = x3*m + d;
-                x4 = x4*m + d; x5 = x5*m + d; x6 = x6*m + d; x7 = x7*m + d;
-                x8 = x8*m + d; x9 = x9*m + d; x10 = x10*m + d; x11 = x11*m + d;
+                x0 = x0 * m + d;
+                x1 = x1 * m + d;
+                x2 = x2 * m + d;
+                x3 = x3 * m + d;
+                x4 = x4 * m + d;
+                x5 = x5 * m + d;
+                x6 = x6 * m + d;
+                x7 = x7 * m + d;
+                x8 = x8 * m + d;
+                x9 = x9 * m + d;
+                x10 = x10 * m + d;
+                x11 = x11 * m + d;
                 // All twelve are different to the compiler
-                __asm__ volatile
-                (
-                    "" : "+v"(x0), "+v"(x1), "+v"(x2), "+v"(x3), "+v"(x4),
-                    "+v"(x5), "+v"(x6), "+v"(x7), "+v"(x8), "+v"(x9),
-                    "+v"(x10), "+v"(x11)
-                );
+                __asm__ volatile(""
+                                 : "+v"(x0), "+v"(x1), "+v"(x2), "+v"(x3), "+v"(x4), "+v"(x5),
+                                   "+v"(x6), "+v"(x7), "+v"(x8), "+v"(x9), "+v"(x10), "+v"(x11));
             }
-            fma = std::max(fma, 2.0*bytes/8*12*n/(seconds() - t)*1e-9);
+            fma = std::max(fma, 2.0 * bytes / 8 * 12 * n / (seconds() - t) * 1e-9);
         }
         const v all = x0 + x1 + x2 + x3 + x4 + x5 + x6 + x7 + x8 + x9 + x10 + x11;
         const double s = all[0];
-        if (s < 0) std::puts("");
+        if (s < 0)
+            std::puts("");
     }
 
     std::printf("triad %.1f GB/s, FMA %.1f GFlop/s\n", triad, fma);
     return 0;
 }
-
-// ************************************************************************* //

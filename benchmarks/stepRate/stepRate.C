@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Application
     stepRate
@@ -47,24 +44,20 @@ label peakMemory()
     return 0;
 }
 
-
 //- Seconds, of this process' own or since some time
 scalar seconds(const bool ofProcessor)
 {
     if (ofProcessor)
     {
-        return scalar(std::clock())/CLOCKS_PER_SEC;
+        return scalar(std::clock()) / CLOCKS_PER_SEC;
     }
-    return std::chrono::duration<scalar>
-    (
-        std::chrono::steady_clock::now().time_since_epoch()
-    ).count();
+    return std::chrono::duration<scalar>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 }
 
-
-int main(int argc, char *argv[])
+int main(int argc, char* argv[])
 {
     argList::addNote("Speed of the time step on the case's points");
     argList::addOption("steps", "N", "steps of one measurement (20)");
@@ -73,9 +66,9 @@ int main(int argc, char *argv[])
 
     argList::addBoolOption("cpuTime", "measure processor time");
 
-    #include "setRootCase.H"
-    #include "createTime.H"
-    #include "createMesh.H"
+#include "setRootCase.H"
+#include "createTime.H"
+#include "createMesh.H"
 
     const label nSteps = args.getOrDefault<label>("steps", 20);
     const label nWarmup = args.getOrDefault<label>("warmup", 5);
@@ -93,9 +86,8 @@ int main(int argc, char *argv[])
             scalar factor = 1;
             if (!points.advance(runTime.deltaTValue(), factor))
             {
-                FatalErrorInFunction
-                    << "A step had to be redone: deltaT is too large for a"
-                    << " measurement." << exit(FatalError);
+                FatalErrorInFunction << "A step had to be redone: deltaT is too large for a"
+                                     << " measurement." << exit(FatalError);
             }
         }
     };
@@ -110,11 +102,7 @@ int main(int argc, char *argv[])
         returnReduce(label(0), sumOp<label>());
         const scalar start = seconds(cpuTime);
         run(nSteps);
-        const scalar s = returnReduce
-        (
-            seconds(cpuTime) - start,
-            maxOp<scalar>()
-        );
+        const scalar s = returnReduce(seconds(cpuTime) - start, maxOp<scalar>());
         if (s < best)
         {
             best = s;
@@ -128,22 +116,16 @@ int main(int argc, char *argv[])
     }
 
     const scalar n = points.nPoints();
-    Info<< "points " << label(n) << nl
-        << "rate [M point-steps/s] " << n*nSteps/best*1e-6 << nl
-        << "ns per point and step " << best/(n*nSteps)*1e9 << nl
-        << "share of the step [%]: nodes " << 100*part.nodes/best
-        << " move " << 100*part.move/best
-        << " sort " << 100*part.sort/best
-        << " project " << 100*part.project/best
-        << " stress and force " << 100*part.stress/best << nl
-        << "columns and buffers [bytes per point] " << points.bytesPerPoint()
-        << nl
-        << "node columns [bytes per point] " << points.gridBytes()/n << nl
-        << "peak memory [kB] " << peakMemory() << nl;
+    Info << "points " << label(n) << nl << "rate [M point-steps/s] " << n * nSteps / best * 1e-6
+         << nl << "ns per point and step " << best / (n * nSteps) * 1e9 << nl
+         << "share of the step [%]: nodes " << 100 * part.nodes / best << " move "
+         << 100 * part.move / best << " sort " << 100 * part.sort / best << " project "
+         << 100 * part.project / best << " stress and force " << 100 * part.stress / best << nl
+         << "columns and buffers [bytes per point] " << points.bytesPerPoint() << nl
+         << "node columns [bytes per point] " << points.gridBytes() / n << nl << "peak memory [kB] "
+         << peakMemory() << nl;
 
     points.report();
 
     return 0;
 }
-
-// ************************************************************************* //

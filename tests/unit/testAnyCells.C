@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     The grid on cells that are no hexahedra, and a shape function with a number
@@ -28,26 +25,19 @@ namespace testShapes
 
 //- S_i = S_i(x_0) + g_i.(x - x_0) on cells with DIM + 1 nodes, of up to 8
 template<int DIM>
-struct simplexShape
-:
-    stencilShape<DIM, 8, simplexShape<DIM>>
+struct simplexShape : stencilShape<DIM, 8, simplexShape<DIM>>
 {
     typedef stencilShape<DIM, 8, simplexShape<DIM>> base;
     typedef typename base::T T;
 
-    struct stencil
-    :
-        base::baseStencil
+    struct stencil : base::baseStencil
     {
         double g[DIM + 1][DIM], ih[DIM];
     };
 
     const pointGrid& grid;
 
-    explicit simplexShape(const pointGrid& g)
-    :
-        grid(g)
-    {}
+    explicit simplexShape(const pointGrid& g) : grid(g) {}
 
     static string refuses(const pointGrid& g)
     {
@@ -71,7 +61,7 @@ struct simplexShape
             {
                 J(d, i) = s.x[i + 1][d] - s.x[0][d];
             }
-            s.ih[i] = 1/grid.width(celli, i);
+            s.ih[i] = 1 / grid.width(celli, i);
         }
         const Eigen::Matrix<double, DIM, DIM> inverse(J.inverse());
         for (int d = 0; d < DIM; ++d)
@@ -85,27 +75,18 @@ struct simplexShape
         }
     }
 
-    double inverseWidth(const stencil& s, const int d) const
-    {
-        return s.ih[d];
-    }
+    double inverseWidth(const stencil& s, const int d) const { return s.ih[d]; }
 
     template<bool GRADIENT>
-    MPM_INLINE void functions
-    (
-        const stencil& s,
-        const T (&x)[DIM],
-        const T*,
-        T* S,
-        T (*dS)[DIM]
-    ) const
+    MPM_INLINE void
+    functions(const stencil& s, const T (&x)[DIM], const T*, T* S, T (*dS)[DIM]) const
     {
         for (int i = 0; i < s.n; ++i)
         {
             S[i] = broadcast<base::W>(i == 0);
             for (int d = 0; d < DIM; ++d)
             {
-                S[i] += s.g[i][d]*(x[d] - s.x[0][d]);
+                S[i] += s.g[i][d] * (x[d] - s.x[0][d]);
                 if (GRADIENT)
                 {
                     dS[i][d] = broadcast<base::W>(s.g[i][d]);
@@ -131,41 +112,33 @@ struct simplexPasses
 {
     static autoPtr<pointGridTransfer> New(const pointGrid& grid)
     {
-        return autoPtr<pointGridTransfer>
-        (
-            new shapeTransfer<simplexShape, 3>(grid)
-        );
+        return autoPtr<pointGridTransfer>(new shapeTransfer<simplexShape, 3>(grid));
     }
 };
 
-addNamedToRunTimeSelectionTable
-(
-    pointGridTransfer, simplexPasses, grid, testSimplex
-);
-
+addNamedToRunTimeSelectionTable(pointGridTransfer, simplexPasses, grid, testSimplex);
 
 //- A random position in a tetrahedron
 void inside(const pointGrid& g, const label celli, std::mt19937& gen, scalar* x)
 {
     std::uniform_real_distribution<scalar> u(0.01, 1);
     scalar w[4], sum = 0;
-    for (scalar& wi : w) sum += wi = u(gen);
+    for (scalar& wi : w)
+        sum += wi = u(gen);
     for (int d = 0; d < 3; ++d)
     {
         x[d] = 0;
         forAll(g.nodesOf(celli), i)
         {
             const label p = g.nodePoint()[g.nodesOf(celli)[i]];
-            x[d] += w[i]/sum*g.mesh().points()[p][d];
+            x[d] += w[i] / sum * g.mesh().points()[p][d];
         }
     }
 }
 
 }
 
-
 using namespace testShapes;
-
 
 TEST_CASE("tetrahedra: nodes of cells, cells of nodes, points found through faces")
 {
@@ -184,7 +157,7 @@ TEST_CASE("tetrahedra: nodes of cells, cells of nodes, points found through face
             CHECK(g.nodesOf(celli).found(n));
         }
     }
-    CHECK(pairs == 4*384);
+    CHECK(pairs == 4 * 384);
 
     std::mt19937 gen(11);
     label wrong = 0;
@@ -205,15 +178,13 @@ TEST_CASE("tetrahedra: nodes of cells, cells of nodes, points found through face
     for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
     {
         point c(mesh.faceCentres()[facei]);
-        wrong +=
-            g.locate(mesh.faceOwner()[facei], &c[0])
-         != g.locate(mesh.faceNeighbour()[facei], &c[0]);
+        wrong += g.locate(mesh.faceOwner()[facei], &c[0])
+            != g.locate(mesh.faceNeighbour()[facei], &c[0]);
     }
     CHECK(wrong == 0);
     scalar beyond[3] = {0.5, 0.5, 1.001};
     CHECK(g.find(beyond) == -1);
 }
-
 
 TEST_CASE("through the faces of boxes: cells and widths of the lattice")
 {
@@ -230,22 +201,17 @@ TEST_CASE("through the faces of boxes: cells and widths of the lattice")
         g.hexes().cornerPositions(celli, corner);
         for (int d = 0; d < 3; ++d)
         {
-            x[d] = corner[d] + u(gen)*g.width(celli, d);
+            x[d] = corner[d] + u(gen) * g.width(celli, d);
             CHECK(mag(faces.width(celli, d) - g.width(celli, d)) < 1e-13);
             for (int side = 0; side < 2; ++side)
             {
-                CHECK
-                (
-                    faces.neighbour(celli, d, side)
-                 == g.neighbour(celli, d, side)
-                );
+                CHECK(faces.neighbour(celli, d, side) == g.neighbour(celli, d, side));
             }
         }
         CHECK(faces.locate(0, x) == celli);
         CHECK(g.locate(0, x) == celli);
     }
 }
-
 
 TEST_CASE("a shape of run-time size on tetrahedra: identities, sums, adjoint")
 {
@@ -260,11 +226,11 @@ TEST_CASE("a shape of run-time size on tetrahedra: identities, sums, adjoint")
     for (auto& p : points)
     {
         scalar x[3];
-        inside(g, label(0.5*(u(gen) + 1)*g.nCells()) % g.nCells(), gen, x);
+        inside(g, label(0.5 * (u(gen) + 1) * g.nCells()) % g.nCells(), gen, x);
         p.x = point(x[0], x[1], x[2]);
         p.U = vector(u(gen), u(gen), u(gen));
-        p.mass = 1 + 0.5*u(gen);
-        p.volume = 1 + 0.5*u(gen);
+        p.mass = 1 + 0.5 * u(gen);
+        p.volume = 1 + 0.5 * u(gen);
         p.sigma = symmTensor(u(gen), u(gen), u(gen), u(gen), u(gen), u(gen));
         p.halfSize = vector(0.02, 0.02, 0.02);
     }
@@ -272,10 +238,11 @@ TEST_CASE("a shape of run-time size on tetrahedra: identities, sums, adjoint")
     CHECK(cloud.size() == 701);
 
     const label N = g.nNodes();
-    alignedArray mU(4*N), f(4*N), v(4*N);
+    alignedArray mU(4 * N), f(4 * N), v(4 * N);
     pass->project(cloud, pointGridTransfer::current, mU.data());
     pass->force(cloud, f.data());
-    for (label i = 0; i < 4*N; ++i) v.data()[i] = u(gen);
+    for (label i = 0; i < 4 * N; ++i)
+        v.data()[i] = u(gen);
 
     scalar worst = 0, mass = 0, power = 0, scale = 0;
     vector momentum(Zero);
@@ -286,7 +253,8 @@ TEST_CASE("a shape of run-time size on tetrahedra: identities, sums, adjoint")
         for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
         {
             scalar x[3];
-            for (int d = 0; d < 3; ++d) x[d] = cloud.x()[d][p];
+            for (int d = 0; d < 3; ++d)
+                x[d] = cloud.x()[d][p];
             pass->weights(cloud.cells()[k], x, nullptr, nodes, S, dS);
             scalar sum = -1;
             vector at(-x[0], -x[1], -x[2]);
@@ -294,22 +262,21 @@ TEST_CASE("a shape of run-time size on tetrahedra: identities, sums, adjoint")
             forAll(nodes, i)
             {
                 const point& X = g.mesh().points()[g.nodePoint()[nodes[i]]];
-                const vector grad(dS[3*i], dS[3*i + 1], dS[3*i + 2]);
-                const scalar* w = v.data() + 4*nodes[i];
+                const vector grad(dS[3 * i], dS[3 * i + 1], dS[3 * i + 2]);
+                const scalar* w = v.data() + 4 * nodes[i];
                 sum += S[i];
-                at += S[i]*X;
-                unit += X*grad;
-                L += grad*vector(w[0], w[1], w[2]);
+                at += S[i] * X;
+                unit += X * grad;
+                L += grad * vector(w[0], w[1], w[2]);
             }
-            worst = max(worst, max(mag(sum), max(mag(at), 0.1*mag(unit))));
-            const scalar part =
-                -cloud.volume()[0][p]*(cloud.sigma(p) && L);
+            worst = max(worst, max(mag(sum), max(mag(at), 0.1 * mag(unit))));
+            const scalar part = -cloud.volume()[0][p] * (cloud.sigma(p) && L);
             power += part;
             scale += mag(part);
             mass += cloud.mass()[0][p];
             for (int d = 0; d < 3; ++d)
             {
-                momentum[d] += cloud.mass()[0][p]*cloud.U()[d][p];
+                momentum[d] += cloud.mass()[0][p] * cloud.U()[d][p];
             }
         }
     }
@@ -319,21 +286,19 @@ TEST_CASE("a shape of run-time size on tetrahedra: identities, sums, adjoint")
     scalar nodePower = 0;
     for (label n = 0; n < N; ++n)
     {
-        mass -= mU.data()[4*n + 3];
+        mass -= mU.data()[4 * n + 3];
         for (int d = 0; d < 3; ++d)
         {
-            momentum[d] -= mU.data()[4*n + d];
-            nodePower += f.data()[4*n + d]*v.data()[4*n + d];
+            momentum[d] -= mU.data()[4 * n + d];
+            nodePower += f.data()[4 * n + d] * v.data()[4 * n + d];
         }
     }
-    CHECK(mag(mass) < 1e-12*701);
-    CHECK(mag(momentum) < 1e-12*701);
-    CHECK(mag(power - nodePower) < 1e-13*scale);
+    CHECK(mag(mass) < 1e-12 * 701);
+    CHECK(mag(momentum) < 1e-12 * 701);
+    CHECK(mag(power - nodePower) < 1e-13 * scale);
 
     // Other shape functions refuse these cells, and this one other cells
     CHECK_THROWS(passes("GIMP", g));
     const testMesh boxes(3, 3, 3, graded);
     CHECK_THROWS(passes("testSimplex", boxes.grid()));
 }
-
-// ************************************************************************* //

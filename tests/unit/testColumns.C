@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     The cloud as a registry of columns: one that is added by a line goes
@@ -28,23 +25,18 @@ namespace
 //- The line
 column& wear(materialPointCloud& cloud)
 {
-    return cloud.need
-    (
-        "wear", column::vectors, columnRules(columnRules::sinceRun).initial(2.5)
-    );
+    return cloud.need("wear", column::vectors, columnRules(columnRules::sinceRun).initial(2.5));
 }
 
 //- Values that need all digits of a double, of a point's id
-scalar wearOf(const scalar id, const int c)
-{
-    return 1/(id + 3) + c;
-}
+scalar wearOf(const scalar id, const int c) { return 1 / (id + 3) + c; }
 
 void mark(materialPointCloud& cloud, column& w)
 {
     for (label p = 0; p < cloud.size(); ++p)
     {
-        for (int c = 0; c < 2; ++c) w[c][p] = wearOf(cloud.id()[0][p], c);
+        for (int c = 0; c < 2; ++c)
+            w[c][p] = wearOf(cloud.id()[0][p], c);
     }
 }
 
@@ -72,7 +64,7 @@ List<materialPointCloud::newPoint> somePoints(const label n)
         p.x = point(u(gen), u(gen), 0.5);
         p.U = vector(u(gen), u(gen), 0);
         p.mass = 1 + u(gen);
-        p.volume = 1e-3*(1 + u(gen));
+        p.volume = 1e-3 * (1 + u(gen));
         p.sigma = symmTensor(u(gen), u(gen), 0, u(gen), 0, u(gen));
         p.halfSize = vector::one;
         p.T = 300;
@@ -89,7 +81,6 @@ testMesh square()
 
 }
 
-
 TEST_CASE("a column of one line starts, is ordered, put back and sent with its points")
 {
     const testMesh m(square());
@@ -103,7 +94,8 @@ TEST_CASE("a column of one line starts, is ordered, put back and sent with its p
     CHECK_THROWS(cloud.needHistory("wear", column::vectors));
 
     cloud.add(somePoints(N));
-    for (label p = 0; p < N; ++p) REQUIRE(w[1][p] == 2.5);
+    for (label p = 0; p < N; ++p)
+        REQUIRE(w[1][p] == 2.5);
     mark(cloud, w);
 
     std::mt19937 gen(3);
@@ -111,8 +103,7 @@ TEST_CASE("a column of one line starts, is ordered, put back and sent with its p
     for (int round = 0; round < 6; ++round)
     {
         DynamicList<materialPointCloud::cellChange> changes;
-        cloud.forCells
-        (
+        cloud.forCells(
             [&](const label p, const label celli)
             {
                 scalar x[3] = {u(gen), u(gen), 0};
@@ -126,12 +117,14 @@ TEST_CASE("a column of one line starts, is ordered, put back and sent with its p
                 {
                     changes.append(materialPointCloud::cellChange{p, to});
                 }
-            }
-        );
-        REQUIRE(changes.size() > N/2);
+            });
+        REQUIRE(changes.size() > N / 2);
         cloud.sort(changes);
         CHECK(wrong(cloud, w, N) == 0);
-        if (round % 2) cloud.reject(); else cloud.accept();
+        if (round % 2)
+            cloud.reject();
+        else
+            cloud.accept();
         CHECK(wrong(cloud, w, N) == 0);
     }
 
@@ -139,8 +132,9 @@ TEST_CASE("a column of one line starts, is ordered, put back and sent with its p
     materialPointCloud other(g, "other");
     column& w2 = wear(other);
     other.add(somePoints(1));
-    const label p = N/3;
-    for (int d = 0; d < 2; ++d) cloud.xNew()[d][p] = 0.1 + d;
+    const label p = N / 3;
+    for (int d = 0; d < 2; ++d)
+        cloud.xNew()[d][p] = 0.1 + d;
     DynamicList<scalar> row;
     cloud.toRow(p, row);
     // x, U, m, V, sigma, id, wear
@@ -154,10 +148,7 @@ TEST_CASE("a column of one line starts, is ordered, put back and sent with its p
 
     // All points as rows, taken by a cloud with another column before
     materialPointCloud third(g, "third");
-    column& late = third.need
-    (
-        "late", column::scalars, columnRules().initial(7)
-    );
+    column& late = third.need("late", column::scalars, columnRules().initial(7));
     column& w3 = wear(third);
     CHECK(third.setRows(cloud.rows()) == N);
     CHECK(wrong(third, w3, N) == 0);
@@ -174,7 +165,6 @@ TEST_CASE("a column of one line starts, is ordered, put back and sent with its p
     CHECK(differing == 0);
 }
 
-
 TEST_CASE("a column of one line goes with removed points, and may come late")
 {
     const testMesh m(square());
@@ -182,23 +172,19 @@ TEST_CASE("a column of one line goes with removed points, and may come late")
     materialPointCloud plain(m.grid(), "plain");
     column& w = wear(cloud);
     column& w2 = wear(debris);
-    column& own = debris.need
-    (
-        "age", column::scalars, columnRules().initial(-1)
-    );
+    column& own = debris.need("age", column::scalars, columnRules().initial(-1));
     cloud.add(somePoints(N));
     mark(cloud, w);
 
     boolList gone(N, false);
     DynamicList<label> cells;
-    cloud.forCells
-    (
+    cloud.forCells(
         [&](const label p, const label celli)
         {
             gone[p] = p % 3 == 0;
-            if (gone[p]) cells.append(celli);
-        }
-    );
+            if (gone[p])
+                cells.append(celli);
+        });
     CHECK(cloud.remove(gone) == cells.size());
     debris.take(cloud, cells);
     plain.take(cloud, cells);
@@ -206,26 +192,23 @@ TEST_CASE("a column of one line goes with removed points, and may come late")
     CHECK(plain.size() == debris.size());
     CHECK(wrong(cloud, w, cloud.size()) == 0);
     CHECK(wrong(debris, w2, debris.size()) == 0);
-    for (label p = 0; p < debris.size(); ++p) REQUIRE(own[0][p] == -1);
+    for (label p = 0; p < debris.size(); ++p)
+        REQUIRE(own[0][p] == -1);
 
     const scalar before = cloud.bytesPerPoint();
-    column& late = cloud.need
-    (
-        "late", column::tensors, columnRules().initial(7)
-    );
-    for (label p = 0; p < cloud.size(); ++p) REQUIRE(late[3][p] == 7);
-    const scalar perDouble =
-        8.0*(cloud.capacity() + column::padding)/cloud.size();
-    CHECK(cloud.bytesPerPoint() - before == doctest::Approx(4*perDouble));
+    column& late = cloud.need("late", column::tensors, columnRules().initial(7));
+    for (label p = 0; p < cloud.size(); ++p)
+        REQUIRE(late[3][p] == 7);
+    const scalar perDouble = 8.0 * (cloud.capacity() + column::padding) / cloud.size();
+    CHECK(cloud.bytesPerPoint() - before == doctest::Approx(4 * perDouble));
     CHECK(wrong(cloud, w, cloud.size()) == 0);
 }
-
 
 TEST_CASE("a column of one line is written and read bit by bit, by its rules")
 {
     const testMesh m(square());
     const pointGrid& g = m.grid();
-    const fileName folder(m().time().path()/"0"/"lagrangian"/"worn");
+    const fileName folder(m().time().path() / "0" / "lagrangian" / "worn");
     typedef std::map<scalar, scalar> values;
     values stress;
     {
@@ -240,34 +223,25 @@ TEST_CASE("a column of one line is written and read bit by bit, by its rules")
         }
         cloud.writePoints();
     }
-    CHECK(isFile(folder/"wear"));
-    CHECK(!isFile(folder/"idle"));
+    CHECK(isFile(folder / "wear"));
+    CHECK(!isFile(folder / "idle"));
     {
         // Directions that are not computed: the cell's centre
         materialPointCloud cloud(g, "worn");
-        const IOField<vector> x
-        (
-            cloud.columnObject("x", IOobject::MUST_READ)
-        );
+        const IOField<vector> x(cloud.columnObject("x", IOobject::MUST_READ));
         REQUIRE(x.size() == N);
-        for (const point& at : x) REQUIRE(at.z() == doctest::Approx(0.5));
+        for (const point& at : x)
+            REQUIRE(at.z() == doctest::Approx(0.5));
     }
 
-    const auto reads = [&]
-    (
-        const char* name,
-        const column::kinds kind,
-        const columnRules& rules
-    )
+    const auto reads = [&](const char* name, const column::kinds kind, const columnRules& rules)
     {
         materialPointCloud cloud(g, "worn");
         cloud.need(name, kind, rules);
         return cloud.readPoints();
     };
     const auto wearBy = [&](const columnRules& rules)
-    {
-        return reads("wear", column::vectors, rules);
-    };
+    { return reads("wear", column::vectors, rules); };
     {
         materialPointCloud cloud(g, "worn");
         column& w = wear(cloud);
@@ -283,29 +257,22 @@ TEST_CASE("a column of one line is written and read bit by bit, by its rules")
 
     // Values by their rules: between 0 and 1.34
     CHECK(wearBy(columnRules(columnRules::required).positive(2, "")) == N);
-    CHECK_THROWS
-    (wearBy(columnRules(columnRules::required).positive(1, "")));
+    CHECK_THROWS(wearBy(columnRules(columnRules::required).positive(1, "")));
     CHECK_THROWS(wearBy(columnRules(columnRules::required).fraction()));
 
     // A file that is not there
     const auto asked = [&](const columnRules& rules)
-    {
-        return reads("tear", column::scalars, rules);
-    };
+    { return reads("tear", column::scalars, rules); };
     CHECK(asked(columnRules(columnRules::optional)) == N);
     CHECK(asked(columnRules(columnRules::sinceRun)) == N);
     CHECK_THROWS(asked(columnRules(columnRules::sinceStart)));
     CHECK_THROWS(asked(columnRules(columnRules::required)));
     {
-        rm(folder/"wear");
+        rm(folder / "wear");
         materialPointCloud cloud(g, "worn");
         column& w = wear(cloud);
-        column& from = cloud.need
-        (
-            "from",
-            column::vectors,
-            columnRules(columnRules::sinceRun).position().orElse("x")
-        );
+        column& from = cloud.need(
+            "from", column::vectors, columnRules(columnRules::sinceRun).position().orElse("x"));
         CHECK(cloud.readPoints() == N);
         for (label p = 0; p < N; ++p)
         {
@@ -315,7 +282,6 @@ TEST_CASE("a column of one line is written and read bit by bit, by its rules")
     }
     rmDir(m().time().path());
 }
-
 
 TEST_CASE("a column in another order: few points and many, from one on")
 {

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     Contact laws: largest tangential impulse and its slope.
@@ -27,23 +24,14 @@ autoPtr<contactLaw> contactLawOf(const std::string& text)
 }
 
 //- Without a slope of its own
-struct squareLaw
-:
-    public contactLaw
+struct squareLaw : public contactLaw
 {
-    squareLaw()
-    :
-        contactLaw(dictionary(), wordList())
-    {}
+    squareLaw() : contactLaw(dictionary(), wordList()) {}
 
-    scalar limit(const state& s) const override
-    {
-        return 3*sqr(s.Jn)*s.slip();
-    }
+    scalar limit(const state& s) const override { return 3 * sqr(s.Jn) * s.slip(); }
 };
 
 } // End namespace
-
 
 TEST_CASE("contact laws: largest tangential impulse")
 {
@@ -51,11 +39,10 @@ TEST_CASE("contact laws: largest tangential impulse")
     const contactLaw::state s{2, 0.7, 0.1, 1e-3};
     CHECK(s.slip() == doctest::Approx(7).epsilon(1e-14));
     CHECK(contactLawOf("type frictionless;")->limit(s) == 0);
-    CHECK(contactLawOf("type Coulomb; mu 0.3;")->limit(s) == 0.3*2);
+    CHECK(contactLawOf("type Coulomb; mu 0.3;")->limit(s) == 0.3 * 2);
     CHECK(contactLawOf("type Coulomb; mu 0.3;")->slope(s) == 0.3);
     CHECK(contactLawOf("type stick;")->limit(s) > 1e100);
 }
-
 
 TEST_CASE("contact laws: the slope of a law that gives none")
 {

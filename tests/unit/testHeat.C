@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     Nusselt numbers and the pressure of grains: numbers worked out by hand
@@ -24,39 +21,27 @@ namespace
 {
 
 //- Nu from H = 6 theta_s k Nu/d^2; Re = rho u d/mu of the gas between grains
-scalar Nusselt
-(
-    const char* type,
-    const scalar Re,
-    const scalar Pr,
-    const scalar thetaG
-)
+scalar Nusselt(const char* type, const scalar Re, const scalar Pr, const scalar thetaG)
 {
     IStringStream is(std::string("type ") + type + "; d 1e-3;");
     const scalar rho = 1.2, mu = 1.8e-5, Cp = 1005, d = 1e-3;
-    const scalar H = heatTransferModel::New(dictionary(is))->H
-    (
-        heatTransferModel::state
-        {1 - thetaG, thetaG, rho, mu, Cp, Pr, Re*mu/(rho*d)}
-    );
-    return H*sqr(d)*Pr/(6*(1 - thetaG)*mu*Cp);
+    const scalar H =
+        heatTransferModel::New(dictionary(is))
+            ->H(heatTransferModel::state{1 - thetaG, thetaG, rho, mu, Cp, Pr, Re * mu / (rho * d)});
+    return H * sqr(d) * Pr / (6 * (1 - thetaG) * mu * Cp);
 }
 
 }
-
 
 TEST_CASE("heat: Ranz-Marshall")
 {
     // 2 + 0.6 Re^1/2 Pr^1/3; 0.71^(1/3) = 0.8921121
     CHECK(Nusselt("RanzMarshall", 0, 0.71, 0.9) == doctest::Approx(2).epsilon(1e-12));
     CHECK(Nusselt("RanzMarshall", 100, 1, 0.9) == doctest::Approx(8).epsilon(1e-12));
-    CHECK
-    (
+    CHECK(
         Nusselt("RanzMarshall", 100, 0.71, 0.9)
-     == doctest::Approx(2 + 6*0.8921121).epsilon(1e-6)
-    );
+        == doctest::Approx(2 + 6 * 0.8921121).epsilon(1e-6));
 }
-
 
 TEST_CASE("heat: Gunn")
 {
@@ -71,17 +56,13 @@ TEST_CASE("heat: Gunn")
     CHECK(Nusselt("Gunn", 250, 1, 0.4) == doctest::Approx(24.598419).epsilon(1e-6));
 }
 
-
 TEST_CASE("heat: constant")
 {
     IStringStream is("type constant; value 50;");
-    const scalar H = heatTransferModel::New(dictionary(is))->H
-    (
-        heatTransferModel::state{0.4, 0.6, 1, 0, 0, 0, 0}
-    );
+    const scalar H = heatTransferModel::New(dictionary(is))
+                         ->H(heatTransferModel::state{0.4, 0.6, 1, 0, 0, 0, 0});
     CHECK(H == doctest::Approx(12).epsilon(1e-12));
 }
-
 
 TEST_CASE("granular pressure: Johnson-Jackson")
 {
@@ -98,17 +79,14 @@ TEST_CASE("granular pressure: Johnson-Jackson")
     for (const scalar a : {0.55, 0.6, 0.635, 0.645, 0.66})
     {
         const scalar h = 1e-6;
-        CHECK
-        (
-            (law.p(a + h) - law.p(a - h))/(2*h)
-         == doctest::Approx(law.slope(a)).epsilon(1e-5)
-        );
+        CHECK(
+            (law.p(a + h) - law.p(a - h)) / (2 * h) == doctest::Approx(law.slope(a)).epsilon(1e-5));
     }
     CHECK(law.slope(0.66) == law.slope(0.645));
 
     // rho a J (c + 4 J) where grains touch and come closer
-    const double rho = 2500, J = 3, c = std::sqrt(law.slope(0.6)/rho);
-    CHECK(law.q(0.6, rho, J) == doctest::Approx(rho*0.6*J*(c + 4*J)).epsilon(1e-12));
+    const double rho = 2500, J = 3, c = std::sqrt(law.slope(0.6) / rho);
+    CHECK(law.q(0.6, rho, J) == doctest::Approx(rho * 0.6 * J * (c + 4 * J)).epsilon(1e-12));
     CHECK(law.q(0.5, rho, J) == 0);
     CHECK(law.q(0.6, rho, -J) == 0);
 }

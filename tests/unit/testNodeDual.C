@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     Node-dual functions on tetrahedra, prisms, hexahedra with warped faces,
@@ -37,7 +34,6 @@ vector place(const pointGrid& g, const label node)
     return x;
 }
 
-
 //- From a position to a node of the unit cube, whose x may be cyclic
 vector way(const pointGrid& g, const vector& from, const label to, bool cyclic)
 {
@@ -46,17 +42,11 @@ vector way(const pointGrid& g, const vector& from, const label to, bool cyclic)
     return d;
 }
 
-
 //- Largest errors of the identities of W and G, and the volume; cyclic
 //  directions are left out
-void identities
-(
-    const pointGrid& g,
-    const scalar volume,
-    const scalar size,
-    const bool products = false,
-    const bool cyclic = false
-)
+void identities(
+    const pointGrid& g, const scalar volume, const scalar size, const bool products = false,
+    const bool cyclic = false)
 {
     const int D = g.nDim();
     const cellSimplices cells(g, products);
@@ -70,7 +60,7 @@ void identities
         tensor I(Zero);
         for (int c = 0; c < D; ++c)
         {
-            I[4*c] = -1;
+            I[4 * c] = -1;
         }
         scalar own = 0;
         for (label e = dual.begin(m); e < dual.begin(m + 1); ++e)
@@ -83,38 +73,33 @@ void identities
             }
             W += dual.W(e);
             least = min(least, dual.W(e));
-            d += dual.W(e)*x;
+            d += dual.W(e) * x;
             G += Ge;
-            I += x*Ge;
+            I += x * Ge;
             own += dual.node(e) == m ? dual.W(e) : 0;
         }
         alone += own > 1 - 1e-12;
         sum = max(sum, mag(W));
-        centre = max(centre, mag(d)/size);
-        grad = max(grad, mag(G)*size);
+        centre = max(centre, mag(d) / size);
+        grad = max(grad, mag(G) * size);
         unit = max(unit, mag(I));
         all += dual.volume(m);
     }
-    INFO("sum " << sum << " centre " << centre << " grad " << grad << " unit "
-        << unit << " volume " << all/volume - 1 << " corners " << alone);
+    INFO(
+        "sum " << sum << " centre " << centre << " grad " << grad << " unit " << unit << " volume "
+               << all / volume - 1 << " corners " << alone);
     CHECK(sum < 1e-12);
     CHECK(least >= 0);
     CHECK(centre < 1e-12);
     CHECK(grad < 1e-12);
     CHECK(unit < 1e-12);
-    CHECK(mag(all/volume - 1) < 1e-12);
+    CHECK(mag(all / volume - 1) < 1e-12);
     CHECK(alone == (cyclic ? 0 : label(1) << D));
 }
 
-
 //- Random points in simplices of random cells; inner: of those without walls
-List<materialPointCloud::newPoint> randomPoints
-(
-    const pointGrid& g,
-    const label n,
-    std::mt19937& gen,
-    const bool inner
-)
+List<materialPointCloud::newPoint>
+randomPoints(const pointGrid& g, const label n, std::mt19937& gen, const bool inner)
 {
     const int D = g.nDim();
     const cellSimplices cells(g);
@@ -128,26 +113,23 @@ List<materialPointCloud::newPoint> randomPoints
         {
             celli = some(gen);
         }
-        const label s = std::uniform_int_distribution<label>
-        (
-            0, cells.nSimplices(celli) - 1
-        )(gen);
+        const label s = std::uniform_int_distribution<label>(0, cells.nSimplices(celli) - 1)(gen);
         scalar w[4], sum = 0;
-        for (int k = 0; k <= D; ++k) sum += w[k] = share(gen);
+        for (int k = 0; k <= D; ++k)
+            sum += w[k] = share(gen);
         p.x = g.mesh().cellCentres()[celli];
         for (int d = 0; d < D; ++d)
         {
             scalar& x = p.x[g.direction(d)];
-            x = w[D]/sum*cells.origin(celli)[d];
+            x = w[D] / sum * cells.origin(celli)[d];
             for (int k = 0; k < D; ++k)
             {
-                x += w[k]/sum
-                   *cells.position(celli, cells.corners(celli)[D*s + k])[d];
+                x += w[k] / sum * cells.position(celli, cells.corners(celli)[D * s + k])[d];
             }
             p.U[g.direction(d)] = u(gen);
         }
-        p.mass = 1 + 0.5*u(gen);
-        p.volume = 1 + 0.5*u(gen);
+        p.mass = 1 + 0.5 * u(gen);
+        p.volume = 1 + 0.5 * u(gen);
         p.sigma = Zero;
         for (int i = 0; i < D; ++i)
         {
@@ -164,16 +146,10 @@ List<materialPointCloud::newPoint> randomPoints
     return points;
 }
 
-
 //- Passes against sums with weights()
 template<int D>
-void explicitSums
-(
-    const pointGrid& g,
-    const unsigned seed,
-    const bool inner = false,
-    const bool cyclic = false
-)
+void explicitSums(
+    const pointGrid& g, const unsigned seed, const bool inner = false, const bool cyclic = false)
 {
     constexpr int P = nodeStride<D>;
     CAPTURE(seed);
@@ -185,11 +161,12 @@ void explicitSums
     REQUIRE(cloud.size() == 300);
 
     const label N = g.nNodes();
-    alignedArray mU(P*N), f(P*N), fNew(P*N), Mv(P*N), v(P*N);
-    scalarField mU0(P*N, Zero), f0(P*N, Zero), Mv0(P*N, Zero);
+    alignedArray mU(P * N), f(P * N), fNew(P * N), Mv(P * N), v(P * N);
+    scalarField mU0(P * N, Zero), f0(P * N, Zero), Mv0(P * N, Zero);
     for (label n = 0; n < N; ++n)
     {
-        for (int d = 0; d < D; ++d) v.data()[P*n + d] = u(gen);
+        for (int d = 0; d < D; ++d)
+            v.data()[P * n + d] = u(gen);
     }
 
     scalar identity = 0, power = 0, powerSum = 0;
@@ -201,11 +178,13 @@ void explicitSums
         for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
         {
             scalar x[3];
-            for (int d = 0; d < D; ++d) x[d] = cloud.x()[d][p];
+            for (int d = 0; d < D; ++d)
+                x[d] = cloud.x()[d][p];
             pass->weights(cloud.cells()[k], x, nullptr, nodes, S, dS);
             scalar sum = -1, vp[3] = {0, 0, 0}, unit[9] = {};
             vector at(Zero), from(Zero);
-            for (int d = 0; d < D; ++d) from[d] = x[d];
+            for (int d = 0; d < D; ++d)
+                from[d] = x[d];
             const scalar m = cloud.mass()[0][p];
             forAll(nodes, i)
             {
@@ -214,17 +193,16 @@ void explicitSums
                 CHECK(S[i] >= 0);
                 for (int d = 0; d < D; ++d)
                 {
-                    at[d] += S[i]*X[d];
-                    vp[d] += S[i]*v.data()[P*nodes[i] + d];
-                    mU0[P*nodes[i] + d] += m*S[i]*cloud.U()[d][p];
+                    at[d] += S[i] * X[d];
+                    vp[d] += S[i] * v.data()[P * nodes[i] + d];
+                    mU0[P * nodes[i] + d] += m * S[i] * cloud.U()[d][p];
                     for (int c = 0; c < D; ++c)
                     {
-                        unit[3*c + d] += X[c]*dS[D*i + d];
-                        L[p][3*c + d] +=
-                            v.data()[P*nodes[i] + c]*dS[D*i + d];
+                        unit[3 * c + d] += X[c] * dS[D * i + d];
+                        L[p][3 * c + d] += v.data()[P * nodes[i] + c] * dS[D * i + d];
                     }
                 }
-                mU0[P*nodes[i] + D] += m*S[i];
+                mU0[P * nodes[i] + D] += m * S[i];
             }
             identity = max(identity, mag(sum));
             const symmTensor sigma(cloud.sigma(p));
@@ -234,19 +212,19 @@ void explicitSums
                 identity = max(identity, mag(at[d]));
                 for (int c = 0; c < D; ++c)
                 {
-                    identity = max(identity, 0.1*mag(unit[3*c + d] - (c == d)));
+                    identity = max(identity, 0.1 * mag(unit[3 * c + d] - (c == d)));
                     const int a = min(g.direction(c), g.direction(d));
                     const int b = max(g.direction(c), g.direction(d));
-                    const scalar vs =
-                        -cloud.volume()[0][p]*sigma[slot[a][b]];
-                    power += vs*L[p][3*c + d];
-                    powerSum += mag(vs*L[p][3*c + d]);
+                    const scalar vs = -cloud.volume()[0][p] * sigma[slot[a][b]];
+                    power += vs * L[p][3 * c + d];
+                    powerSum += mag(vs * L[p][3 * c + d]);
                     forAll(nodes, i)
                     {
-                        f0[P*nodes[i] + c] += vs*dS[D*i + d];
+                        f0[P * nodes[i] + c] += vs * dS[D * i + d];
                     }
                 }
-                forAll(nodes, i) Mv0[P*nodes[i] + d] += m*S[i]*vp[d];
+                forAll(nodes, i)
+                    Mv0[P * nodes[i] + d] += m * S[i] * vp[d];
             }
         }
     }
@@ -257,86 +235,75 @@ void explicitSums
     pass->massTimes(cloud, false, v.data(), Mv.data());
     scalar wrong = 0, largest = 0, nodePower = 0, total = 0, mass = 0;
     vector sumF(Zero);
-    for (label i = 0; i < P*N; ++i)
+    for (label i = 0; i < P * N; ++i)
     {
         const bool isMass = i % P == D;
         largest = max(largest, mag(f0[i]));
         wrong = max(wrong, mag(mU.data()[i] - mU0[i]));
         wrong = max(wrong, mag(Mv.data()[i] - Mv0[i]));
-        wrong = max(wrong, 0.01*mag(f.data()[i] - f0[i]));
-        nodePower += i % P < D ? f.data()[i]*v.data()[i] : 0;
+        wrong = max(wrong, 0.01 * mag(f.data()[i] - f0[i]));
+        nodePower += i % P < D ? f.data()[i] * v.data()[i] : 0;
         mass += isMass ? mU.data()[i] : 0;
-        if (i % P < D) sumF[i % P] += f.data()[i];
+        if (i % P < D)
+            sumF[i % P] += f.data()[i];
     }
-    for (label p = 0; p < cloud.size(); ++p) total += cloud.mass()[0][p];
+    for (label p = 0; p < cloud.size(); ++p)
+        total += cloud.mass()[0][p];
     INFO("wrong " << wrong << " largest force " << largest);
     CHECK(wrong < 1e-12);
-    CHECK(mag(mass - total) < 1e-12*total);
-    CHECK(mag(sumF) < 1e-10*largest);
-    CHECK(mag(nodePower - power) < 1e-12*powerSum);
+    CHECK(mag(mass - total) < 1e-12 * total);
+    CHECK(mag(sumF) < 1e-10 * largest);
+    CHECK(mag(nodePower - power) < 1e-12 * powerSum);
 
     // Strain: the work of an elastic law in a small step from no stress, and
     // the force of the new stress as force() gives it
     IStringStream is("type linearElastic; rho 1; E 1; nu 0.3;");
     const auto law(constitutiveModel::New(dictionary(is)));
     scalarField before(cloud.size());
-    for (label p = 0; p < cloud.size(); ++p) before[p] = cloud.volume()[0][p];
+    for (label p = 0; p < cloud.size(); ++p)
+        before[p] = cloud.volume()[0][p];
     cloud.needHistory("leftStretch", column::stresses);
     cloud.history()[0].reserve(cloud.capacity(), 0);
     const scalar dt = 1e-4;
-    pass->correctStress
-    (
-        cloud, *law, nullptr, dt, 0, v.data(), fNew.data()
-    );
+    pass->correctStress(cloud, *law, nullptr, dt, 0, v.data(), fNew.data());
     scalar dilation = 0;
     for (label p = 0; p < cloud.size(); ++p)
     {
         scalar tr = 0;
-        for (int d = 0; d < D; ++d) tr += L[p][4*d];
-        dilation = max
-        (
-            dilation,
-            mag(std::log(cloud.volume()[0][p]/before[p]) - dt*tr)
-        );
+        for (int d = 0; d < D; ++d)
+            tr += L[p][4 * d];
+        dilation = max(dilation, mag(std::log(cloud.volume()[0][p] / before[p]) - dt * tr));
     }
     CHECK(dilation < 1e-13);
-    for (label i = 0; i < P*N; ++i) f.data()[i] = 0;
+    for (label i = 0; i < P * N; ++i)
+        f.data()[i] = 0;
     pass->force(cloud, f.data());
     scalar change = 0;
-    for (label i = 0; i < P*N; ++i)
+    for (label i = 0; i < P * N; ++i)
     {
         change = max(change, mag(f.data()[i] - fNew.data()[i]));
     }
-    CHECK(change < 1e-12*largest);
+    CHECK(change < 1e-12 * largest);
 }
 
-
-
 //- A random position in a simplex of a cell, or on its outer side
-void inSimplex
-(
-    const cellSimplices& cells,
-    const label celli,
-    const label s,
-    const bool onSide,
-    std::mt19937& gen,
-    scalar* x
-)
+void inSimplex(
+    const cellSimplices& cells, const label celli, const label s, const bool onSide,
+    std::mt19937& gen, scalar* x)
 {
     std::uniform_real_distribution<scalar> share(0.01, 1);
     scalar w[4], sum = 0;
-    for (int k = 0; k < 4; ++k) sum += w[k] = k == 3 && onSide ? 0 : share(gen);
+    for (int k = 0; k < 4; ++k)
+        sum += w[k] = k == 3 && onSide ? 0 : share(gen);
     for (int d = 0; d < 3; ++d)
     {
-        x[d] = w[3]/sum*cells.origin(celli)[d];
+        x[d] = w[3] / sum * cells.origin(celli)[d];
         for (int k = 0; k < 3; ++k)
         {
-            x[d] += w[k]/sum
-               *cells.position(celli, cells.corners(celli)[3*s + k])[d];
+            x[d] += w[k] / sum * cells.position(celli, cells.corners(celli)[3 * s + k])[d];
         }
     }
 }
-
 
 //- Points in all simplices, on their outer sides, in vertices and on edges
 void foundByCells(const pointGrid& g)
@@ -350,11 +317,11 @@ void foundByCells(const pointGrid& g)
     const auto lambdaOfOrigin = [&](const label celli)
     {
         const label s = cells.simplexOf(celli, x);
-        const scalar* I = cells.inverses(celli) + 9*s;
+        const scalar* I = cells.inverses(celli) + 9 * s;
         scalar lambda = 1;
         for (int k = 0; k < 9; ++k)
         {
-            lambda -= I[k]*(x[k % 3] - cells.origin(celli)[k % 3]);
+            lambda -= I[k] * (x[k % 3] - cells.origin(celli)[k % 3]);
         }
         return lambda;
     };
@@ -373,9 +340,8 @@ void foundByCells(const pointGrid& g)
             {
                 const label a = mesh.faceOwner()[facei];
                 const label b = mesh.faceNeighbour()[facei];
-                sides +=
-                    found != g.locate(a, x) || found != g.locate(b, x)
-                 || (found != a && found != b);
+                sides += found != g.locate(a, x) || found != g.locate(b, x)
+                    || (found != a && found != b);
                 outside += lambdaOfOrigin(found) < -1e-13;
             }
             else if (facei >= 0)
@@ -386,17 +352,15 @@ void foundByCells(const pointGrid& g)
         for (const label edgei : mesh.cellEdges()[celli])
         {
             // Cells around an edge may each have it to rounding
-            const point e
-            (
-                mesh.edges()[edgei].centre(mesh.points())
-            );
+            const point e(mesh.edges()[edgei].centre(mesh.points()));
             std::copy_n(&e[0], 3, x);
             const label found = g.locate(celli, x);
             others += found < 0 || lambdaOfOrigin(found) < -1e-12;
         }
     }
-    INFO("wrong " << wrong << " from far " << far << " sides " << sides
-        << " not in the cell " << outside << " edges " << others);
+    INFO(
+        "wrong " << wrong << " from far " << far << " sides " << sides << " not in the cell "
+                 << outside << " edges " << others);
     CHECK(wrong == 0);
     CHECK(far == 0);
     CHECK(sides == 0);
@@ -405,7 +369,6 @@ void foundByCells(const pointGrid& g)
     scalar beyond[3] = {0.5, 0.5, 1.001};
     CHECK(g.find(beyond) == -1);
 }
-
 
 //- Points that are located together have the cells of each alone: inside,
 //  outside, in vertices, on faces and all but on them
@@ -437,8 +400,8 @@ void locatedTogether(const pointGrid& g)
         const point& inside = mesh.cellCentres()[own];
         for (const scalar part : {0.0, 1e-15, -1e-15, 1e-10, -1e-10, 1e-3, -1e-3})
         {
-            add(own, c + part*(inside - c));
-            add(some(gen), c + part*(inside - c));
+            add(own, c + part * (inside - c));
+            add(some(gen), c + part * (inside - c));
         }
     }
     for (const point& p : mesh.points())
@@ -451,7 +414,7 @@ void locatedTogether(const pointGrid& g)
     label wrong = 0, moved = 0, nInside = 0;
     forAll(from, i)
     {
-        wrong += found[i] != g.locate(from[i], alone.begin() + 3*i);
+        wrong += found[i] != g.locate(from[i], alone.begin() + 3 * i);
         nInside += found[i] >= 0;
     }
     forAll(x, i)
@@ -460,12 +423,11 @@ void locatedTogether(const pointGrid& g)
     }
     CHECK(wrong == 0);
     CHECK(moved == 0);
-    CHECK(nInside > found.size()/2);
+    CHECK(nInside > found.size() / 2);
     CHECK(nInside < found.size());
 }
 
 }
-
 
 TEST_CASE("node-dual operators: identities on all kinds of cells")
 {
@@ -473,21 +435,19 @@ TEST_CASE("node-dual operators: identities on all kinds of cells")
     identities(cellMesh(cellMesh::prisms, 5).grid(), 1, 0.2);
     identities(cellMesh(cellMesh::hexes, 5).grid(), 1, 0.2);
     identities(cellMesh(cellMesh::polyhedra, 5).grid(), 1, 0.2);
-    for (const auto kind : {cellMesh::tets, cellMesh::prisms, cellMesh::hexes,
-            cellMesh::polyhedra})
+    for (const auto kind : {cellMesh::tets, cellMesh::prisms, cellMesh::hexes, cellMesh::polyhedra})
     {
         CAPTURE(int(kind));
         identities(cellMesh(kind, 6, false, true).grid(), 1, 0.2, false, true);
     }
-    identities(testMesh(7, 5, 0, graded).grid(), 1.4*3, 0.2);
+    identities(testMesh(7, 5, 0, graded).grid(), 1.4 * 3, 0.2);
     identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2);
-    const scalar volume = 1.4*3*(std::exp(1) - 1);
+    const scalar volume = 1.4 * 3 * (std::exp(1) - 1);
     identities(testMesh(7, 5, 4, graded).grid(), volume, 0.2, true);
     identities(testMesh(9, 5, 4, uniform(vector(1, 1, 1))).grid(), 1, 0.2, true);
-    identities(testMesh(7, 5, 0, graded).grid(), 1.4*3, 0.2, true);
+    identities(testMesh(7, 5, 0, graded).grid(), 1.4 * 3, 0.2, true);
     identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2, true);
 }
-
 
 TEST_CASE("node-dual cells: points are found by the triangles of warped faces")
 {
@@ -496,7 +456,6 @@ TEST_CASE("node-dual cells: points are found by the triangles of warped faces")
     foundByCells(cellMesh(cellMesh::hexes, 4).grid());
     foundByCells(cellMesh(cellMesh::polyhedra, 4).grid());
 }
-
 
 TEST_CASE("node-dual functions: passes in two levels are sums over the functions")
 {
@@ -521,11 +480,9 @@ TEST_CASE("node-dual functions: passes in two levels are sums over the functions
     }
 }
 
-
 TEST_CASE("node-dual cells: points located together are where each alone is")
 {
-    for (const auto kind : {cellMesh::tets, cellMesh::prisms, cellMesh::hexes,
-            cellMesh::polyhedra})
+    for (const auto kind : {cellMesh::tets, cellMesh::prisms, cellMesh::hexes, cellMesh::polyhedra})
     {
         CAPTURE(int(kind));
         locatedTogether(cellMesh(kind, 4).grid());
@@ -533,5 +490,3 @@ TEST_CASE("node-dual cells: points located together are where each alone is")
     }
     locatedTogether(testMesh(5, 4, 3, graded).grid());
 }
-
-// ************************************************************************* //

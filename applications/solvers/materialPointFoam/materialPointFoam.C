@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Application
     materialPointFoam
@@ -26,52 +23,37 @@ Description
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-int main(int argc, char *argv[])
+int main(int argc, char* argv[])
 {
     mpm::exitOnFatal();
 
-    argList::addNote
-    (
-        "Material points (solids that break, flow and hit each other) on"
-        " OpenFOAM's mesh."
-    );
+    argList::addNote("Material points (solids that break, flow and hit each other) on"
+                     " OpenFOAM's mesh.");
     argList::addNote(mpm::version);
 
-    #include "postProcess.H"
+#include "postProcess.H"
 
-    #include "addCheckCaseOptions.H"
-    #include "setRootCaseLists.H"
-    Info<< mpm::version << nl << endl;
-    mpm::checkControlDict
-    (
-        args.rootPath()/args.globalCaseName()/"system"/"controlDict"
-    );
+#include "addCheckCaseOptions.H"
+#include "setRootCaseLists.H"
+    Info << mpm::version << nl << endl;
+    mpm::checkControlDict(args.rootPath() / args.globalCaseName() / "system" / "controlDict");
     mpm::timeStepControl::setAsideIncomplete(args);
-    #include "createTime.H"
+#include "createTime.H"
 
     // Not createMesh.H: -dry-run checks the case on its own mesh
-    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    Info << "Create mesh for time = " << runTime.timeName() << nl << endl;
     mpm::checkMeshFiles(runTime);
-    fvMesh mesh
-    (
-        IOobject
-        (
-            fvMesh::defaultRegion,
-            runTime.timeName(),
-            runTime,
-            IOobject::MUST_READ
-        )
-    );
+    fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
     mpm::checkMesh(mesh);
 
-    #include "createFields.H"
+#include "createFields.H"
     mpm::timeStepControl control(runTime, simulation);
     if (control.dryRun(args))
     {
         return 0;
     }
 
-    Info<< "\nStarting time loop\n" << endl;
+    Info << "\nStarting time loop\n" << endl;
 
     control.setDeltaT();
     while (runTime.run())
@@ -141,5 +123,3 @@ int main(int argc, char *argv[])
 
     return 0;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "simulation.H"
 #include "phaseNames.H"
@@ -16,57 +10,32 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::simulation::simulation(const fvMesh& mesh)
-:
+Foam::mpm::simulation::simulation(const fvMesh& mesh) :
     mesh_(&mesh),
-    properties_
-    (
-        IOdictionary
-        (
-            IOobject
-            (
-                "phaseProperties",
-                mesh.time().constant(),
-                mesh,
-                IOobject::MUST_READ,
-                IOobject::NO_WRITE,
-                false
-            )
-        )
-    ),
+    properties_(IOdictionary(IOobject(
+        "phaseProperties", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE,
+        false))),
     seconds_(0)
 {
     makePhases(nullptr);
 }
 
-
-Foam::mpm::simulation::simulation(const fvMesh& mesh, rows&& from)
-:
-    mesh_(&mesh),
-    properties_(from.points.properties),
-    seconds_(0)
+Foam::mpm::simulation::simulation(const fvMesh& mesh, rows&& from) :
+    mesh_(&mesh), properties_(from.points.properties), seconds_(0)
 {
     if (from.time != mesh.time().value())
     {
-        FatalErrorInFunction
-            << "The state is that of time " << from.time << ", but the time is "
-            << mesh.time().value() << "." << exit(FatalError);
+        FatalErrorInFunction << "The state is that of time " << from.time << ", but the time is "
+                             << mesh.time().value() << "." << exit(FatalError);
     }
     const meshPlaces::order order(from.places.orderOf(mesh));
     for (fieldStates* fields : {&from.gas, &from.points.cellFields})
     {
-        forAllIters(*fields, iter)
-        {
-            order.ofCells(iter.val());
-        }
+        forAllIters(*fields, iter) { order.ofCells(iter.val()); }
     }
-    forAllIters(from.points.pointFields, iter)
-    {
-        order.ofPoints(iter.val());
-    }
+    forAllIters(from.points.pointFields, iter) { order.ofPoints(iter.val()); }
 
-    Info<< "Simulation is built again from memory, time "
-        << mesh.time().timeName() << nl << endl;
+    Info << "Simulation is built again from memory, time " << mesh.time().timeName() << nl << endl;
     makePhases(&from);
     setState(from.state);
     if (points_)
@@ -87,25 +56,15 @@ void Foam::mpm::simulation::makePhases(rows* from)
 {
     if (phaseNames(properties_, {"materialPoints", "rigid"}).size())
     {
-        points_.reset
-        (
-            new materialPointSystem(*mesh_, from ? &from->points : nullptr)
-        );
+        points_.reset(new materialPointSystem(*mesh_, from ? &from->points : nullptr));
     }
     makeFlow(from);
     if (points_ && gas_)
     {
-        coupling_.reset
-        (
-            new gasCoupling
-            (
-                *points_, *gas_, properties_,
-                from ? &from->points.cellFields : nullptr
-            )
-        );
+        coupling_.reset(new gasCoupling(
+            *points_, *gas_, properties_, from ? &from->points.cellFields : nullptr));
     }
 }
-
 
 void Foam::mpm::simulation::makeFlow(const rows* from)
 {
@@ -120,20 +79,13 @@ void Foam::mpm::simulation::makeFlow(const rows* from)
     if (names.size() > 1)
     {
         FatalIOErrorInFunction(properties_)
-            << "There are " << names.size() << " phases of type gas "
-            << flatOutput(names) << "; there may be one. Several that share"
+            << "There are " << names.size() << " phases of type gas " << flatOutput(names)
+            << "; there may be one. Several that share"
             << " cells are of type fluid." << exit(FatalIOError);
     }
     vector g(Zero);
-    IOobject header
-    (
-        "g",
-        mesh_->time().constant(),
-        *mesh_,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
+    IOobject header(
+        "g", mesh_->time().constant(), *mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (header.typeHeaderOk<uniformDimensionedVectorField>(true))
     {
         g = uniformDimensionedVectorField(header).value();
@@ -148,36 +100,16 @@ void Foam::mpm::simulation::makeFlow(const rows* from)
         {
             properties_.add("fluids", dictionary());
         }
-        gas_.reset
-        (
-            new eulerianFluids
-            (
-                *mesh_, properties_, fluids, g, from ? &from->gas : nullptr
-            )
-        );
+        gas_.reset(new eulerianFluids(*mesh_, properties_, fluids, g, from ? &from->gas : nullptr));
         return;
     }
-    gas_.reset
-    (
-        new eulerianGas
-        (
-            *mesh_,
-            names[0],
-            requiredDict(properties_, names[0]),
-            g,
-            from ? &from->gas : nullptr
-        )
-    );
+    gas_.reset(new eulerianGas(
+        *mesh_, names[0], requiredDict(properties_, names[0]), g, from ? &from->gas : nullptr));
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::simulation::advanceGas
-(
-    const scalar dt,
-    const scalar all,
-    const bool last
-)
+void Foam::mpm::simulation::advanceGas(const scalar dt, const scalar all, const bool last)
 {
     const timer t(gasSeconds());
     if (coupling_)
@@ -190,7 +122,6 @@ void Foam::mpm::simulation::advanceGas
         gas_->advance(dt);
     }
 }
-
 
 Foam::dictionary Foam::mpm::simulation::state() const
 {
@@ -206,12 +137,7 @@ Foam::dictionary Foam::mpm::simulation::state() const
     return state;
 }
 
-
-void Foam::mpm::simulation::setState
-(
-    const dictionary& state,
-    const bool ofPoints
-)
+void Foam::mpm::simulation::setState(const dictionary& state, const bool ofPoints)
 {
     if (points_ && ofPoints)
     {
@@ -222,7 +148,6 @@ void Foam::mpm::simulation::setState
         gas_->setState(requiredDict(state, "gas"));
     }
 }
-
 
 Foam::mpm::simulation::rows Foam::mpm::simulation::takeDown()
 {
@@ -252,5 +177,3 @@ Foam::mpm::simulation::rows Foam::mpm::simulation::takeDown()
     pointGrid::Delete(*mesh_);
     return r;
 }
-
-// ************************************************************************* //

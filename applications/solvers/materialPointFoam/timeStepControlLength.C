@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "timeStepControl.H"
 #include "pointErosion.H"
@@ -25,70 +19,55 @@ void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
     if (control == "adjustableRunTime" || control == "adjustable")
     {
         const scalar interval = positive(dict, "writeInterval");
-        const scalar passed = (time_.value() - origin_)/interval;
-        scalar next = origin_ + (std::floor(passed + 1e-9) + 1)*interval;
+        const scalar passed = (time_.value() - origin_) / interval;
+        scalar next = origin_ + (std::floor(passed + 1e-9) + 1) * interval;
         const scalar end = time_.endTime().value();
         // A start at the end may be less than it by the last digit
-        const scalar rounding = 1e-9*min(min(largest, interval), mag(end));
+        const scalar rounding = 1e-9 * min(min(largest, interval), mag(end));
         if (!openEnd() && end - time_.value() > rounding)
         {
             next = min(next, end);
         }
         const scalar left = next - time_.value();
-        if (left > 0 && left < labelMax*largest)
+        if (left > 0 && left < labelMax * largest)
         {
-            dt = left/std::ceil(left/largest - 1e-9);
+            dt = left / std::ceil(left / largest - 1e-9);
         }
     }
     time_.setDeltaT(dt, false);
 
     // Those that must meet times of their own
     const_cast<functionObjectList&>(time_.functionObjects()).adjustTimeStep();
-    if (time_.deltaTValue() > 1.000001*largest)
+    if (time_.deltaTValue() > 1.000001 * largest)
     {
         time_.setDeltaT(dt, false);
     }
 }
 
-
 Foam::scalar Foam::mpm::timeStepControl::pointsDeltaT() const
 {
     // The rate of a rigid body at rest is 0
-    return
-        points()
-      ? bounded(time_.controlDict(), "maxCo", 1e-6, 1)
-       /max(points()->courantRate(), VSMALL)
-      : GREAT;
+    return points()
+        ? bounded(time_.controlDict(), "maxCo", 1e-6, 1) / max(points()->courantRate(), VSMALL)
+        : GREAT;
 }
-
 
 Foam::scalar Foam::mpm::timeStepControl::gasDeltaT() const
 {
-    return
-        gas()
-      ? boundedOrDefault(time_.controlDict(), "maxCoGas", 0.4, 1e-6, 1)
-       /gas()->courantRate()
-      : GREAT;
+    return gas()
+        ? boundedOrDefault(time_.controlDict(), "maxCoGas", 0.4, 1e-6, 1) / gas()->courantRate()
+        : GREAT;
 }
-
 
 Foam::label Foam::mpm::timeStepControl::maxSubSteps() const
 {
-    return boundedLabelOrDefault
-    (
-        time_.controlDict(), "maxSubSteps", 1, 1, 100
-    );
+    return boundedLabelOrDefault(time_.controlDict(), "maxSubSteps", 1, 1, 100);
 }
-
 
 Foam::label Foam::mpm::timeStepControl::maxGasSubSteps() const
 {
-    return boundedLabelOrDefault
-    (
-        time_.controlDict(), "maxGasSubSteps", 1, 1, 100
-    );
+    return boundedLabelOrDefault(time_.controlDict(), "maxGasSubSteps", 1, 1, 100);
 }
-
 
 Foam::scalar Foam::mpm::timeStepControl::severalGasDeltaT() const
 {
@@ -97,10 +76,9 @@ Foam::scalar Foam::mpm::timeStepControl::severalGasDeltaT() const
     {
         return dt;
     }
-    const scalar lag = 1/max(simulation_.lagRate(), VSMALL);
-    return max(dt, min(maxGasSubSteps()*dt, lag));
+    const scalar lag = 1 / max(simulation_.lagRate(), VSMALL);
+    return max(dt, min(maxGasSubSteps() * dt, lag));
 }
-
 
 Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
 {
@@ -111,12 +89,10 @@ Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
     }
 
     // The solid sweeps no more of a cell in a step of the gas than gas may
-    const scalar swept =
-        boundedOrDefault(time_.controlDict(), "maxCoGas", 0.4, 1e-6, 1)
-       /max(points()->speedRate(), VSMALL);
-    return min(min(dt*maxSubSteps(), max(swept, dt)), gasDeltaT());
+    const scalar swept = boundedOrDefault(time_.controlDict(), "maxCoGas", 0.4, 1e-6, 1)
+        / max(points()->speedRate(), VSMALL);
+    return min(min(dt * maxSubSteps(), max(swept, dt)), gasDeltaT());
 }
-
 
 void Foam::mpm::timeStepControl::checkSubSteps() const
 {
@@ -126,16 +102,13 @@ void Foam::mpm::timeStepControl::checkSubSteps() const
         return;
     }
     const char* name = maxSubSteps() > 1 ? "maxSubSteps" : "maxGasSubSteps";
-    const char* lacking =
-        !points() || !gas() ? "a gas or fluids beside material points"
-      : !dict.getOrDefault<bool>("adjustTimeStep", false)
-      ? "adjustTimeStep yes"
-      : nullptr;
+    const char* lacking = !points() || !gas() ? "a gas or fluids beside material points"
+        : !dict.getOrDefault<bool>("adjustTimeStep", false) ? "adjustTimeStep yes"
+                                                            : nullptr;
     if (lacking)
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << name << " has no effect without " << lacking << "."
-            << nl << "Remove it." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Entry " << name << " has no effect without " << lacking
+                                     << "." << nl << "Remove it." << exit(FatalIOError);
     }
     if (maxSubSteps() > 1 && maxGasSubSteps() > 1)
     {
@@ -148,26 +121,23 @@ void Foam::mpm::timeStepControl::checkSubSteps() const
     }
 }
 
-
 void Foam::mpm::timeStepControl::setSubSteps()
 {
     nSub_ = 1;
     if (gas() && maxSubSteps() > 1)
     {
         // The gas limits: no more steps than the points need
-        const scalar n = time_.deltaTValue()/pointsDeltaT();
+        const scalar n = time_.deltaTValue() / pointsDeltaT();
         nSub_ = max(label(std::ceil(n - 1e-9)), label(1));
     }
     start_ = time_.value();
     done_ = 0;
     gasDone_ = 0;
     whole_ = time_.deltaTValue();
-    sub_ = whole_/nSub_;
+    sub_ = whole_ / nSub_;
     nGas_ = 0;
-    severalOfGas_ =
-        maxGasSubSteps() > 1 && whole_ > (1 + 1e-9)*gasDeltaT();
+    severalOfGas_ = maxGasSubSteps() > 1 && whole_ > (1 + 1e-9) * gasDeltaT();
 }
-
 
 void Foam::mpm::timeStepControl::setPointTime()
 {
@@ -176,7 +146,6 @@ void Foam::mpm::timeStepControl::setPointTime()
         time_.setTime(start_ + (pointsLeft() ? done_ : 0), time_.timeIndex());
     }
 }
-
 
 Foam::scalar Foam::mpm::timeStepControl::startGas()
 {
@@ -187,12 +156,11 @@ Foam::scalar Foam::mpm::timeStepControl::startGas()
     gasStep_ = done_ - gasDone_;
     if (severalOfGas_)
     {
-        gasStep_ /= max(std::ceil(gasStep_/gasDeltaT() - 1e-9), scalar(1));
+        gasStep_ /= max(std::ceil(gasStep_ / gasDeltaT() - 1e-9), scalar(1));
         showGasStep(true);
     }
     return gasStep_;
 }
-
 
 void Foam::mpm::timeStepControl::showGasStep(const bool show)
 {
@@ -201,7 +169,6 @@ void Foam::mpm::timeStepControl::showGasStep(const bool show)
         time_.setDeltaT(show ? gasStep_ : whole_, false);
     }
 }
-
 
 void Foam::mpm::timeStepControl::gasDone()
 {
@@ -229,7 +196,6 @@ void Foam::mpm::timeStepControl::gasDone()
     }
 }
 
-
 void Foam::mpm::timeStepControl::pointsDone()
 {
     const scalar dt = time_.deltaTValue();
@@ -240,7 +206,7 @@ void Foam::mpm::timeStepControl::pointsDone()
     else
     {
         done_ += sub_;
-        if (dt - done_ < 1.000001*sub_)
+        if (dt - done_ < 1.000001 * sub_)
         {
             sub_ = dt - done_;
         }
@@ -250,62 +216,49 @@ void Foam::mpm::timeStepControl::pointsDone()
     setPointTime();
 }
 
-
 void Foam::mpm::timeStepControl::checkFirst(const scalar dt) const
 {
     const scalar run = time_.endTime().value() - time_.startTime().value();
     // Nothing moves: there is no limit
     const bool limited = dt < ROOTVGREAT;
-    if
-    (
-        !nSteps_ && !time_.startTimeIndex() && !openEnd() && limited
-     && run > 0 && dt > run
-    )
+    if (!nSteps_ && !time_.startTimeIndex() && !openEnd() && limited && run > 0 && dt > run)
     {
-        WarningInFunction
-            << "The first time step that maxCo allows, " << dt << " s, is longer"
-            << " than the whole run of " << run << " s. It is set by "
-            << limiter().c_str() << "." << nl
-            << "    Nothing will be resolved: look for a wrong unit (E in Pa,"
-            << " rho in kg/m3, the mesh in m, endTime in s)." << endl;
+        WarningInFunction << "The first time step that maxCo allows, " << dt << " s, is longer"
+                          << " than the whole run of " << run << " s. It is set by "
+                          << limiter().c_str() << "." << nl
+                          << "    Nothing will be resolved: look for a wrong unit (E in Pa,"
+                          << " rho in kg/m3, the mesh in m, endTime in s)." << endl;
     }
 }
-
 
 Foam::scalar Foam::mpm::timeStepControl::printDeltaT()
 {
-    const scalar CoPoints =
-        points() ? points()->courantRate()*sub_ : 0;
-    const scalar CoGas =
-        gas()
-      ? gas()->courantRate()
-       *(severalOfGas_ ? min(whole_, gasDeltaT()) : time_.deltaTValue())
-      : 0;
+    const scalar CoPoints = points() ? points()->courantRate() * sub_ : 0;
+    const scalar CoGas = gas()
+        ? gas()->courantRate() * (severalOfGas_ ? min(whole_, gasDeltaT()) : time_.deltaTValue())
+        : 0;
     const scalar Co = max(CoPoints, CoGas);
     if (!nSteps_ || reports())
     {
-        Info<< "Courant Number mean: " << Co << " max: " << Co << nl;
+        Info << "Courant Number mean: " << Co << " max: " << Co << nl;
         if (points() && gas())
         {
-            Info<< "Courant Number of points: " << CoPoints << ", of the gas: "
-                << CoGas << nl;
+            Info << "Courant Number of points: " << CoPoints << ", of the gas: " << CoGas << nl;
             if (nSub_ > 1)
             {
-                Info<< "Steps of the points in this one of the gas: " << nSub_
-                    << nl;
+                Info << "Steps of the points in this one of the gas: " << nSub_ << nl;
             }
             if (severalOfGas_)
             {
-                Info<< "Steps of the gas in this one of the points: "
-                    << std::ceil(whole_/gasDeltaT() - 1e-9) << nl;
+                Info << "Steps of the gas in this one of the points: "
+                     << std::ceil(whole_ / gasDeltaT() - 1e-9) << nl;
             }
         }
-        Info<< "deltaT = " << time_.deltaTValue() << nl
-            << "deltaT set by " << limiter().c_str() << endl;
+        Info << "deltaT = " << time_.deltaTValue() << nl << "deltaT set by " << limiter().c_str()
+             << endl;
     }
     return Co;
 }
-
 
 void Foam::mpm::timeStepControl::setDeltaT()
 {
@@ -318,8 +271,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
     if (points() && points()->erosion().empty() && !gas())
     {
         // Read like this: the run before has ended with it
-        Info<< "All material points have left through the patches of outflow."
-            << nl << endl;
+        Info << "All material points have left through the patches of outflow." << nl << endl;
         time_.setEndTime(time_.value());
         last_ = true;
         return;
@@ -331,29 +283,26 @@ void Foam::mpm::timeStepControl::setDeltaT()
     checkSubSteps();
 
     const scalar end = time_.endTime().value();
-    if (!nSteps_ && time_.value() >= end - 1e-9*mag(end))
+    if (!nSteps_ && time_.value() >= end - 1e-9 * mag(end))
     {
-        WarningInFunction
-            << "endTime " << end << " is not after the time of the start, "
-            << time_.timeName() << ": nothing to do. Set a later endTime in"
-            << " system/controlDict, or remove the times of the last run." << endl;
+        WarningInFunction << "endTime " << end << " is not after the time of the start, "
+                          << time_.timeName() << ": nothing to do. Set a later endTime in"
+                          << " system/controlDict, or remove the times of the last run." << endl;
     }
     if (!(time_.deltaTValue() > 0))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry deltaT is " << time_.deltaTValue()
-            << "; it must be greater than 0." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Entry deltaT is " << time_.deltaTValue()
+                                     << "; it must be greater than 0." << exit(FatalIOError);
     }
 
     if (adjust)
     {
-        const scalar maxDeltaT =
-            boundedOrDefault(dict, "maxDeltaT", GREAT, VSMALL, GREAT);
+        const scalar maxDeltaT = boundedOrDefault(dict, "maxDeltaT", GREAT, VSMALL, GREAT);
 
         // After a step that was redone smaller, grow again by a fifth per step
         const scalar dt = min(courantDeltaT(), maxDeltaT);
         checkFirst(dt);
-        if (dt <= 1.2*growFrom_)
+        if (dt <= 1.2 * growFrom_)
         {
             growFrom_ = GREAT;
             fitDeltaT(dt);
@@ -371,8 +320,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
         {
             FatalIOErrorInFunction(dict)
                 << "Entry maxCo has no effect without adjustTimeStep." << nl
-                << "Write  adjustTimeStep yes;  or, for a fixed deltaT, no."
-                << exit(FatalIOError);
+                << "Write  adjustTimeStep yes;  or, for a fixed deltaT, no." << exit(FatalIOError);
         }
 
         // A redone step may have made it smaller
@@ -400,21 +348,19 @@ void Foam::mpm::timeStepControl::setDeltaT()
     }
 }
 
-
 void Foam::mpm::timeStepControl::redo(const scalar factor)
 {
     const scalar dt = sub_;
 
     if (++nRedo_ > 20)
     {
-        FatalErrorInFunction
-            << "The step at time " << time_.timeName() << " was redone 20"
-            << " times down to " << dt << " s and still breaks maxTravel or"
-            << " maxStrain of fvSolution.materialPoints." << nl
-            << "The step is set by " << limiter().c_str() << "." << nl
-            << "The state is bad: check the last written time; a smaller"
-            << " maxCo in system/controlDict often avoids this."
-            << exit(FatalError);
+        FatalErrorInFunction << "The step at time " << time_.timeName() << " was redone 20"
+                             << " times down to " << dt << " s and still breaks maxTravel or"
+                             << " maxStrain of fvSolution.materialPoints." << nl
+                             << "The step is set by " << limiter().c_str() << "." << nl
+                             << "The state is bad: check the last written time; a smaller"
+                             << " maxCo in system/controlDict often avoids this."
+                             << exit(FatalError);
     }
 
     if (nSub_ > 1)
@@ -423,38 +369,31 @@ void Foam::mpm::timeStepControl::redo(const scalar factor)
     }
     else
     {
-        fitDeltaT(factor*dt);
-        growFrom_ = factor*dt;
+        fitDeltaT(factor * dt);
+        growFrom_ = factor * dt;
         checkAdvances();
         setSubSteps();
     }
-    Info<< "Step redone: deltaT = " << sub_ << endl;
+    Info << "Step redone: deltaT = " << sub_ << endl;
 }
-
 
 void Foam::mpm::timeStepControl::checkAdvances() const
 {
     const scalar dt = time_.deltaTValue();
-    const scalar nLeft =
-        dt > 0
-      ? (time_.endTime().value() - time_.value())/dt
-      : GREAT;
+    const scalar nLeft = dt > 0 ? (time_.endTime().value() - time_.value()) / dt : GREAT;
 
     if (!(time_.value() + dt > time_.value()) || (!openEnd() && nLeft > labelMax))
     {
-        FatalErrorInFunction
-            << "The time step " << dt << " s at time " << time_.timeName()
-            << " would take " << nLeft << " steps to the end. It is set by "
-            << limiter().c_str() << "." << nl
-            << deltaTHint_.c_str() << (deltaTHint_.empty() ? "" : "\n")
-            << (deltaTHint_.empty() ? "It follows" : "Otherwise it follows")
-            << " from maxCo, maxDeltaT or deltaT in"
-            << " system/controlDict, the wave speeds and velocities of the"
-            << " points and the size of the cells: look for a wrong unit in"
-            << " constant/phaseProperties, setMaterialPointsDict or the"
-            << " boundary values of 0/U.<velocityField>, or endTime (s)."
-            << exit(FatalError);
+        FatalErrorInFunction << "The time step " << dt << " s at time " << time_.timeName()
+                             << " would take " << nLeft << " steps to the end. It is set by "
+                             << limiter().c_str() << "." << nl << deltaTHint_.c_str()
+                             << (deltaTHint_.empty() ? "" : "\n")
+                             << (deltaTHint_.empty() ? "It follows" : "Otherwise it follows")
+                             << " from maxCo, maxDeltaT or deltaT in"
+                             << " system/controlDict, the wave speeds and velocities of the"
+                             << " points and the size of the cells: look for a wrong unit in"
+                             << " constant/phaseProperties, setMaterialPointsDict or the"
+                             << " boundary values of 0/U.<velocityField>, or endTime (s)."
+                             << exit(FatalError);
     }
 }
-
-// ************************************************************************* //

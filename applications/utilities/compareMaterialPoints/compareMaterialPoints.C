@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Application
     compareMaterialPoints
@@ -63,26 +60,23 @@ class comparison
     label nRows_ = 0, nMissing_ = 0;
     scalar worst_ = 0;
 
-    bool skip(const word& name) const
-    {
-        return only_.size() && !only_.found(name);
-    }
+    bool skip(const word& name) const { return only_.size() && !only_.found(name); }
 
     void heading(const std::string& of, const std::string& unit) const
     {
         std::ostringstream os;
-        os  << '\n' << std::left << std::setw(24) << of << std::right
-            << std::setw(10) << unit << std::setw(12) << "largest"
-            << std::setw(12) << "relative" << std::setw(12) << "L2"
-            << std::setw(12) << "relative" << "  worst at";
-        Info<< os.str().c_str() << nl;
+        os << '\n'
+           << std::left << std::setw(24) << of << std::right << std::setw(10) << unit
+           << std::setw(12) << "largest" << std::setw(12) << "relative" << std::setw(12) << "L2"
+           << std::setw(12) << "relative"
+           << "  worst at";
+        Info << os.str().c_str() << nl;
     }
 
     void missing(const std::string& what, const bool first)
     {
         ++nMissing_;
-        Info<< "Only in the " << (first ? "first" : "second") << " case: "
-            << what.c_str() << nl;
+        Info << "Only in the " << (first ? "first" : "second") << " case: " << what.c_str() << nl;
     }
 
     //- One row; where says the place of the worst value
@@ -93,23 +87,18 @@ class comparison
         worst_ = max(worst_, d.relative(d.largest));
 
         std::ostringstream os;
-        os  << std::left << std::setw(24) << "  " + name << std::right
-            << std::setw(10) << d.nCompared << std::setprecision(3)
-            << std::scientific;
-        for
-        (
-            const scalar v :
-            {d.largest, d.relative(d.largest), d.L2, d.relative(d.L2)}
-        )
+        os << std::left << std::setw(24) << "  " + name << std::right << std::setw(10)
+           << d.nCompared << std::setprecision(3) << std::scientific;
+        for (const scalar v : {d.largest, d.relative(d.largest), d.L2, d.relative(d.L2)})
         {
-            os  << std::setw(12) << v;
+            os << std::setw(12) << v;
         }
-        Info<< os.str().c_str();
+        Info << os.str().c_str();
         if (d.worst >= 0)
         {
-            Info<< "  " << where(d.worst).c_str();
+            Info << "  " << where(d.worst).c_str();
         }
-        Info<< nl;
+        Info << nl;
     }
 
     //- Ids of a cloud; fatal if one occurs twice
@@ -124,22 +113,14 @@ class comparison
         const label twice = difference::twice(result);
         if (twice >= 0)
         {
-            FatalErrorInFunction
-                << "Cloud " << cloud << " in " << c.path() << ", time "
-                << c.name() << ", has two points with id " << twice << "."
-                << exit(FatalError);
+            FatalErrorInFunction << "Cloud " << cloud << " in " << c.path() << ", time " << c.name()
+                                 << ", has two points with id " << twice << "." << exit(FatalError);
         }
         return result;
     }
 
     //- True if both have it
-    bool both
-    (
-        const word& name,
-        const std::string& what,
-        const wordList& inA,
-        const wordList& inB
-    )
+    bool both(const word& name, const std::string& what, const wordList& inA, const wordList& inB)
     {
         if (!inA.found(name) || !inB.found(name))
         {
@@ -159,18 +140,15 @@ class comparison
     static std::string text(const point& x)
     {
         std::ostringstream os;
-        os  << '(' << x.x() << ' ' << x.y() << ' ' << x.z() << ')';
+        os << '(' << x.x() << ' ' << x.y() << ' ' << x.z() << ')';
         return os.str();
     }
 
 public:
-
-    comparison(const caseTime& a, const caseTime& b, const wordList& only)
-    :
-        a_(a),
-        b_(b),
-        only_(only)
-    {}
+    comparison(const caseTime& a, const caseTime& b, const wordList& only) :
+        a_(a), b_(b), only_(only)
+    {
+    }
 
     void compareCloud(const word& cloud)
     {
@@ -181,32 +159,19 @@ public:
         const auto where = [&](const label id)
         {
             const label at = xA.names.find(id);
-            return
-                "id " + Foam::name(id)
-              + (
-                    at < 0 || xA.nComponents != 3
-                  ? std::string()
-                  : " " + text
-                    (
-                        point
-                        (
-                            xA.numbers[3*at],
-                            xA.numbers[3*at + 1],
-                            xA.numbers[3*at + 2]
-                        )
-                    )
-                );
+            return "id " + Foam::name(id)
+                + (at < 0 || xA.nComponents != 3 ? std::string()
+                                                 : " "
+                           + text(point(
+                               xA.numbers[3 * at], xA.numbers[3 * at + 1],
+                               xA.numbers[3 * at + 2])));
         };
 
         bool saidMissing = false;
         const wordList inA(a_.columns(cloud)), inB(b_.columns(cloud));
         for (const word& name : unionOf(inA, inB))
         {
-            if
-            (
-                skip(name)
-             || !both(name, "column " + name + " of " + cloud, inA, inB)
-            )
+            if (skip(name) || !both(name, "column " + name + " of " + cloud, inA, inB))
             {
                 continue;
             }
@@ -228,16 +193,10 @@ public:
                     const label n = first ? d.nOnlyFirst : d.nOnlySecond;
                     if (n)
                     {
-                        missing
-                        (
-                            Foam::name(n) + " points of " + cloud
-                          + ", the first with id "
-                          + Foam::name
-                            (
-                                first ? d.firstOnlyFirst : d.firstOnlySecond
-                            ),
-                            first
-                        );
+                        missing(
+                            Foam::name(n) + " points of " + cloud + ", the first with id "
+                                + Foam::name(first ? d.firstOnlyFirst : d.firstOnlySecond),
+                            first);
                     }
                 }
             }
@@ -267,25 +226,17 @@ public:
                 continue;
             }
             const difference d(a, b);
-            row
-            (
-                name,
-                d,
+            row(name, d,
                 [&](const label i)
                 {
-                    return
-                        std::string(onCells ? "cell " : "mesh point ")
-                      + Foam::name(i) + " " + text(a_.position(i, onCells));
-                }
-            );
+                    return std::string(onCells ? "cell " : "mesh point ") + Foam::name(i) + " "
+                        + text(a_.position(i, onCells));
+                });
             if (d.nOnlyFirst || d.nOnlySecond)
             {
-                missing
-                (
-                    Foam::name(max(d.nOnlyFirst, d.nOnlySecond))
-                  + " values of field " + name,
-                    d.nOnlyFirst > 0
-                );
+                missing(
+                    Foam::name(max(d.nOnlyFirst, d.nOnlySecond)) + " values of field " + name,
+                    d.nOnlyFirst > 0);
             }
         }
     }
@@ -307,23 +258,20 @@ public:
     {
         if (!nRows_)
         {
-            FatalErrorInFunction
-                << "The cases have nothing in common to compare."
-                << exit(FatalError);
+            FatalErrorInFunction << "The cases have nothing in common to compare."
+                                 << exit(FatalError);
         }
-        Info<< nl << "Largest relative difference: " << worst_ << nl
-            << "Only in one case: " << nMissing_ << nl;
+        Info << nl << "Largest relative difference: " << worst_ << nl
+             << "Only in one case: " << nMissing_ << nl;
         const bool same = worst_ <= tolerance && !nMissing_;
         if (judge)
         {
-            Info<< (same ? "Within" : "NOT within") << " the tolerance "
-                << tolerance << nl;
+            Info << (same ? "Within" : "NOT within") << " the tolerance " << tolerance << nl;
         }
-        Info<< endl;
+        Info << endl;
         return same || !judge;
     }
 };
-
 
 fileName caseOf(const string& argument)
 {
@@ -333,101 +281,64 @@ fileName caseOf(const string& argument)
     return path;
 }
 
-
 void describe(const char* which, const caseTime& c)
 {
-    Info<< which << ": " << c.path() << ", time " << c.name();
+    Info << which << ": " << c.path() << ", time " << c.name();
     if (c.decomposed())
     {
-        Info<< ", of " << c.nPieces() << " processors";
+        Info << ", of " << c.nPieces() << " processors";
     }
-    Info<< nl;
+    Info << nl;
 }
 
 }
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-int main(int argc, char *argv[])
+int main(int argc, char* argv[])
 {
-    argList::addNote
-    (
-        "Compare the material points (by id) and the fields of two cases or of"
-        " two times; each may be decomposed."
-    );
+    argList::addNote("Compare the material points (by id) and the fields of two cases or of"
+                     " two times; each may be decomposed.");
     argList::noParallel();
     argList::noFunctionObjects();
     argList::addArgument("first case");
     argList::addArgument("second case");
-    argList::addOption
-    (
-        "time",
-        "value",
-        "Time to compare (default: the last one of the first case)"
-    );
-    argList::addOption
-    (
-        "time2",
-        "value",
-        "Time of the second case (default: that of the first)"
-    );
-    argList::addOption
-    (
-        "processors",
-        "first|second|both",
+    argList::addOption(
+        "time", "value", "Time to compare (default: the last one of the first case)");
+    argList::addOption("time2", "value", "Time of the second case (default: that of the first)");
+    argList::addOption(
+        "processors", "first|second|both",
         "Read the processor folders of this case, even if the whole case has"
-        " the time"
-    );
-    argList::addOption
-    (
-        "fields",
-        "list",
-        "Only these columns and fields, e.g. '(x U sigma)'"
-    );
-    argList::addOption
-    (
-        "tolerance",
-        "value",
+        " the time");
+    argList::addOption("fields", "list", "Only these columns and fields, e.g. '(x U sigma)'");
+    argList::addOption(
+        "tolerance", "value",
         "Exit status 1 if a largest difference relative to the field's maximum"
-        " is above this, or if one case alone has something"
-    );
+        " is above this, or if one case alone has something");
     const argList args(argc, argv);
 
-    const word processors
-    (
-        args.getOrDefault<word>("processors", "none")
-    );
+    const word processors(args.getOrDefault<word>("processors", "none"));
     if (!wordList({"none", "first", "second", "both"}).found(processors))
     {
-        FatalErrorInFunction
-            << "Unknown -processors " << processors << nl
-            << "Valid choices are: first second both" << exit(FatalError);
+        FatalErrorInFunction << "Unknown -processors " << processors << nl
+                             << "Valid choices are: first second both" << exit(FatalError);
     }
     const scalar tolerance = args.getOrDefault<scalar>("tolerance", 0);
     if (tolerance < 0)
     {
-        FatalErrorInFunction
-            << "The tolerance " << tolerance << " must not be negative."
-            << exit(FatalError);
+        FatalErrorInFunction << "The tolerance " << tolerance << " must not be negative."
+                             << exit(FatalError);
     }
 
     // Differences of what is not finite are what one looks for
     const noTraps guard;
 
-    const caseTime a
-    (
-        caseOf(args[1]),
-        !args.found("time"),
-        args.getOrDefault<scalar>("time", 0),
-        processors == "first" || processors == "both"
-    );
-    const caseTime b
-    (
-        caseOf(args[2]),
-        false,
-        args.getOrDefault<scalar>("time2", a.value()),
-        processors == "second" || processors == "both"
-    );
+    const caseTime a(
+        caseOf(args[1]), !args.found("time"), args.getOrDefault<scalar>("time", 0),
+        processors == "first" || processors == "both");
+    const caseTime b(
+        caseOf(args[2]), false, args.getOrDefault<scalar>("time2", a.value()),
+        processors == "second" || processors == "both");
     describe("First ", a);
     describe("Second", b);
 
@@ -441,5 +352,3 @@ int main(int argc, char *argv[])
     // Not by return: at its end argList exits with 0 in some versions
     std::exit(c.finish(args.found("tolerance"), tolerance) ? 0 : 1);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "fluidStart.H"
 #include "dictionaryTools.H"
@@ -29,14 +23,10 @@ void Foam::mpm::fluidStart::readRegions(const dictionary& dict)
             if (!regions.isDict(name))
             {
                 FatalIOErrorInFunction(regions)
-                    << "Region " << name << " is not a dictionary; write  "
-                    << name << " { type box; ...; fluid ...; }"
-                    << exit(FatalIOError);
+                    << "Region " << name << " is not a dictionary; write  " << name
+                    << " { type box; ...; fluid ...; }" << exit(FatalIOError);
             }
-            regions_.append
-            (
-                new fluidRegion(grid_, mixture_, requiredDict(regions, name), true)
-            );
+            regions_.append(new fluidRegion(grid_, mixture_, requiredDict(regions, name), true));
         }
     }
     const bool twice = regions_[0].hasP() && hydrostatic_;
@@ -45,17 +35,11 @@ void Foam::mpm::fluidStart::readRegions(const dictionary& dict)
         FatalIOErrorInFunction(rest)
             << "The pressure is given " << (twice ? "twice" : "nowhere")
             << "; either p in default, or"
-            << "  hydrostatic { point (0 0 0); p 1e5; }  beside it."
-            << exit(FatalIOError);
+            << "  hydrostatic { point (0 0 0); p 1e5; }  beside it." << exit(FatalIOError);
     }
 }
 
-
-Foam::scalarField Foam::mpm::fluidStart::alone
-(
-    const label r,
-    cellCutter::columns& shared
-) const
+Foam::scalarField Foam::mpm::fluidStart::alone(const label r, cellCutter::columns& shared) const
 {
     const pointRegionShape& shape = regions_[r].shape();
     shapeFormula formula(true);
@@ -71,16 +55,12 @@ Foam::scalarField Foam::mpm::fluidStart::alone
         for (int d = 0; d < grid_.nDim(); ++d)
         {
             const int c = grid_.direction(d);
-            apart =
-                apart
-             || cell.min()[c] > around.max()[c]
-             || cell.max()[c] < around.min()[c];
+            apart = apart || cell.min()[c] > around.max()[c] || cell.max()[c] < around.min()[c];
         }
         s[celli] = apart ? scalar(0) : cutter.share(celli);
     }
     return s;
 }
-
 
 Foam::boolList Foam::mpm::fluidStart::cover(cellCutter::columns& shared)
 {
@@ -116,12 +96,10 @@ Foam::boolList Foam::mpm::fluidStart::cover(cellCutter::columns& shared)
     return lost;
 }
 
-
 Foam::scalar Foam::mpm::fluidStart::volume(const label r) const
 {
     return sumProd(share_[r], mesh_.V().field());
 }
-
 
 void Foam::mpm::fluidStart::correct(const label r)
 {
@@ -129,16 +107,15 @@ void Foam::mpm::fluidStart::correct(const label r)
 
     const scalarField& V = mesh_.V();
     scalarField& s = share_[r];
-    const scalarField part(s*(1 - s));
+    const scalarField part(s * (1 - s));
     const scalar cut = sumProd(part, V), missing = exact_[r] - volume(r);
-    if (cut > 0 && mag(missing) < most*cut)
+    if (cut > 0 && mag(missing) < most * cut)
     {
         const scalarField before(s);
-        s += missing/cut*part;
+        s += missing / cut * part;
         moved_[r] = max(mag(s - before));
     }
 }
-
 
 void Foam::mpm::fluidStart::makeShares()
 {
@@ -155,8 +132,8 @@ void Foam::mpm::fluidStart::makeShares()
         {
             FatalIOErrorInFunction(regions_[r].dict())
                 << "Region " << regions_[r].name() << " fills no part of the"
-                << " mesh " << mesh_.bounds() << ": its shape lies in "
-                << shape.bounds() << " [m]." << exit(FatalIOError);
+                << " mesh " << mesh_.bounds() << ": its shape lies in " << shape.bounds() << " [m]."
+                << exit(FatalIOError);
         }
         if (shape.insideMesh())
         {
@@ -165,8 +142,7 @@ void Foam::mpm::fluidStart::makeShares()
             {
                 shapeFormula formula(true);
                 shape.formula(formula);
-                exact_[r] =
-                    cellCutter(grid_, formula, shared).volumeInBounds();
+                exact_[r] = cellCutter(grid_, formula, shared).volumeInBounds();
             }
         }
     }
@@ -200,19 +176,10 @@ void Foam::mpm::fluidStart::makeShares()
     }
 }
 
-
-Foam::scalar Foam::mpm::fluidStart::pressure
-(
-    const label r,
-    const label celli
-) const
+Foam::scalar Foam::mpm::fluidStart::pressure(const label r, const label celli) const
 {
-    return
-        regions_[r].hasP() ? regions_[r].p()
-      : hydrostatic_ ? p_[celli]
-      : regions_[0].p();
+    return regions_[r].hasP() ? regions_[r].p() : hydrostatic_ ? p_[celli] : regions_[0].p();
 }
-
 
 void Foam::mpm::fluidStart::makePressure()
 {
@@ -233,13 +200,13 @@ void Foam::mpm::fluidStart::makePressure()
                 {
                     if (share_[r][c] > 0)
                     {
-                        rho[c] += share_[r][c]*regions_[r].density(pressure(r, c));
+                        rho[c] += share_[r][c] * regions_[r].density(pressure(r, c));
                     }
                 }
             }
             const scalarField before(p_);
             hydrostatic_->solve(rho, p_);
-            if (!follows || max(mag(p_ - before)) < 1e-13*max(mag(p_)))
+            if (!follows || max(mag(p_ - before)) < 1e-13 * max(mag(p_)))
             {
                 break;
             }
@@ -267,25 +234,14 @@ void Foam::mpm::fluidStart::makePressure()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::fluidStart::fluidStart
-(
-    const fvMesh& mesh,
-    const dictionary& phaseProperties,
-    const wordList& names,
-    const dictionary& dict,
-    const vector& g
-)
-:
-    mesh_(mesh),
-    grid_(pointGrid::New(mesh)),
-    mixture_(phaseProperties, names)
+Foam::mpm::fluidStart::fluidStart(
+    const fvMesh& mesh, const dictionary& phaseProperties, const wordList& names,
+    const dictionary& dict, const vector& g) :
+    mesh_(mesh), grid_(pointGrid::New(mesh)), mixture_(phaseProperties, names)
 {
     if (dict.found("hydrostatic"))
     {
-        hydrostatic_.reset
-        (
-            new hydrostatic(mesh, requiredDict(dict, "hydrostatic"), g)
-        );
+        hydrostatic_.reset(new hydrostatic(mesh, requiredDict(dict, "hydrostatic"), g));
     }
     readRegions(dict);
     makeShares();
@@ -294,11 +250,7 @@ Foam::mpm::fluidStart::fluidStart
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::fluidStart::elsewhere
-(
-    const label k,
-    const scalar p
-) const
+Foam::scalar Foam::mpm::fluidStart::elsewhere(const label k, const scalar p) const
 {
     const gasThermo& thermo = mixture_.thermo(k);
     for (const fluidRegion& region : regions_)
@@ -306,36 +258,22 @@ Foam::scalar Foam::mpm::fluidStart::elsewhere
         if (region.fluid() == k)
         {
             const scalar rho = region.density(region.hasP() ? region.p() : p);
-            return
-                thermo.isGammaLaw()
-              ? (region.hasP() ? region.p() : p)/(thermo.R()*rho)
-              : rho;
+            return thermo.isGammaLaw() ? (region.hasP() ? region.p() : p) / (thermo.R() * rho)
+                                       : rho;
         }
     }
     return thermo.isGammaLaw() ? scalar(300) : mixture_.rho0(k);
 }
 
-
 template<class Type>
-void Foam::mpm::fluidStart::write
-(
-    const word& name,
-    const dimensionSet& dimensions,
-    const Field<Type>& values,
-    const word& onWalls
-) const
+void Foam::mpm::fluidStart::write(
+    const word& name, const dimensionSet& dimensions, const Field<Type>& values,
+    const word& onWalls) const
 {
     typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
 
-    IOobject io
-    (
-        name,
-        mesh_.time().timeName(),
-        mesh_,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
+    IOobject io(
+        name, mesh_.time().timeName(), mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     autoPtr<fieldType> field;
     if (io.typeHeaderOk<fieldType>(true))
     {
@@ -358,17 +296,11 @@ void Foam::mpm::fluidStart::write
                 types[i] = onWalls;
             }
         }
-        field.reset
-        (
-            new fieldType
-            (
-                io, mesh_, dimensioned<Type>("zero", dimensions, Zero), types
-            )
-        );
+        field.reset(new fieldType(io, mesh_, dimensioned<Type>("zero", dimensions, Zero), types));
     }
     field->primitiveFieldRef() = values;
     field->correctBoundaryConditions();
-    Info<< "Writing " << field->objectPath() << endl;
+    Info << "Writing " << field->objectPath() << endl;
     field->write();
 }
 
@@ -383,12 +315,10 @@ void Foam::mpm::fluidStart::printTable() const
         std::snprintf(text, sizeof(text), "%.*g", digits, x);
         return std::string(x < 0 ? "-" : text);
     };
-    std::snprintf
-    (
-        line, sizeof(line), "%-16s %-12s %20s %20s %20s %10s", "region", "fluid",
-        "volume [m3]", "of the shape [m3]", "mass [kg]", "corrected"
-    );
-    Info<< line << nl;
+    std::snprintf(
+        line, sizeof(line), "%-16s %-12s %20s %20s %20s %10s", "region", "fluid", "volume [m3]",
+        "of the shape [m3]", "mass [kg]", "corrected");
+    Info << line << nl;
     scalar all = 0;
     forAll(regions_, r)
     {
@@ -397,28 +327,21 @@ void Foam::mpm::fluidStart::printTable() const
         {
             if (share_[r][c] > 0)
             {
-                mass +=
-                    share_[r][c]*mesh_.V()[c]*regions_[r].density(pressure(r, c));
+                mass += share_[r][c] * mesh_.V()[c] * regions_[r].density(pressure(r, c));
             }
         }
         all += volume(r);
-        std::snprintf
-        (
-            line, sizeof(line), "%-16s %-12s %20s %20s %20s %10s",
-            regions_[r].name().c_str(),
-            mixture_.name(regions_[r].fluid()).c_str(),
-            number(volume(r)).c_str(),
-            number(exact_[r]).c_str(),
-            number(mass).c_str(),
-            number(r == 0 ? -1 : moved_[r], 2).c_str()
-        );
-        Info<< line << nl;
+        std::snprintf(
+            line, sizeof(line), "%-16s %-12s %20s %20s %20s %10s", regions_[r].name().c_str(),
+            mixture_.name(regions_[r].fluid()).c_str(), number(volume(r)).c_str(),
+            number(exact_[r]).c_str(), number(mass).c_str(),
+            number(r == 0 ? -1 : moved_[r], 2).c_str());
+        Info << line << nl;
     }
-    Info<< "All regions fill " << number(all).c_str() << " m3, the mesh has "
-        << number(gSum(mesh_.V())).c_str() << " m3. corrected: largest change"
-        << " of a share" << nl << endl;
+    Info << "All regions fill " << number(all).c_str() << " m3, the mesh has "
+         << number(gSum(mesh_.V())).c_str() << " m3. corrected: largest change"
+         << " of a share" << nl << endl;
 }
-
 
 void Foam::mpm::fluidStart::write() const
 {
@@ -446,29 +369,25 @@ void Foam::mpm::fluidStart::write() const
                 const scalar pr = pressure(r, c);
                 const scalar rho = regions_[r].density(pr);
                 theta[k] += s;
-                m[k] += s*rho;
-                mass += s*rho;
+                m[k] += s * rho;
+                mass += s * rho;
                 shares += s;
-                U[c] += s*rho*regions_[r].U();
-                energy += s*fluidMixture::energy(mixture_.at(k, rho), rho, pr);
+                U[c] += s * rho * regions_[r].U();
+                energy += s * fluidMixture::energy(mixture_.at(k, rho), rho, pr);
                 low = min(low, pr);
                 high = max(high, pr);
             }
         }
         U[c] /= mass;
-        p[c] =
-            low == high
-          ? low
-          : mixture_.pressure(theta.cdata(), m.cdata(), energy);
+        p[c] = low == high ? low : mixture_.pressure(theta.cdata(), m.cdata(), energy);
         for (label k = 0; k < nFluids; ++k)
         {
-            alpha[k][c] = theta[k]/shares;
-            const scalar rho = theta[k] > 0 ? m[k]/theta[k] : 0;
+            alpha[k][c] = theta[k] / shares;
+            const scalar rho = theta[k] > 0 ? m[k] / theta[k] : 0;
             const gasThermo& thermo = mixture_.thermo(k);
-            state[k][c] =
-                !(theta[k] > 0) ? elsewhere(k, p[c])
-              : thermo.isGammaLaw() ? p[c]/(thermo.R()*rho)
-              : rho;
+            state[k][c] = !(theta[k] > 0) ? elsewhere(k, p[c])
+                : thermo.isGammaLaw()     ? p[c] / (thermo.R() * rho)
+                                          : rho;
         }
     }
 
@@ -480,14 +399,8 @@ void Foam::mpm::fluidStart::write() const
         const word& name = mixture_.name(k);
         const bool gas = mixture_.thermo(k).isGammaLaw();
         write(IOobject::groupName("alpha", name), dimless, alpha[k], "zeroGradient");
-        write
-        (
-            IOobject::groupName(gas ? "T" : "rho", name),
-            gas ? dimTemperature : dimDensity,
-            state[k],
-            "zeroGradient"
-        );
+        write(
+            IOobject::groupName(gas ? "T" : "rho", name), gas ? dimTemperature : dimDensity,
+            state[k], "zeroGradient");
     }
 }
-
-// ************************************************************************* //

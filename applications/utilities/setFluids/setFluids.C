@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Application
     setFluids
@@ -87,37 +84,26 @@ namespace
 //- Fatal if a run would not take the new fields
 void checkTime(const Time& time)
 {
-    const fileName state(time.timePath()/"thetaRhoU");
+    const fileName state(time.timePath() / "thetaRhoU");
     if (isFile(state) || isFile(state + ".gz"))
     {
-        FatalErrorInFunction
-            << "Time " << time.timeName() << " has been written by a run ("
-            << state << "), which takes its state from there." << nl
-            << "For a new start set  startFrom startTime;  in"
-            << " system/controlDict, or remove the times of the last run."
-            << exit(FatalError);
+        FatalErrorInFunction << "Time " << time.timeName() << " has been written by a run ("
+                             << state << "), which takes its state from there." << nl
+                             << "For a new start set  startFrom startTime;  in"
+                             << " system/controlDict, or remove the times of the last run."
+                             << exit(FatalError);
     }
-    if (isDir(time.rootPath()/time.globalCaseName()/"processor0"))
+    if (isDir(time.rootPath() / time.globalCaseName() / "processor0"))
     {
-        WarningInFunction
-            << "The case is decomposed: the fields of processor0 and others"
-            << " stay as they are. decomposePar -force takes the new ones."
-            << endl;
+        WarningInFunction << "The case is decomposed: the fields of processor0 and others"
+                          << " stay as they are. decomposePar -force takes the new ones." << endl;
     }
 }
 
-
 vector gravity(const fvMesh& mesh)
 {
-    const IOobject header
-    (
-        "g",
-        mesh.time().constant(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
+    const IOobject header(
+        "g", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     IOobject file(header);
     if (!file.typeHeaderOk<uniformDimensionedVectorField>(true))
     {
@@ -127,7 +113,6 @@ vector gravity(const fvMesh& mesh)
     checkGravity(header.objectPath(), g, mesh.geometricD());
     return g;
 }
-
 
 IOdictionary read(const IOobject& io)
 {
@@ -140,37 +125,22 @@ IOdictionary read(const IOobject& io)
 
 // * * * * * * * * * * * * * * * Main Program  * * * * * * * * * * * * * * * //
 
-int main(int argc, char *argv[])
+int main(int argc, char* argv[])
 {
     exitOnFatal();
 
-    argList::addNote
-    (
-        "Fill the cells with fluids, as system/setFluidsDict says, and write"
-        " p, U, alpha, T and rho to the start time; the fluids are the phases"
-        " of type fluid of constant/phaseProperties. Serial only; decomposePar"
-        " distributes the fields."
-    );
+    argList::addNote("Fill the cells with fluids, as system/setFluidsDict says, and write"
+                     " p, U, alpha, T and rho to the start time; the fluids are the phases"
+                     " of type fluid of constant/phaseProperties. Serial only; decomposePar"
+                     " distributes the fields.");
     argList::addNote(version);
     argList::noParallel();
-    argList::addOption
-    (
-        "dict",
-        "file",
-        "Read this file instead of system/setFluidsDict"
-    );
-    argList::addBoolOption
-    (
-        "count",
-        "Only print the table of volume and mass; write nothing"
-    );
+    argList::addOption("dict", "file", "Read this file instead of system/setFluidsDict");
+    argList::addBoolOption("count", "Only print the table of volume and mass; write nothing");
 
-    #include "setRootCase.H"
-    checkControlDict
-    (
-        args.rootPath()/args.globalCaseName()/"system"/"controlDict"
-    );
-    #include "createTime.H"
+#include "setRootCase.H"
+    checkControlDict(args.rootPath() / args.globalCaseName() / "system" / "controlDict");
+#include "createTime.H"
 
     if (!args.found("count"))
     {
@@ -181,39 +151,20 @@ int main(int argc, char *argv[])
     {
         requireCaseFile(runTime, "system/setFluidsDict");
     }
-    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    Info << "Create mesh for time = " << runTime.timeName() << nl << endl;
     checkMeshFiles(runTime);
-    const fvMesh mesh
-    (
-        IOobject
-        (
-            polyMesh::defaultRegion,
-            runTime.timeName(),
-            runTime,
-            IOobject::MUST_READ
-        )
-    );
+    const fvMesh mesh(
+        IOobject(polyMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
     checkMesh(mesh);
 
     // Shapes may be as large as they like
     const noTraps guard;
 
     const word dictName("setFluidsDict");
-    #include "setSystemMeshDictionaryIO.H"
+#include "setSystemMeshDictionaryIO.H"
 
-    const IOdictionary phaseProperties
-    (
-        read
-        (
-            IOobject
-            (
-                "phaseProperties",
-                runTime.constant(),
-                mesh,
-                IOobject::MUST_READ
-            )
-        )
-    );
+    const IOdictionary phaseProperties(
+        read(IOobject("phaseProperties", runTime.constant(), mesh, IOobject::MUST_READ)));
     const wordList names(phaseNames(phaseProperties, {"fluid"}));
     if (names.empty())
     {
@@ -222,7 +173,7 @@ int main(int argc, char *argv[])
             << " with. The files of a phase of type gas are written by hand, or"
             << " by OpenFOAM's setFields." << exit(FatalIOError);
     }
-    Info<< "Reading " << dictIO.objectPath() << nl << endl;
+    Info << "Reading " << dictIO.objectPath() << nl << endl;
     const IOdictionary dict(read(dictIO));
 
     const fluidStart start(mesh, phaseProperties, names, dict, gravity(mesh));
@@ -232,9 +183,7 @@ int main(int argc, char *argv[])
         start.write();
     }
 
-    Info<< nl << "End" << nl << endl;
+    Info << nl << "End" << nl << endl;
 
     return 0;
 }
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Application
     setMaterialPoints
@@ -148,14 +145,8 @@ void checkFiles(const Time& time, const argList& args)
     }
 }
 
-
 //- The phases, without points
-void readPhases
-(
-    const pointGrid& grid,
-    const dictionary& dict,
-    PtrList<materialPointPhase>& phases
-)
+void readPhases(const pointGrid& grid, const dictionary& dict, PtrList<materialPointPhase>& phases)
 {
     const wordList names(materialPointPhase::names(dict));
     if (names.empty())
@@ -167,14 +158,9 @@ void readPhases
     phases.setSize(names.size());
     forAll(names, i)
     {
-        phases.set
-        (
-            i,
-            new materialPointPhase(grid, names[i], requiredDict(dict, names[i]), true)
-        );
+        phases.set(i, new materialPointPhase(grid, names[i], requiredDict(dict, names[i]), true));
     }
 }
-
 
 wordList namesOf(const PtrList<materialPointPhase>& phases)
 {
@@ -186,35 +172,24 @@ wordList namesOf(const PtrList<materialPointPhase>& phases)
     return names;
 }
 
-
 //- The regions with their points
-void readRegions
-(
-    const pointGrid& grid,
-    const dictionary& dict,
-    const PtrList<materialPointPhase>& phases,
-    const bool inGas,
-    PtrList<pointRegion>& regions
-)
+void readRegions(
+    const pointGrid& grid, const dictionary& dict, const PtrList<materialPointPhase>& phases,
+    const bool inGas, PtrList<pointRegion>& regions)
 {
     const wordList names(namesOf(phases));
 
     const auto phaseOf = [&](const pointRegion& r) -> const materialPointPhase&
-    {
-        return phases[names.find(r.phase())];
-    };
+    { return phases[names.find(r.phase())]; };
 
     const auto sameField = [&](const pointRegion& a, const pointRegion& b)
-    {
-        return phaseOf(a).velocityField() == phaseOf(b).velocityField();
-    };
+    { return phaseOf(a).velocityField() == phaseOf(b).velocityField(); };
 
     const dictionary& regionsDict = requiredDict(dict, "regions");
     const wordList keys(regionsDict.toc());
     if (keys.empty())
     {
-        FatalIOErrorInFunction(regionsDict)
-            << "There are no regions." << exit(FatalIOError);
+        FatalIOErrorInFunction(regionsDict) << "There are no regions." << exit(FatalIOError);
     }
 
     regions.setSize(keys.size());
@@ -223,15 +198,10 @@ void readRegions
         if (!regionsDict.isDict(keys[i]))
         {
             FatalIOErrorInFunction(regionsDict)
-                << "Region " << keys[i] << " is not a dictionary; write  "
-                << keys[i] << " { phase ...; type ...; }"
-                << exit(FatalIOError);
+                << "Region " << keys[i] << " is not a dictionary; write  " << keys[i]
+                << " { phase ...; type ...; }" << exit(FatalIOError);
         }
-        regions.set
-        (
-            i,
-            new pointRegion(grid, requiredDict(regionsDict, keys[i]), names, inGas)
-        );
+        regions.set(i, new pointRegion(grid, requiredDict(regionsDict, keys[i]), names, inGas));
         pointRegion& region = regions[i];
         const materialPointPhase& phase = phaseOf(region);
 
@@ -244,11 +214,10 @@ void readRegions
                 if (regionDict.found(key))
                 {
                     FatalIOErrorInFunction(regionDict)
-                        << "Entry " << key << " in region " << keys[i]
-                        << ": phase " << phase.name() << " is rigid; its"
+                        << "Entry " << key << " in region " << keys[i] << ": phase " << phase.name()
+                        << " is rigid; its"
                         << " motion in constant/phaseProperties gives the"
-                        << " velocity, and it has no stress."
-                        << exit(FatalIOError);
+                        << " velocity, and it has no stress." << exit(FatalIOError);
                 }
             }
         }
@@ -275,13 +244,9 @@ void readRegions
     }
 }
 
-
 //- Points of all regions of a phase, in the order of the regions
-DynamicList<materialPointCloud::newPoint> pointsOf
-(
-    const materialPointPhase& phase,
-    const PtrList<pointRegion>& regions
-)
+DynamicList<materialPointCloud::newPoint>
+pointsOf(const materialPointPhase& phase, const PtrList<pointRegion>& regions)
 {
     DynamicList<materialPointCloud::newPoint> points;
     forAll(regions, i)
@@ -294,7 +259,6 @@ DynamicList<materialPointCloud::newPoint> pointsOf
     return points;
 }
 
-
 //- Write the number of points of each cell for decomposePar: processors get
 //  equal sums. An empty cell counts a little, so that meshes without points
 //  are shared as well
@@ -302,20 +266,11 @@ void writeCellWeights(const fvMesh& mesh, const PtrList<materialPointPhase>& pha
 {
     constexpr scalar emptyCell = 0.02;
 
-    volScalarField weights
-    (
-        IOobject
-        (
-            "cellWeights",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        mesh,
-        dimensionedScalar("emptyCell", dimless, emptyCell)
-    );
+    volScalarField weights(
+        IOobject(
+            "cellWeights", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE,
+            false),
+        mesh, dimensionedScalar("emptyCell", dimless, emptyCell));
     for (const materialPointPhase& phase : phases)
     {
         const materialPointCloud& cloud = phase.cloud();
@@ -324,38 +279,33 @@ void writeCellWeights(const fvMesh& mesh, const PtrList<materialPointPhase>& pha
             weights[cloud.cells()[k]] += cloud.start()[k + 1] - cloud.start()[k];
         }
     }
-    Info<< "Writing " << weights.objectPath() << endl;
+    Info << "Writing " << weights.objectPath() << endl;
     weights.write();
 }
-
 
 //- Fatal if points of a run would be lost
 void checkTime(const Time& time, const bool force)
 {
-    const fileName state(time.timePath()/"uniform"/"materialPointState");
+    const fileName state(time.timePath() / "uniform" / "materialPointState");
     if (isFile(state) && !force)
     {
-        FatalErrorInFunction
-            << "Time " << time.timeName() << " has been written by a run ("
-            << state << "): its points would be lost." << nl
-            << "For a new start set  startFrom startTime;  in"
-            << " system/controlDict, or remove the times of the last run."
-            << " setMaterialPoints -force replaces them." << exit(FatalError);
+        FatalErrorInFunction << "Time " << time.timeName() << " has been written by a run ("
+                             << state << "): its points would be lost." << nl
+                             << "For a new start set  startFrom startTime;  in"
+                             << " system/controlDict, or remove the times of the last run."
+                             << " setMaterialPoints -force replaces them." << exit(FatalError);
     }
-    if (isDir(time.rootPath()/time.globalCaseName()/"processor0"))
+    if (isDir(time.rootPath() / time.globalCaseName() / "processor0"))
     {
-        WarningInFunction
-            << "The case is decomposed: the points of processor0 and others"
-            << " stay as they are. decomposePar -force takes the new ones."
-            << endl;
+        WarningInFunction << "The case is decomposed: the points of processor0 and others"
+                          << " stay as they are. decomposePar -force takes the new ones." << endl;
     }
 }
-
 
 //- Sums, bodies and budgets that a run has written are those of its points
 void forgetPoints(const Time& time)
 {
-    const fileName file(time.timePath()/"uniform"/"materialPointState");
+    const fileName file(time.timePath() / "uniform" / "materialPointState");
     if (!isFile(file))
     {
         return;
@@ -371,12 +321,11 @@ void forgetPoints(const Time& time)
     state.write(os, false);
 }
 
-
 //- Write the points in place of those that were there
 void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
 {
     const Time& time = phase.cloud().time();
-    const fileName folder(time.timePath()/cloud::prefix/phase.name());
+    const fileName folder(time.timePath() / cloud::prefix / phase.name());
     if (isDir(folder))
     {
         rmDir(folder);
@@ -387,14 +336,13 @@ void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
 
     if (phase.cloud().size())
     {
-        Info<< "Writing " << folder << endl;
+        Info << "Writing " << folder << endl;
         phase.cloud().writePoints();
     }
     else
     {
-        WarningInFunction
-            << "Phase " << phase.name() << " has no points: no region of"
-            << " setMaterialPointsDict names it." << endl;
+        WarningInFunction << "Phase " << phase.name() << " has no points: no region of"
+                          << " setMaterialPointsDict names it." << endl;
     }
 }
 
@@ -402,49 +350,29 @@ void write(materialPointPhase& phase, const PtrList<pointRegion>& regions)
 
 // * * * * * * * * * * * * * * * Main Program  * * * * * * * * * * * * * * * //
 
-int main(int argc, char *argv[])
+int main(int argc, char* argv[])
 {
     exitOnFatal();
 
-    argList::addNote
-    (
-        "Fill regions of the mesh with material points, as"
-        " system/setMaterialPointsDict says, and write them to"
-        " lagrangian/<phase> of the start time; the phases are those of"
-        " constant/phaseProperties. Serial only; decomposePar distributes"
-        " the points."
-    );
+    argList::addNote("Fill regions of the mesh with material points, as"
+                     " system/setMaterialPointsDict says, and write them to"
+                     " lagrangian/<phase> of the start time; the phases are those of"
+                     " constant/phaseProperties. Serial only; decomposePar distributes"
+                     " the points.");
     argList::addNote(version);
     argList::noParallel();
-    argList::addOption
-    (
-        "dict",
-        "file",
-        "Read this file instead of system/setMaterialPointsDict"
-    );
-    argList::addBoolOption
-    (
+    argList::addOption("dict", "file", "Read this file instead of system/setMaterialPointsDict");
+    argList::addBoolOption(
         "cellWeights",
         "Also write the field cellWeights (points per cell) for weightField in"
-        " decomposeParDict"
-    );
-    argList::addBoolOption
-    (
-        "count",
-        "Only print the table of points, mass and volume; write nothing"
-    );
-    argList::addBoolOption
-    (
-        "force",
-        "Put points in place of those that a run has written"
-    );
+        " decomposeParDict");
+    argList::addBoolOption(
+        "count", "Only print the table of points, mass and volume; write nothing");
+    argList::addBoolOption("force", "Put points in place of those that a run has written");
 
-    #include "setRootCase.H"
-    checkControlDict
-    (
-        args.rootPath()/args.globalCaseName()/"system"/"controlDict"
-    );
-    #include "createTime.H"
+#include "setRootCase.H"
+    checkControlDict(args.rootPath() / args.globalCaseName() / "system" / "controlDict");
+#include "createTime.H"
 
     if (!args.found("count"))
     {
@@ -453,19 +381,12 @@ int main(int argc, char *argv[])
 
     // fvSchemes and fvSolution are wanted only for a field
     const bool withWeights = args.found("cellWeights");
-    const IOobject meshObject
-    (
-        polyMesh::defaultRegion,
-        runTime.timeName(),
-        runTime,
-        IOobject::MUST_READ
-    );
-    Info<< "Create mesh for time = " << runTime.timeName() << nl << endl;
+    const IOobject meshObject(
+        polyMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ);
+    Info << "Create mesh for time = " << runTime.timeName() << nl << endl;
     checkMeshFiles(runTime);
-    const autoPtr<polyMesh> meshPtr
-    (
-        withWeights ? new fvMesh(meshObject) : new polyMesh(meshObject)
-    );
+    const autoPtr<polyMesh> meshPtr(
+        withWeights ? new fvMesh(meshObject) : new polyMesh(meshObject));
     const polyMesh& mesh = *meshPtr;
     checkMesh(mesh);
 
@@ -473,26 +394,18 @@ int main(int argc, char *argv[])
     const noTraps guard;
 
     const word dictName("setMaterialPointsDict");
-    #include "setSystemMeshDictionaryIO.H"
+#include "setSystemMeshDictionaryIO.H"
 
     const pointGrid& grid = pointGrid::New(mesh);
 
     checkFiles(runTime, args);
-    const IOdictionary phaseProperties
-    (
-        IOobject
-        (
-            "phaseProperties",
-            runTime.constant(),
-            mesh,
-            IOobject::MUST_READ
-        )
-    );
+    const IOdictionary phaseProperties(
+        IOobject("phaseProperties", runTime.constant(), mesh, IOobject::MUST_READ));
     requireClosed(phaseProperties.objectPath());
     PtrList<materialPointPhase> phases;
     readPhases(grid, phaseProperties, phases);
 
-    Info<< "Reading " << dictIO.objectPath() << nl << endl;
+    Info << "Reading " << dictIO.objectPath() << nl << endl;
     const IOdictionary dict(dictIO);
     requireClosed(dict.objectPath());
     PtrList<pointRegion> regions;
@@ -515,9 +428,7 @@ int main(int argc, char *argv[])
         }
     }
 
-    Info<< nl << "End" << nl << endl;
+    Info << nl << "End" << nl << endl;
 
     return 0;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "dictionaryTools.H"
 #include "labelList.H"
@@ -30,14 +24,12 @@ label editDistance(const std::string& a, const std::string& b)
         for (std::size_t j = 0; j < b.size(); ++j)
         {
             const label above = row[j + 1];
-            row[j + 1] =
-                min(min(row[j], above) + 1, corner + label(a[i] != b[j]));
+            row[j + 1] = min(min(row[j], above) + 1, corner + label(a[i] != b[j]));
             corner = above;
         }
     }
     return row.last();
 }
-
 
 std::string small(std::string s)
 {
@@ -45,38 +37,44 @@ std::string small(std::string s)
     return s;
 }
 
-
 std::string withoutDigits(std::string s)
 {
     s.erase(std::remove_if(s.begin(), s.end(), ::isdigit), s.end());
     return s;
 }
 
-
 //- Other names, in small letters, and ours
-const std::pair<const char*, const char*> otherNames[] =
-{
-    {"poissonratio", "nu"}, {"poissonsratio", "nu"}, {"poisson", "nu"},
-    {"youngmodulus", "E"}, {"youngsmodulus", "E"}, {"young", "E"},
-    {"elasticmodulus", "E"}, {"modulus", "E"},
-    {"bulkmodulus", "K"}, {"shearmodulus", "G"}, {"shearmodulus", "mu"},
-    {"density", "rho"}, {"yieldstress", "yield"}, {"yieldstrength", "yield"},
-    {"tensilestrength", "strength"}, {"fractureenergy", "Gf"},
-    {"friction", "mu"}, {"frictioncoefficient", "mu"}, {"viscosity", "mu"},
-    {"particlespercell", "pointsPerCell"}, {"ppc", "pointsPerCell"},
-    {"material", "phase"}, {"center", "centre"}, {"u", "velocity"}
-};
-
+const std::pair<const char*, const char*> otherNames[] = {
+    {"poissonratio", "nu"},
+    {"poissonsratio", "nu"},
+    {"poisson", "nu"},
+    {"youngmodulus", "E"},
+    {"youngsmodulus", "E"},
+    {"young", "E"},
+    {"elasticmodulus", "E"},
+    {"modulus", "E"},
+    {"bulkmodulus", "K"},
+    {"shearmodulus", "G"},
+    {"shearmodulus", "mu"},
+    {"density", "rho"},
+    {"yieldstress", "yield"},
+    {"yieldstrength", "yield"},
+    {"tensilestrength", "strength"},
+    {"fractureenergy", "Gf"},
+    {"friction", "mu"},
+    {"frictioncoefficient", "mu"},
+    {"viscosity", "mu"},
+    {"particlespercell", "pointsPerCell"},
+    {"ppc", "pointsPerCell"},
+    {"material", "phase"},
+    {"center", "centre"},
+    {"u", "velocity"}};
 
 bool sameName(const word& a, const word& b)
 {
     for (const auto& n : otherNames)
     {
-        if
-        (
-            (small(a) == n.first && b == n.second)
-         || (small(b) == n.first && a == n.second)
-        )
+        if ((small(a) == n.first && b == n.second) || (small(b) == n.first && a == n.second))
         {
             return true;
         }
@@ -104,11 +102,9 @@ Foam::word Foam::mpm::nearWord(const word& key, const UList<word>& words)
         {
             distance = 0;
         }
-        else if
-        (
+        else if (
             size > 2 && withoutDigits(key) != withoutDigits(w)
-         && editDistance(key, w) <= (w.size() > 6 ? 2 : 1)
-        )
+            && editDistance(key, w) <= (w.size() > 6 ? 2 : 1))
         {
             distance = editDistance(key, w);
         }
@@ -121,50 +117,35 @@ Foam::word Foam::mpm::nearWord(const word& key, const UList<word>& words)
     return near;
 }
 
-
 Foam::string Foam::mpm::meant(const word& key, const UList<word>& words)
 {
     const word near(nearWord(key, words));
     return near.empty() ? string() : string("; is " + near + " meant?");
 }
 
-
 void Foam::mpm::requireKeyword(const dictionary& dict, const word& key)
 {
     if (!dict.found(key))
     {
         const word near(nearWord(key, dict.toc()));
-        const string instead
-        (
-            near.empty() ? string()
-          : string(" (is it meant by " + near + "?)")
-        );
+        const string instead(near.empty() ? string() : string(" (is it meant by " + near + "?)"));
         FatalIOErrorInFunction(dict)
-            << "Entry " << key << " is missing in " << dict.name()
-            << instead.c_str() << nl << nl
-            << "Keywords found: " << flatOutput(dict.toc())
-            << exit(FatalIOError);
+            << "Entry " << key << " is missing in " << dict.name() << instead.c_str() << nl << nl
+            << "Keywords found: " << flatOutput(dict.toc()) << exit(FatalIOError);
     }
 }
 
-
-const Foam::dictionary& Foam::mpm::requiredDict
-(
-    const dictionary& dict,
-    const word& key
-)
+const Foam::dictionary& Foam::mpm::requiredDict(const dictionary& dict, const word& key)
 {
     requireKeyword(dict, key);
     if (!dict.isDict(key))
     {
         FatalIOErrorInFunction(dict)
             << "Entry " << key << " in " << dict.name() << " is not a"
-            << " dictionary; it must be " << key << " { ... }"
-            << exit(FatalIOError);
+            << " dictionary; it must be " << key << " { ... }" << exit(FatalIOError);
     }
     return dict.subDict(key);
 }
-
 
 Foam::scalar Foam::mpm::positive(const dictionary& dict, const word& key)
 {
@@ -173,43 +154,29 @@ Foam::scalar Foam::mpm::positive(const dictionary& dict, const word& key)
 
     if (!(value > 0))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << key << " is " << value
-            << "; it must be greater than 0." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Entry " << key << " is " << value
+                                     << "; it must be greater than 0." << exit(FatalIOError);
     }
     return value;
 }
 
-
-Foam::scalar Foam::mpm::bounded
-(
-    const dictionary& dict,
-    const word& key,
-    const scalar low,
-    const scalar high
-)
+Foam::scalar
+Foam::mpm::bounded(const dictionary& dict, const word& key, const scalar low, const scalar high)
 {
     requireKeyword(dict, key);
     const scalar value(dict.get<scalar>(key));
 
     if (!(value >= low && value <= high))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << key << " is " << value << "; it must be in ["
-            << low << ", " << high << "]." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Entry " << key << " is " << value << "; it must be in ["
+                                     << low << ", " << high << "]." << exit(FatalIOError);
     }
     return value;
 }
 
-
-Foam::label Foam::mpm::boundedLabelOrDefault
-(
-    const dictionary& dict,
-    const word& key,
-    const label defaultValue,
-    const label low,
-    const label high
-)
+Foam::label Foam::mpm::boundedLabelOrDefault(
+    const dictionary& dict, const word& key, const label defaultValue, const label low,
+    const label high)
 {
     if (!dict.found(key))
     {
@@ -221,40 +188,26 @@ Foam::label Foam::mpm::boundedLabelOrDefault
     {
         FatalIOErrorInFunction(dict)
             << "Entry " << key << " is " << value << "; it must be a whole"
-            << " number in [" << low << ", " << high << "]."
-            << exit(FatalIOError);
+            << " number in [" << low << ", " << high << "]." << exit(FatalIOError);
     }
     return value;
 }
 
-
-Foam::scalar Foam::mpm::boundedOrDefault
-(
-    const dictionary& dict,
-    const word& key,
-    const scalar defaultValue,
-    const scalar low,
-    const scalar high
-)
+Foam::scalar Foam::mpm::boundedOrDefault(
+    const dictionary& dict, const word& key, const scalar defaultValue, const scalar low,
+    const scalar high)
 {
     return dict.found(key) ? bounded(dict, key, low, high) : defaultValue;
 }
 
-
-Foam::word Foam::mpm::oneOf
-(
-    const dictionary& dict,
-    const word& key,
-    const wordList& valid
-)
+Foam::word Foam::mpm::oneOf(const dictionary& dict, const word& key, const wordList& valid)
 {
     requireKeyword(dict, key);
     if (dict.isDict(key))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry " << key << " is a dictionary; it must be a word: " << key
-            << ' ' << valid.first() << ';' << nl << nl
-            << "Valid choices are: " << flatOutput(valid)
+            << "Entry " << key << " is a dictionary; it must be a word: " << key << ' '
+            << valid.first() << ';' << nl << nl << "Valid choices are: " << flatOutput(valid)
             << exit(FatalIOError);
     }
     const word value(dict.get<word>(key));
@@ -262,26 +215,17 @@ Foam::word Foam::mpm::oneOf
     if (!valid.found(value))
     {
         FatalIOErrorInFunction(dict)
-            << "Unknown " << key << " " << value
-            << meant(value, valid).c_str() << nl << nl
-            << "Valid choices are: " << flatOutput(valid)
-            << exit(FatalIOError);
+            << "Unknown " << key << " " << value << meant(value, valid).c_str() << nl << nl
+            << "Valid choices are: " << flatOutput(valid) << exit(FatalIOError);
     }
     return value;
 }
 
-
-Foam::word Foam::mpm::oneOfOrDefault
-(
-    const dictionary& dict,
-    const word& key,
-    const word& defaultValue,
-    const wordList& valid
-)
+Foam::word Foam::mpm::oneOfOrDefault(
+    const dictionary& dict, const word& key, const word& defaultValue, const wordList& valid)
 {
     return dict.found(key) ? oneOf(dict, key, valid) : defaultValue;
 }
-
 
 void Foam::mpm::checkKeywords(const dictionary& dict, const wordList& valid)
 {
@@ -290,12 +234,8 @@ void Foam::mpm::checkKeywords(const dictionary& dict, const wordList& valid)
         if (!valid.found(key))
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown keyword " << key << " in " << dict.name()
-                << meant(key, valid).c_str() << nl << nl
-                << "Valid keywords are: " << flatOutput(valid)
-                << exit(FatalIOError);
+                << "Unknown keyword " << key << " in " << dict.name() << meant(key, valid).c_str()
+                << nl << nl << "Valid keywords are: " << flatOutput(valid) << exit(FatalIOError);
         }
     }
 }
-
-// ************************************************************************* //

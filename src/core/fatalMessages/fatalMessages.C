@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "fatalMessages.H"
 #include "dictionaryTools.H"
@@ -29,14 +23,13 @@ using namespace Foam;
 template<class Error>
 [[noreturn]] void end(const Error& e)
 {
-    Perr<< nl << e << nl << "\nFOAM exiting\n" << endl;
+    Perr << nl << e << nl << "\nFOAM exiting\n" << endl;
     if (Pstream::parRun())
     {
         Pstream::exit(1);
     }
     std::exit(1);
 }
-
 
 //- What has been read of the entry at hand
 struct lastEntry
@@ -52,8 +45,7 @@ struct lastEntry
     //- Without its semicolon? Directives (#) and macros ($) need none
     bool open() const
     {
-        return
-            keyword.size() && keyword[0] != '#' && keyword[0] != '$' && !inList;
+        return keyword.size() && keyword[0] != '#' && keyword[0] != '$' && !inList;
     }
 
     void add(const token& t)
@@ -66,25 +58,19 @@ struct lastEntry
         {
             inList = false;
         }
-        else if
-        (
-            t == token::END_STATEMENT || t == token::BEGIN_BLOCK
-         || t == token::END_BLOCK
-        )
+        else if (t == token::END_STATEMENT || t == token::BEGIN_BLOCK || t == token::END_BLOCK)
         {
             keyword.clear();
         }
         else if (keyword.empty())
         {
-            keyword =
-                t.isWord() ? t.wordToken()
-              : t.isString() ? t.stringToken()
-              : string("of a list");
+            keyword = t.isWord() ? t.wordToken()
+                : t.isString()   ? t.stringToken()
+                                 : string("of a list");
         }
         before = t;
     }
 };
-
 
 //- Called in place of unwinding: the end of argList would exit with status 0
 [[noreturn]] void endOnError()
@@ -104,32 +90,51 @@ struct lastEntry
             end(e);
         }
         catch (...)
-        {}
+        {
+        }
     }
     std::abort();
 }
-
 
 //- Warn of words of controlDict that are nearly one that is read. Any word may
 //  stand there: as a variable, or for a library
 void warnOfWords(const dictionary& control)
 {
-    const wordList own
-    ({
-        "adjustTimeStep", "maxCo", "maxCoGas", "maxDeltaT", "minDeltaT",
-        "maxEnergyGrowth", "reportInterval", "rebuildInterval"
-    });
-    const wordHashSet openFOAM
-    ({
-        "FoamFile", "application", "startFrom", "startTime", "stopAt",
-        "endTime", "beginTime", "deltaT", "writeControl", "writeInterval",
-        "writeFrequency", "purgeWrite", "writeFormat", "writeVersion",
-        "writePrecision", "writeCompression", "secondaryWriteControl",
-        "secondaryWriteInterval", "secondaryPurgeWrite", "timeFormat",
-        "timePrecision", "graphFormat", "runTimeModifiable", "fileHandler",
-        "profiling", "libs", "functions", "maxDi", "maxAlphaCo",
-        "maxAcousticCo", "maxFo"
-    });
+    const wordList own(
+        {"adjustTimeStep", "maxCo", "maxCoGas", "maxDeltaT", "minDeltaT", "maxEnergyGrowth",
+         "reportInterval", "rebuildInterval"});
+    const wordHashSet openFOAM(
+        {"FoamFile",
+         "application",
+         "startFrom",
+         "startTime",
+         "stopAt",
+         "endTime",
+         "beginTime",
+         "deltaT",
+         "writeControl",
+         "writeInterval",
+         "writeFrequency",
+         "purgeWrite",
+         "writeFormat",
+         "writeVersion",
+         "writePrecision",
+         "writeCompression",
+         "secondaryWriteControl",
+         "secondaryWriteInterval",
+         "secondaryPurgeWrite",
+         "timeFormat",
+         "timePrecision",
+         "graphFormat",
+         "runTimeModifiable",
+         "fileHandler",
+         "profiling",
+         "libs",
+         "functions",
+         "maxDi",
+         "maxAlphaCo",
+         "maxAcousticCo",
+         "maxFo"});
     for (const word& key : control.toc())
     {
         if (own.found(key) || openFOAM.found(key))
@@ -140,8 +145,7 @@ void warnOfWords(const dictionary& control)
         if (near.size())
         {
             IOWarningInFunction(control)
-                << "Entry " << key << " is not read; is " << near
-                << " meant?" << endl;
+                << "Entry " << key << " is not read; is " << near << " meant?" << endl;
         }
     }
 }
@@ -156,7 +160,6 @@ void Foam::mpm::exitOnFatal()
     FatalError.throwExceptions();
     FatalIOError.throwExceptions();
 }
-
 
 void Foam::mpm::requireClosed(const fileName& file)
 {
@@ -179,24 +182,23 @@ void Foam::mpm::requireClosed(const fileName& file)
         }
         if (t == token::END_BLOCK && last.open())
         {
-            FatalIOErrorInFunction(is)
-                << "File " << file << ": entry " << last.keyword
-                << " has no semicolon before the closing brace in line "
-                << t.lineNumber() << "." << exit(FatalIOError);
+            FatalIOErrorInFunction(is) << "File " << file << ": entry " << last.keyword
+                                       << " has no semicolon before the closing brace in line "
+                                       << t.lineNumber() << "." << exit(FatalIOError);
         }
         last.add(t);
     }
     if (nOpen)
     {
-        FatalIOErrorInFunction(is)
-            << "File " << file << (nOpen > 0 ? " ends inside a dictionary: "
-            : " has more closing braces than opening ones: ")
-            << (nOpen > 0 ? "a closing brace is missing, or the file was cut"
-                " off." : "an opening brace is missing.")
-            << exit(FatalIOError);
+        FatalIOErrorInFunction(is) << "File " << file
+                                   << (nOpen > 0 ? " ends inside a dictionary: "
+                                                 : " has more closing braces than opening ones: ")
+                                   << (nOpen > 0 ? "a closing brace is missing, or the file was cut"
+                                                   " off."
+                                                 : "an opening brace is missing.")
+                                   << exit(FatalIOError);
     }
 }
-
 
 void Foam::mpm::checkControlDict(const fileName& file)
 {
@@ -214,7 +216,7 @@ void Foam::mpm::checkControlDict(const fileName& file)
     {
         const scalar interval = positive(control, "writeInterval");
         const scalar end = mag(control.get<scalar>("endTime"));
-        if (end/labelMax >= interval)
+        if (end / labelMax >= interval)
         {
             FatalIOErrorInFunction(control)
                 << "Entry writeInterval is " << interval << ": too small for a"
@@ -223,68 +225,46 @@ void Foam::mpm::checkControlDict(const fileName& file)
     }
 }
 
-
 void Foam::mpm::requireCaseFile(const Time& time, const fileName& name)
 {
-    if
-    (
-        Pstream::master()
-     && !exists(time.path()/name) && !exists(time.path()/name + ".gz")
-     && !exists(time.globalPath()/name)
-     && !exists(time.globalPath()/name + ".gz")
-    )
+    if (Pstream::master() && !exists(time.path() / name) && !exists(time.path() / name + ".gz")
+        && !exists(time.globalPath() / name) && !exists(time.globalPath() / name + ".gz"))
     {
         const fileName project(getEnv("MPM_PROJECT_DIR"));
-        const fileName from("etc/caseTemplate"/name);
-        FatalErrorInFunction
-            << "The case " << time.globalPath() << " has no file " << name
-            << "." << nl << "Copy "
-            << (project.empty() ? from : project/from).c_str()
-            << " and change it; etc/caseTemplate is a small case with every"
-            << " file that a run needs." << nl
-            << "If " << name << " is there, run in the folder of the case, or"
-            << " with  -case <folder>." << exit(FatalError);
+        const fileName from("etc/caseTemplate" / name);
+        FatalErrorInFunction << "The case " << time.globalPath() << " has no file " << name << "."
+                             << nl << "Copy " << (project.empty() ? from : project / from).c_str()
+                             << " and change it; etc/caseTemplate is a small case with every"
+                             << " file that a run needs." << nl << "If " << name
+                             << " is there, run in the folder of the case, or"
+                             << " with  -case <folder>." << exit(FatalError);
     }
 }
 
-
-void Foam::mpm::checkGravity
-(
-    const fileName& file,
-    const vector& g,
-    const Vector<label>& computed
-)
+void Foam::mpm::checkGravity(const fileName& file, const vector& g, const Vector<label>& computed)
 {
     for (int d = 0; d < 3; ++d)
     {
         if (computed[d] < 0 && g[d] != 0)
         {
-            FatalErrorInFunction
-                << "Gravity in " << file << " is " << g << ": it acts along "
-                << "xyz"[d] << ", which the mesh does not compute (patches of"
-                << " type empty or wedge)." << nl
-                << "The computed directions are:"
-                << (computed[0] > 0 ? " x" : "")
-                << (computed[1] > 0 ? " y" : "")
-                << (computed[2] > 0 ? " z" : "")
-                << exit(FatalError);
+            FatalErrorInFunction << "Gravity in " << file << " is " << g << ": it acts along "
+                                 << "xyz"[d] << ", which the mesh does not compute (patches of"
+                                 << " type empty or wedge)." << nl
+                                 << "The computed directions are:" << (computed[0] > 0 ? " x" : "")
+                                 << (computed[1] > 0 ? " y" : "") << (computed[2] > 0 ? " z" : "")
+                                 << exit(FatalError);
         }
     }
     if (mag(g) > 100)
     {
-        WarningInFunction
-            << "Gravity in " << file << " is " << g << " m/s2, "
-            << mag(g)/9.81 << " times that of the earth: it is in m/s2, whatever"
-            << " the unit of the mesh's drawing." << endl;
+        WarningInFunction << "Gravity in " << file << " is " << g << " m/s2, " << mag(g) / 9.81
+                          << " times that of the earth: it is in m/s2, whatever"
+                          << " the unit of the mesh's drawing." << endl;
     }
 }
 
-
 void Foam::mpm::cannotRead(const fileName& file, const string& problem)
 {
-    FatalErrorInFunction
-        << "File " << file << " cannot be read: " << problem.c_str()
-        << exit(FatalError);
+    FatalErrorInFunction << "File " << file << " cannot be read: " << problem.c_str()
+                         << exit(FatalError);
 }
-
-// ************************************************************************* //

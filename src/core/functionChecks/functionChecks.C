@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "functionChecks.H"
 #include "nearWords.H"
@@ -47,12 +41,10 @@ string libraries(const dictionary& dict)
 
 void Foam::mpm::checkFunctions(const dictionary& control)
 {
-    const wordList own
-    ({
-        "materialPointBalance", "materialPointEnergy", "materialPointExtent",
-        "materialPointFields", "materialPointPatchForces",
-        "materialPointProbes", "materialPointSeparation", "materialPointXT"
-    });
+    const wordList own(
+        {"materialPointBalance", "materialPointEnergy", "materialPointExtent",
+         "materialPointFields", "materialPointPatchForces", "materialPointProbes",
+         "materialPointSeparation", "materialPointXT"});
     const word library("mpmFunctionObjects");
     if (!control.isDict("functions"))
     {
@@ -64,10 +56,7 @@ void Foam::mpm::checkFunctions(const dictionary& control)
     {
         all += e.isDict() ? libraries(e.dict()) : string();
     }
-    const auto has = [&](const string& text)
-    {
-        return text.find(library) != string::npos;
-    };
+    const auto has = [&](const string& text) { return text.find(library) != string::npos; };
     for (const entry& e : functions)
     {
         if (!e.isDict() || !e.dict().found("type"))
@@ -78,17 +67,15 @@ void Foam::mpm::checkFunctions(const dictionary& control)
         const word type(dict.get<word>("type"));
         const string libs(libraries(dict));
         const word near(nearWord(type, own));
-        const bool ours =
-            libs.empty()
-          ? bool(near.size())
-          : has(libs) && (near.size() || type.find("materialPoint") == 0);
+        const bool ours = libs.empty()
+            ? bool(near.size())
+            : has(libs) && (near.size() || type.find("materialPoint") == 0);
         if (!own.found(type) && ours)
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown type " << type << " of function object "
-                << e.keyword() << (near.size() ? "; is " : "") << near
-                << (near.size() ? " meant?" : "") << nl << nl
-                << "Valid types of " << library << " are: " << flatOutput(own)
+                << "Unknown type " << type << " of function object " << e.keyword()
+                << (near.size() ? "; is " : "") << near << (near.size() ? " meant?" : "") << nl
+                << nl << "Valid types of " << library << " are: " << flatOutput(own)
                 << exit(FatalIOError);
         }
         const bool none = libs.empty() && libraries(control).empty();
@@ -96,12 +83,9 @@ void Foam::mpm::checkFunctions(const dictionary& control)
         if (own.found(type) && !has(all) && (none || wrong))
         {
             FatalIOErrorInFunction(dict)
-                << "Function object " << e.keyword() << " of type " << type
-                << " needs libs (" << library << ");"
-                << (wrong ? " its libs are " : "") << libs.c_str()
+                << "Function object " << e.keyword() << " of type " << type << " needs libs ("
+                << library << ");" << (wrong ? " its libs are " : "") << libs.c_str()
                 << exit(FatalIOError);
         }
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "meshCheck.H"
 #include "polyMesh.H"
@@ -22,13 +16,11 @@ using namespace Foam;
 //- A number as good as random of a pair of points (splitmix64)
 std::uint64_t mixed(const label a, const label b)
 {
-    std::uint64_t z =
-        (std::uint64_t(a) << 32 ^ std::uint64_t(b)) + 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30))*0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27))*0x94d049bb133111eb;
+    std::uint64_t z = (std::uint64_t(a) << 32 ^ std::uint64_t(b)) + 0x9e3779b97f4a7c15;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);
 }
-
 
 //- Cells whose outward faces do not run each edge once to and once fro
 DynamicList<label> openCells(const polyMesh& mesh)
@@ -60,7 +52,6 @@ DynamicList<label> openCells(const polyMesh& mesh)
     return open;
 }
 
-
 DynamicList<label> flatCells(const polyMesh& mesh)
 {
     scalarField area(mesh.nCells(), Zero);
@@ -76,15 +67,14 @@ DynamicList<label> flatCells(const polyMesh& mesh)
     DynamicList<label> flat;
     forAll(area, celli)
     {
-        const scalar cube = area[celli]*std::sqrt(area[celli]);
-        if (!(mesh.cellVolumes()[celli] > 1e-12*cube))
+        const scalar cube = area[celli] * std::sqrt(area[celli]);
+        if (!(mesh.cellVolumes()[celli] > 1e-12 * cube))
         {
             flat.append(celli);
         }
     }
     return flat;
 }
-
 
 //- Cells that do not lie between two empty sides; these may differ in size
 DynamicList<label> thickCells(const polyMesh& mesh)
@@ -111,7 +101,7 @@ DynamicList<label> thickCells(const polyMesh& mesh)
             if (mesh.solutionD()[d] < 0)
             {
                 const scalar out = mag(sum[celli][d]);
-                one = one && all[celli][d] > 0 && out <= 0.5*all[celli][d];
+                one = one && all[celli][d] > 0 && out <= 0.5 * all[celli][d];
             }
         }
         if (!one)
@@ -122,7 +112,6 @@ DynamicList<label> thickCells(const polyMesh& mesh)
     return thick;
 }
 
-
 //- Directions in which the mesh is one layer of cells between faces that are
 //  no plane of symmetry, and the patches of these; none where it is so in all.
 //  sector: somewhere both sides make an angle with each other. Collective
@@ -131,19 +120,15 @@ std::string oneLayer(const polyMesh& mesh, std::string& patches, bool& sector)
     sector = false;
     // Of each direction: sum of the faces of both sides, and of one
     List<FixedList<vector, 2>> sum(3, FixedList<vector, 2>(vector(Zero)));
-    List<FixedList<unsigned char, 3>> sides
-    (
-        mesh.nCells(), FixedList<unsigned char, 3>((unsigned char)(0))
-    );
+    List<FixedList<unsigned char, 3>> sides(
+        mesh.nCells(), FixedList<unsigned char, 3>((unsigned char)(0)));
     const auto across = [&](const label facei, const int d)
     {
         const vector& S = mesh.faceAreas()[facei];
-        return mag(S[d]) > 0.9*mag(S);
+        return mag(S[d]) > 0.9 * mag(S);
     };
     const auto open = [](const polyPatch& pp)
-    {
-        return !pp.coupled() && !polyPatch::constraintType(pp.type());
-    };
+    { return !pp.coupled() && !polyPatch::constraintType(pp.type()); };
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         for (label i = 0; open(pp) && i < pp.size(); ++i)
@@ -157,8 +142,7 @@ std::string oneLayer(const polyMesh& mesh, std::string& patches, bool& sector)
                     sum[d][0] += mesh.faceAreas()[facei];
                     sum[d][1] += up ? mesh.faceAreas()[facei] : vector(Zero);
                 }
-                sides[mesh.faceOwner()[facei]][d] |=
-                    !across(facei, d) ? 0 : up ? 2 : 1;
+                sides[mesh.faceOwner()[facei]][d] |= !across(facei, d) ? 0 : up ? 2 : 1;
             }
         }
     }
@@ -184,17 +168,14 @@ std::string oneLayer(const polyMesh& mesh, std::string& patches, bool& sector)
         }
         vector inPlane(sum[d][0]);
         inPlane[d] = 0;
-        sector = sector || mag(inPlane) > 1e-3*mag(sum[d][1]);
+        sector = sector || mag(inPlane) > 1e-3 * mag(sum[d][1]);
         found += found.empty() ? "" : " and ";
         found += "xyz"[d];
         --nComputed;
         for (const polyPatch& pp : mesh.boundaryMesh())
         {
-            if
-            (
-                open(pp) && pp.size() && across(pp.start(), d)
-             && patches.find(pp.name()) == std::string::npos
-            )
+            if (open(pp) && pp.size() && across(pp.start(), d)
+                && patches.find(pp.name()) == std::string::npos)
             {
                 patches += ' ' + pp.name() + " (" + pp.type() + ')';
             }
@@ -203,15 +184,9 @@ std::string oneLayer(const polyMesh& mesh, std::string& patches, bool& sector)
     return nComputed ? found : std::string();
 }
 
-
 //- Number and places of bad cells of this processor
-string listed
-(
-    const polyMesh& mesh,
-    const labelUList& bad,
-    const char* what,
-    const bool volumes = true
-)
+string
+listed(const polyMesh& mesh, const labelUList& bad, const char* what, const bool volumes = true)
 {
     if (bad.empty())
     {
@@ -222,13 +197,13 @@ string listed
     {
         os << "Processor " << Pstream::myProcNo() << ": ";
     }
-    os  << bad.size() << (bad.size() == 1 ? " cell is " : " cells are ") << what;
+    os << bad.size() << (bad.size() == 1 ? " cell is " : " cells are ") << what;
     for (label i = 0; i < min(bad.size(), label(5)); ++i)
     {
         // The centre of a cell without volume may be anywhere
         const labelList& points = mesh.cellPoints()[bad[i]];
-        os  << (i ? "; " : ": ") << "cell " << bad[i] << " at "
-            << average(pointField(mesh.points(), points));
+        os << (i ? "; " : ": ") << "cell " << bad[i] << " at "
+           << average(pointField(mesh.points(), points));
         if (volumes)
         {
             os << ", volume " << mesh.cellVolumes()[bad[i]];
@@ -236,7 +211,6 @@ string listed
     }
     return os.str();
 }
-
 
 template<class Zones>
 string problemOfZones(const Zones& zones, const label size, const char* of)
@@ -248,9 +222,8 @@ string problemOfZones(const Zones& zones, const label size, const char* of)
         {
             if (i < 0 || i >= size)
             {
-                os  << "File " << zones.objectPath() << ": zone "
-                    << zone.name() << " has " << of << ' ' << i
-                    << "; the mesh has " << size;
+                os << "File " << zones.objectPath() << ": zone " << zone.name() << " has " << of
+                   << ' ' << i << "; the mesh has " << size;
                 return os.str();
             }
         }
@@ -267,21 +240,12 @@ void Foam::mpm::checkMesh(const polyMesh& mesh)
     refuseMesh(problemOfZones(mesh.cellZones(), mesh.nCells(), "cell"));
     refuseMesh(problemOfZones(mesh.faceZones(), mesh.nFaces(), "face"));
     refuseMesh(problemOfZones(mesh.pointZones(), mesh.nPoints(), "point"));
-    refuseMesh
-    (
-        listed
-        (
-            mesh,
-            openCells(mesh),
-            "open: a face is missing, the wrong way round, has a wrong point or"
-            " another cell",
-            false
-        )
-    );
-    refuseMesh
-    (
-        listed(mesh, flatCells(mesh), "without volume, or turned inside out")
-    );
+    refuseMesh(listed(
+        mesh, openCells(mesh),
+        "open: a face is missing, the wrong way round, has a wrong point or"
+        " another cell",
+        false));
+    refuseMesh(listed(mesh, flatCells(mesh), "without volume, or turned inside out"));
 
     // Empty in every direction, or wedges too: the axes of the points have
     // their own message
@@ -292,17 +256,11 @@ void Foam::mpm::checkMesh(const polyMesh& mesh)
     }
     if (!wedges && mesh.nSolutionD() > 0 && mesh.nSolutionD() < 3)
     {
-        refuseMesh
-        (
-            listed
-            (
-                mesh,
-                thickCells(mesh),
-                "not between two faces of empty patches, but the direction"
-                " across is not computed",
-                false
-            )
-        );
+        refuseMesh(listed(
+            mesh, thickCells(mesh),
+            "not between two faces of empty patches, but the direction"
+            " across is not computed",
+            false));
     }
 
     std::string patches;
@@ -310,17 +268,14 @@ void Foam::mpm::checkMesh(const polyMesh& mesh)
     const std::string thin(oneLayer(mesh, patches, sector));
     if (thin.size())
     {
-        WarningInFunction
-            << "The mesh is one layer of cells thick in " << thin.c_str()
-            << ", and its faces there are no empty patches but"
-            << patches.c_str() << ": the scene is computed in "
-            << mesh.nGeometricD() << "D with open sides." << nl
-            << (sector ? "    They make an angle with each other: for a sector"
-                " of a scene with an axis give them  type wedge;  in"
-                : "    For fewer dimensions give them  type empty;  in")
-            << " system/blockMeshDict (then blockMesh again) and in the files"
-            << " of time 0." << endl;
+        WarningInFunction << "The mesh is one layer of cells thick in " << thin.c_str()
+                          << ", and its faces there are no empty patches but" << patches.c_str()
+                          << ": the scene is computed in " << mesh.nGeometricD()
+                          << "D with open sides." << nl
+                          << (sector ? "    They make an angle with each other: for a sector"
+                                       " of a scene with an axis give them  type wedge;  in"
+                                     : "    For fewer dimensions give them  type empty;  in")
+                          << " system/blockMeshDict (then blockMesh again) and in the files"
+                          << " of time 0." << endl;
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "meshCheck.H"
 #include "fatalMessages.H"
@@ -26,16 +20,10 @@ using namespace Foam;
 using namespace Foam::mpm;
 
 //- The entries of the file boundary
-class patchEntries
-:
-    public regIOobject,
-    public PtrList<entry>
+class patchEntries : public regIOobject, public PtrList<entry>
 {
 public:
-
-    explicit patchEntries(const IOobject& io)
-    :
-        regIOobject(io)
+    explicit patchEntries(const IOobject& io) : regIOobject(io)
     {
         Istream& is = readStream(word("polyBoundaryMesh"));
         is >> static_cast<PtrList<entry>&>(*this);
@@ -48,8 +36,7 @@ public:
                 FatalIOErrorInFunction(is)
                     << "Entry " << e.keyword() << " in " << objectPath()
                     << " is not a dictionary; write  " << e.keyword()
-                    << " { type ...; nFaces ...; startFace ...; }"
-                    << exit(FatalIOError);
+                    << " { type ...; nFaces ...; startFace ...; }" << exit(FatalIOError);
             }
 
             // So that its errors name the file
@@ -57,12 +44,8 @@ public:
         }
     }
 
-    bool writeData(Ostream&) const
-    {
-        return false;
-    }
+    bool writeData(Ostream&) const { return false; }
 };
-
 
 //- A list of the mesh
 template<class List>
@@ -71,25 +54,16 @@ autoPtr<List> readList(const IOobject& io)
     // Faces have two types: the reading looks at it
     if (!IOobject(io).typeHeaderOk<List>(false))
     {
-        cannotRead
-        (
-            io.objectPath(), "it is missing, or has no header (FoamFile)."
-        );
+        cannotRead(io.objectPath(), "it is missing, or has no header (FoamFile).");
     }
-    return readNamed
-    (
-        io.objectPath(),
-        [&]{ return autoPtr<List>::New(io); }
-    );
+    return readNamed(io.objectPath(), [&] { return autoPtr<List>::New(io); });
 }
-
 
 //- Start of a message about a face
 void begin(OSstream& os, const fileName& file, const label facei)
 {
     os << "File " << file << ": face " << facei;
 }
-
 
 string problemOfPoints(const pointIOField& points)
 {
@@ -105,14 +79,12 @@ string problemOfPoints(const pointIOField& points)
         }
         if (!good)
         {
-            os  << "File " << points.objectPath() << ": point " << i
-                << " is at " << points[i];
+            os << "File " << points.objectPath() << ": point " << i << " is at " << points[i];
             break;
         }
     }
     return os.str();
 }
-
 
 string problemOfFaces(const faceCompactIOList& faces, const label nPoints)
 {
@@ -123,7 +95,7 @@ string problemOfFaces(const faceCompactIOList& faces, const label nPoints)
         if (f.size() < 3)
         {
             begin(os, faces.objectPath(), facei);
-            os  << " has " << f.size() << " points; it needs 3";
+            os << " has " << f.size() << " points; it needs 3";
             break;
         }
         forAll(f, k)
@@ -131,21 +103,19 @@ string problemOfFaces(const faceCompactIOList& faces, const label nPoints)
             if (f[k] < 0 || f[k] >= nPoints)
             {
                 begin(os, faces.objectPath(), facei);
-                os  << " has point " << f[k] << "; there are the points 0 to "
-                    << nPoints - 1;
+                os << " has point " << f[k] << "; there are the points 0 to " << nPoints - 1;
                 return os.str();
             }
             if (f.find(f[k], k + 1) >= 0)
             {
                 begin(os, faces.objectPath(), facei);
-                os  << " has point " << f[k] << " twice";
+                os << " has point " << f[k] << " twice";
                 return os.str();
             }
         }
     }
     return os.str();
 }
-
 
 //- Number of faces that have a cell on either side
 label nInternalFaces(const labelUList& neighbour, const label nFaces)
@@ -155,26 +125,20 @@ label nInternalFaces(const labelUList& neighbour, const label nFaces)
     return n < 0 ? neighbour.size() : n;
 }
 
-
-string problemOfCells
-(
-    const labelIOList& owner,
-    const labelIOList& neighbour,
-    const label nFaces
-)
+string problemOfCells(const labelIOList& owner, const labelIOList& neighbour, const label nFaces)
 {
     OStringStream os;
     if (owner.size() != nFaces)
     {
-        os  << "File " << owner.objectPath() << " has the owners of "
-            << owner.size() << " faces; there are " << nFaces;
+        os << "File " << owner.objectPath() << " has the owners of " << owner.size()
+           << " faces; there are " << nFaces;
         return os.str();
     }
     const label nInternal = nInternalFaces(neighbour, nFaces);
     if (nInternal > nFaces)
     {
-        os  << "File " << neighbour.objectPath() << " has the neighbours of "
-            << neighbour.size() << " faces; there are " << nFaces;
+        os << "File " << neighbour.objectPath() << " has the neighbours of " << neighbour.size()
+           << " faces; there are " << nFaces;
         return os.str();
     }
 
@@ -191,14 +155,13 @@ string problemOfCells
             if (celli < 0 || celli >= nFaces)
             {
                 begin(os, of.objectPath(), facei);
-                os  << " has cell " << celli << "; there are " << nFaces
-                    << " faces and fewer cells";
+                os << " has cell " << celli << "; there are " << nFaces << " faces and fewer cells";
                 return os.str();
             }
             if (!isOwner && celli == owner[facei])
             {
                 begin(os, of.objectPath(), facei);
-                os  << " has cell " << celli << " on both sides";
+                os << " has cell " << celli << " on both sides";
                 return os.str();
             }
             ++count[celli];
@@ -209,16 +172,15 @@ string problemOfCells
     {
         if (count[celli] < 4)
         {
-            os  << "Files " << owner.objectPath() << " and "
-                << neighbour.name() << ": cell " << celli << " of " << nCells
-                << " has " << count[celli] << " of the 4 or more faces that it"
-                << " needs";
+            os << "Files " << owner.objectPath() << " and " << neighbour.name() << ": cell "
+               << celli << " of " << nCells << " has " << count[celli]
+               << " of the 4 or more faces that it"
+               << " needs";
             break;
         }
     }
     return os.str();
 }
-
 
 //- As get<label>; an error of that does not name the file
 label wholeNumber(const dictionary& dict, const word& key)
@@ -226,13 +188,11 @@ label wholeNumber(const dictionary& dict, const word& key)
     const ITstream& is = dict.lookup(key);
     if (is.size() != 1 || !is[0].isLabel())
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << key << " in " << dict.name()
-            << " must be a whole number." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Entry " << key << " in " << dict.name()
+                                     << " must be a whole number." << exit(FatalIOError);
     }
     return is[0].labelToken();
 }
-
 
 //- A cyclic patch has another of as many faces
 string problemOfCyclic(const patchEntries& entries, const entry& own)
@@ -244,8 +204,8 @@ string problemOfCyclic(const patchEntries& entries, const entry& own)
     {
         return string();
     }
-    os  << "patch " << own.keyword() << " has the type cyclic and the"
-        << " neighbourPatch " << (partner.empty() ? "-" : partner.c_str());
+    os << "patch " << own.keyword() << " has the type cyclic and the"
+       << " neighbourPatch " << (partner.empty() ? "-" : partner.c_str());
     for (const entry& e : entries)
     {
         if (e.keyword() == partner && &e != &own)
@@ -255,7 +215,7 @@ string problemOfCyclic(const patchEntries& entries, const entry& own)
             const label nOwn = wholeNumber(dict, "nFaces");
             if (type != "cyclic")
             {
-                os  << ", which has the type " << type;
+                os << ", which has the type " << type;
                 return os.str();
             }
             if (n != nOwn)
@@ -270,17 +230,11 @@ string problemOfCyclic(const patchEntries& entries, const entry& own)
     return os.str();
 }
 
-
 //- The patches cover the faces without neighbour in their order
-string problemOfPatches
-(
-    const patchEntries& entries,
-    const label nInternal,
-    const label nFaces
-)
+string problemOfPatches(const patchEntries& entries, const label nInternal, const label nFaces)
 {
     OStringStream os;
-    os  << "File " << entries.objectPath() << ": ";
+    os << "File " << entries.objectPath() << ": ";
     wordHashSet names;
     label next = nInternal;
     for (const entry& e : entries)
@@ -296,25 +250,18 @@ string problemOfPatches
         }
         if (!polyPatch::dictionaryConstructorTablePtr_->found(type))
         {
-            os  << "patch " << name << " has the type " << type
-                << "; types of patches are: "
-                << flatOutput
-                (
-                    polyPatch::dictionaryConstructorTablePtr_->sortedToc()
-                );
+            os << "patch " << name << " has the type " << type << "; types of patches are: "
+               << flatOutput(polyPatch::dictionaryConstructorTablePtr_->sortedToc());
             return os.str();
         }
         if (!Pstream::parRun() && type.find("processor") == 0)
         {
-            os  << "patch " << name << " has the type " << type
-                << ": this is a part of a mesh. Run in the folder of the case,"
-                << " on all its processors (-parallel)";
+            os << "patch " << name << " has the type " << type
+               << ": this is a part of a mesh. Run in the folder of the case,"
+               << " on all its processors (-parallel)";
             return os.str();
         }
-        const string ofCyclic
-        (
-            type == "cyclic" ? problemOfCyclic(entries, e) : string()
-        );
+        const string ofCyclic(type == "cyclic" ? problemOfCyclic(entries, e) : string());
         if (!ofCyclic.empty())
         {
             os << ofCyclic.c_str();
@@ -322,9 +269,8 @@ string problemOfPatches
         }
         if (n < 0 || start != next || n > nFaces - next)
         {
-            os  << "patch " << name << " has " << n << " faces from startFace "
-                << start << "; expected startFace " << next << ", and at most "
-                << nFaces - next << " faces";
+            os << "patch " << name << " has " << n << " faces from startFace " << start
+               << "; expected startFace " << next << ", and at most " << nFaces - next << " faces";
             return os.str();
         }
         next += n;
@@ -333,11 +279,10 @@ string problemOfPatches
     {
         return string();
     }
-    os  << "no patch has the last " << nFaces - next << " of the "
-        << nFaces - nInternal << " faces of the boundary";
+    os << "no patch has the last " << nFaces - next << " of the " << nFaces - nInternal
+       << " faces of the boundary";
     return os.str();
 }
-
 
 //- What each processor says
 stringList ofProcessors(const string& own)
@@ -348,7 +293,6 @@ stringList ofProcessors(const string& own)
     Pstream::scatterList(all);
     return all;
 }
-
 
 //- Patches that all processors must have
 string namesOfPatches(const patchEntries& entries)
@@ -380,7 +324,6 @@ Foam::string Foam::mpm::firstFound(const string& own)
     return string();
 }
 
-
 void Foam::mpm::refuseMesh(const string& found)
 {
     OStringStream os;
@@ -393,42 +336,23 @@ void Foam::mpm::refuseMesh(const string& found)
     }
     if (!os.str().empty())
     {
-        FatalErrorInFunction
-            << os.str().c_str() << "checkMesh -allGeometry -allTopology tells"
-            << " more of a mesh that OpenFOAM can read." << exit(FatalError);
+        FatalErrorInFunction << os.str().c_str() << "checkMesh -allGeometry -allTopology tells"
+                             << " more of a mesh that OpenFOAM can read." << exit(FatalError);
     }
 }
-
 
 void Foam::mpm::checkMeshFiles(const Time& time)
 {
     const word& dir = polyMesh::meshSubDir;
     const auto object = [&](const word& name, const word& instance)
-    {
-        return IOobject
-        (
-            name,
-            instance,
-            dir,
-            time,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        );
-    };
+    { return IOobject(name, instance, dir, time, IOobject::MUST_READ, IOobject::NO_WRITE, false); };
     const word ofPoints(time.findInstance(dir, "points"));
     const word ofFaces(time.findInstance(dir, "faces"));
-    const word ofPatches
-    (
-        time.findInstance(dir, "boundary", IOobject::MUST_READ, ofFaces)
-    );
+    const word ofPatches(time.findInstance(dir, "boundary", IOobject::MUST_READ, ofFaces));
 
     // Without owners but with cells: a mesh of an old form
-    if
-    (
-        !isFile(object("owner", ofFaces).objectPath())
-     && object("cells", ofFaces).typeHeaderOk<cellCompactIOList>(false)
-    )
+    if (!isFile(object("owner", ofFaces).objectPath())
+        && object("cells", ofFaces).typeHeaderOk<cellCompactIOList>(false))
     {
         return;
     }
@@ -449,25 +373,16 @@ void Foam::mpm::checkMeshFiles(const Time& time)
     const patchEntries entries(object("boundary", ofPatches));
     if (problem.empty())
     {
-        problem = problemOfPatches
-        (
-            entries,
-            nInternalFaces(*neighbour, faces->size()),
-            faces->size()
-        );
+        problem =
+            problemOfPatches(entries, nInternalFaces(*neighbour, faces->size()), faces->size());
     }
     refuseMesh(problem);
 
     string first(namesOfPatches(entries));
     const string own(first);
     Pstream::scatter(first);
-    refuseMesh
-    (
-        own == first
-      ? string()
-      : "File " + entries.objectPath() + " has the patches" + own
-      + ", that of processor 0" + first
-    );
+    refuseMesh(
+        own == first ? string()
+                     : "File " + entries.objectPath() + " has the patches" + own
+                + ", that of processor 0" + first);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "dragExchange.H"
 #include "dictionaryTools.H"
@@ -12,56 +6,30 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::dragExchange::read
-(
-    const label phasei,
-    const dictionary& dict
-)
+void Foam::mpm::dragExchange::read(const label phasei, const dictionary& dict)
 {
     dictionary stick;
     stick.add("type", "stick");
-    models_.set
-    (
-        phasei,
-        dragModel::New(dict.found("drag") ? requiredDict(dict, "drag") : stick)
-    );
+    models_.set(phasei, dragModel::New(dict.found("drag") ? requiredDict(dict, "drag") : stick));
     normalOnly_ = normalOnly_ || models_[phasei].normalOnly();
     if (models_[phasei].needsViscosity() && !(mu_ > 0))
     {
-        FatalIOErrorInFunction(dict)
-            << "The drag of " << points_.phases()[phasei].name()
-            << " needs the viscosity of the gas: add mu [Pa s] to phase "
-            << gas_.name() << "." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "The drag of " << points_.phases()[phasei].name()
+                                     << " needs the viscosity of the gas: add mu [Pa s] to phase "
+                                     << gas_.name() << "." << exit(FatalIOError);
     }
 }
 
-
-Foam::mpm::solidOnFaces::faceDrag Foam::mpm::dragExchange::readForm
-(
-    const dictionary& dict
-) const
+Foam::mpm::solidOnFaces::faceDrag Foam::mpm::dragExchange::readForm(const dictionary& dict) const
 {
     const wordList words({"none", "velocity", "impedance"});
-    const word form
-    (
-        oneOfOrDefault
-        (
-            dict, "faceDrag", normalOnly_ ? "none" : "impedance", words
-        )
-    );
+    const word form(oneOfOrDefault(dict, "faceDrag", normalOnly_ ? "none" : "impedance", words));
     return solidOnFaces::faceDrag(words.find(form));
 }
 
-
-Foam::vector Foam::mpm::dragExchange::impulse
-(
-    const label phasei,
-    const label celli,
-    const scalar M,
-    const vector& Us,
-    const scalar thetaS,
-    const scalar dt
-)
+Foam::vector Foam::mpm::dragExchange::impulse(
+    const label phasei, const label celli, const scalar M, const vector& Us, const scalar thetaS,
+    const scalar dt)
 {
     const dragModel& model = models_[phasei];
     const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
@@ -70,15 +38,15 @@ Foam::vector Foam::mpm::dragExchange::impulse
     {
         given += Jbefore_[celli];
     }
-    const vector ug((gas_.rhoU()[celli] + given)/rho);
+    const vector ug((gas_.rhoU()[celli] + given) / rho);
     vector seen(Us - ug), relative(seen);
     if (ahead_.size())
     {
-        seen -= ahead_[celli]/rho;
-        relative -= (before_ + dt)/rho*fraction_.gasPush()[celli];
+        seen -= ahead_[celli] / rho;
+        relative -= (before_ + dt) / rho * fraction_.gasPush()[celli];
         if (before_ > 0)
         {
-            seen -= aheadBefore_[celli]/rho;
+            seen -= aheadBefore_[celli] / rho;
         }
     }
 
@@ -88,20 +56,15 @@ Foam::vector Foam::mpm::dragExchange::impulse
         const vector& n = fraction_.normals()[celli];
         if (magSqr(n) > 0)
         {
-            relative = n*(n & relative);
-            seen = n*(n & seen);
+            relative = n * (n & relative);
+            seen = n * (n & seen);
         }
     }
 
     // The pores of a full cell are there for the gas' equations alone
     const bool full = model.none() && solid > fraction_.fullOfSolid();
-    const scalar K =
-        full
-      ? dragModel::sticking
-      : model.K
-        (
-            dragModel::state{thetaS, theta, rho/theta, mu_, mag(seen)}
-        );
+    const scalar K = full ? dragModel::sticking
+                          : model.K(dragModel::state{thetaS, theta, rho / theta, mu_, mag(seen)});
     if (!(K > 0))
     {
         return Zero;
@@ -114,30 +77,24 @@ Foam::vector Foam::mpm::dragExchange::impulse
 
     // Harmonic masses; a rigid phase has no end of it: a free body takes
     // the impulse at the end of the step
-    const scalar shared = M < GREAT ? rho*M/(rho + M) : rho;
-    const scalar a = dt*K/shared;
-    const vector J(a/(1 + a)*shared*relative);
+    const scalar shared = M < GREAT ? rho * M / (rho + M) : rho;
+    const scalar a = dt * K / shared;
+    const vector J(a / (1 + a) * shared * relative);
     if (ahead_.size())
     {
-        ahead_[celli] += a/(1 + a)*shared*(seen - relative);
+        ahead_[celli] += a / (1 + a) * shared * (seen - relative);
     }
-    held_[celli] += rho*M*a/(rho*(1 + a) + M);
+    held_[celli] += rho * M * a / (rho * (1 + a) + M);
 
     J_[celli] += J;
-    Q_[celli] += J & (M < GREAT ? Us - 0.5*J/M : Us);
+    Q_[celli] += J & (M < GREAT ? Us - 0.5 * J / M : Us);
 
     return J;
 }
 
-
-Foam::vector Foam::mpm::dragExchange::momentumOf
-(
-    const labelUList& nodes,
-    const UList<scalar>& share,
-    const scalar* U,
-    const int stride,
-    scalar& M
-) const
+Foam::vector Foam::mpm::dragExchange::momentumOf(
+    const labelUList& nodes, const UList<scalar>& share, const scalar* U, const int stride,
+    scalar& M) const
 {
     const pointGrid& grid = points_.grid();
     const int D = grid.nDim();
@@ -148,89 +105,66 @@ Foam::vector Foam::mpm::dragExchange::momentumOf
         M += share[i];
         for (int d = 0; d < D && share[i] > 0; ++d)
         {
-            mU[grid.direction(d)] += share[i]*U[stride*nodes[i] + d];
+            mU[grid.direction(d)] += share[i] * U[stride * nodes[i] + d];
         }
     }
     return mU;
 }
 
-
 void Foam::mpm::dragExchange::setShares(const label phasei)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
     const pointGridTransfer& passes = points_.gridTransfer();
-    share_.setSize
-    (
-        max(share_.size(), passes.nStencil()*cloud.cells().size())
-    );
+    share_.setSize(max(share_.size(), passes.nStencil() * cloud.cells().size()));
     passes.massShares(cloud, share_.data());
 }
-
 
 void Foam::mpm::dragExchange::startImpulse(const velocityField& field)
 {
     const int D = points_.grid().nDim(), stride = field.stride();
-    impulse_.setSize(stride*points_.grid().nNodes());
+    impulse_.setSize(stride * points_.grid().nNodes());
     for (const label node : field.active())
     {
         for (int d = 0; d < D; ++d)
         {
-            impulse_[stride*node + d] = 0;
+            impulse_[stride * node + d] = 0;
         }
     }
 }
 
-
 const Foam::scalar* Foam::mpm::dragExchange::atCells(const label phasei) const
 {
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
-    return
-        levels_
-      ? levels_->atShares
-        (
-            points_.phases()[phasei].cloud(), field.UL(),
-            fraction_.nodesBeside(phasei)
-        )
-      : field.UL();
+    return levels_ ? levels_->atShares(
+               points_.phases()[phasei].cloud(), field.UL(), fraction_.nodesBeside(phasei))
+                   : field.UL();
 }
 
-
-void Foam::mpm::dragExchange::take
-(
-    const labelUList& nodes,
-    const UList<scalar>& share,
-    const int stride,
-    const scalar V,
-    const scalar M,
-    const vector& J
-)
+void Foam::mpm::dragExchange::take(
+    const labelUList& nodes, const UList<scalar>& share, const int stride, const scalar V,
+    const scalar M, const vector& J)
 {
     const pointGrid& grid = points_.grid();
     const int D = grid.nDim();
     forAll(nodes, i)
     {
-        const scalar part = share[i]*V/M;
+        const scalar part = share[i] * V / M;
         for (int d = 0; d < D && share[i] > 0; ++d)
         {
-            impulse_[stride*nodes[i] + d] -= part*J[grid.direction(d)];
+            impulse_[stride * nodes[i] + d] -= part * J[grid.direction(d)];
         }
     }
 }
-
 
 void Foam::mpm::dragExchange::addImpulse(const label phasei)
 {
     if (levels_)
     {
-        levels_->spreadShares
-        (
-            points_.phases()[phasei].cloud(), impulse_.data(),
-            fraction_.nodesBeside(phasei)
-        );
+        levels_->spreadShares(
+            points_.phases()[phasei].cloud(), impulse_.data(), fraction_.nodesBeside(phasei));
     }
     points_.addImpulse(points_.fieldOf(phasei), impulse_.data());
 }
-
 
 void Foam::mpm::dragExchange::clear()
 {
@@ -248,7 +182,6 @@ void Foam::mpm::dragExchange::clear()
     held_ = 0;
 }
 
-
 void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
 {
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
@@ -258,28 +191,21 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     const scalar* U = atCells(phasei);
     const bool exact = ahead_.size();
     given_.clear();
-    forDragged
-    (
+    forDragged(
         phasei,
-        [&]
-        (
-            const label celli,
-            const labelUList& nodes,
-            const UList<scalar>& share,
-            const scalar thetaS
-        )
+        [&](const label celli, const labelUList& nodes, const UList<scalar>& share,
+            const scalar thetaS)
         {
             scalar M = 0;
             const vector mU(momentumOf(nodes, share, U, stride, M));
             const scalar V = fraction_.mesh().V()[celli];
-            const vector J(impulse(phasei, celli, M/V, mU/M, thetaS, dt));
+            const vector J(impulse(phasei, celli, M / V, mU / M, thetaS, dt));
             take(nodes, share, stride, V, M, J);
             if (exact)
             {
-                given_.append(given{J, (mU - V*J)/M});
+                given_.append(given{J, (mU - V * J) / M});
             }
-        }
-    );
+        });
     addImpulse(phasei);
     if (!exact)
     {
@@ -289,25 +215,16 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     // U_s after is that of the nodes, which other cells move and hold too
     U = atCells(phasei);
     const given* of = given_.cdata();
-    forDragged
-    (
+    forDragged(
         phasei,
-        [&]
-        (
-            const label celli,
-            const labelUList& nodes,
-            const UList<scalar>& share,
-            const scalar
-        )
+        [&](const label celli, const labelUList& nodes, const UList<scalar>& share, const scalar)
         {
             scalar M = 0;
             const vector mU(momentumOf(nodes, share, U, stride, M));
-            Q_[celli] += 0.5*(of->J & (mU/M - of->U));
+            Q_[celli] += 0.5 * (of->J & (mU / M - of->U));
             ++of;
-        }
-    );
+        });
 }
-
 
 void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
 {
@@ -318,19 +235,9 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
     const scalar* volume = (*cloud.gasVolume())[0];
 
     // Velocity U of the body at x, its place in the cell
-    const auto drag = [&]
-    (
-        const label celli,
-        const vector& U,
-        const point& x,
-        const scalar thetaS
-    )
+    const auto drag = [&](const label celli, const vector& U, const point& x, const scalar thetaS)
     {
-        const vector J
-        (
-            fraction_.mesh().V()[celli]
-           *impulse(phasei, celli, GREAT, U, thetaS, dt)
-        );
+        const vector J(fraction_.mesh().V()[celli] * impulse(phasei, celli, GREAT, U, thetaS, dt));
         if (further_)
         {
             present_.append(presence{phasei, celli, GREAT, U, thetaS});
@@ -351,75 +258,36 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
         const label celli = cloud.cells()[k];
         const scalar V = fraction_.mesh().V()[celli];
         const scalar m = cellSum(cloud, k, mass);
-        const vector mU
-        (
-            cellSumOf
-            (
-                cloud,
-                k,
-                [&](const label p) { return mass[p]*cloud.velocity(p); }
-            )
-        );
+        const vector mU(
+            cellSumOf(cloud, k, [&](const label p) { return mass[p] * cloud.velocity(p); }));
         vector mx(Zero);
         if (body)
         {
-            mx = cellSumOf
-            (
-                cloud,
-                k,
-                [&](const label p)
-                {
-                    return mass[p]*cloud.position(p, celli);
-                }
-            );
+            mx = cellSumOf(
+                cloud, k, [&](const label p) { return mass[p] * cloud.position(p, celli); });
         }
-        drag
-        (
-            celli,
-            mU/m,
-            mx/m,
-            fraction_.ofPoints(cellSum(cloud, k, volume), V)
-        );
+        drag(celli, mU / m, mx / m, fraction_.ofPoints(cellSum(cloud, k, volume), V));
     }
 
     const rigidMotion::placement& now = points_.phases()[phasei].motion()->now();
-    fraction_.forDenseCells
-    (
+    fraction_.forDenseCells(
         phasei,
-        [&]
-        (
-            const label celli,
-            const labelUList&,
-            const UList<scalar>&,
-            const scalar thetaS
-        )
+        [&](const label celli, const labelUList&, const UList<scalar>&, const scalar thetaS)
         {
             const point& x = fraction_.mesh().C()[celli];
             drag(celli, now.velocityAt(x), x, thetaS);
-        }
-    );
+        });
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::dragExchange::dragExchange
-(
-    materialPointSystem& points,
-    eulerianFlow& gas,
-    solidFraction& fraction,
-    const dictionary& phaseProperties
-)
-:
+Foam::mpm::dragExchange::dragExchange(
+    materialPointSystem& points, eulerianFlow& gas, solidFraction& fraction,
+    const dictionary& phaseProperties) :
     points_(points),
     gas_(gas),
     fraction_(fraction),
-    mu_
-    (
-        boundedOrDefault
-        (
-            requiredDict(phaseProperties, gas.name()), "mu", 0, 0, GREAT
-        )
-    ),
+    mu_(boundedOrDefault(requiredDict(phaseProperties, gas.name()), "mu", 0, 0, GREAT)),
     models_(points.phases().size()),
     normalOnly_(false),
     form_(solidOnFaces::none),
@@ -438,11 +306,7 @@ Foam::mpm::dragExchange::dragExchange
 {
     forAll(points_.phases(), phasei)
     {
-        read
-        (
-            phasei,
-            requiredDict(phaseProperties, points_.phases()[phasei].name())
-        );
+        read(phasei, requiredDict(phaseProperties, points_.phases()[phasei].name()));
     }
     form_ = readForm(requiredDict(phaseProperties, gas.name()));
 }
@@ -483,7 +347,6 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
     }
 }
 
-
 void Foam::mpm::dragExchange::updateFaces()
 {
     const fvMesh& mesh = fraction_.mesh();
@@ -493,7 +356,7 @@ void Foam::mpm::dragExchange::updateFaces()
     forAll(mass, c)
     {
         const scalar rho = gas_.rho()[c];
-        mass[c] = (rho + min(held_[c], 15*rho))*mesh.V()[c];
+        mass[c] = (rho + min(held_[c], 15 * rho)) * mesh.V()[c];
     }
     scalarField Kbehind, massBehind;
     syncTools::swapBoundaryCellList(mesh, Kc_, Kbehind);
@@ -502,11 +365,9 @@ void Foam::mpm::dragExchange::updateFaces()
     {
         const label i = f - nei.size();
         K_[f] = max(Kc_[own[f]], i < 0 ? Kc_[nei[f]] : Kbehind[i]);
-        inertia_[f] =
-            min(mass[own[f]], i < 0 ? mass[nei[f]] : massBehind[i]);
+        inertia_[f] = min(mass[own[f]], i < 0 ? mass[nei[f]] : massBehind[i]);
     }
 }
-
 
 void Foam::mpm::dragExchange::keep(const scalar dt)
 {
@@ -530,7 +391,6 @@ void Foam::mpm::dragExchange::keep(const scalar dt)
     }
     before_ += dt;
 }
-
 
 void Foam::mpm::dragExchange::addToGas()
 {
@@ -564,12 +424,9 @@ void Foam::mpm::dragExchange::addToGas()
     before_ = 0;
 }
 
-
 void Foam::mpm::dragExchange::show(solidOnFaces& pores) const
 {
     pores.K = K_.cdata();
     pores.inertia = inertia_.cdata();
     pores.fd = form_;
 }
-
-// ************************************************************************* //

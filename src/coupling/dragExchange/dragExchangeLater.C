@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "dragExchange.H"
 
@@ -62,19 +56,12 @@ void Foam::mpm::dragExchange::pay()
     paidCells_.setSize(n);
 }
 
-
-void Foam::mpm::dragExchange::bookPaid
-(
-    const label phasei,
-    const label celli,
-    const scalar Q
-)
+void Foam::mpm::dragExchange::bookPaid(const label phasei, const label celli, const scalar Q)
 {
     isPaid_[celli] = true;
     paid_[celli] += Q;
     paidCells_.append(celli);
 }
-
 
 void Foam::mpm::dragExchange::payNodes(const label phasei)
 {
@@ -86,16 +73,9 @@ void Foam::mpm::dragExchange::payNodes(const label phasei)
     // J of half of the velocities before and after, of the nodes
     const auto book = [&](const scalar* U, const bool after)
     {
-        forDragged
-        (
+        forDragged(
             phasei,
-            [&]
-            (
-                const label c,
-                const labelUList& nodes,
-                const UList<scalar>& share,
-                const scalar
-            )
+            [&](const label c, const labelUList& nodes, const UList<scalar>& share, const scalar)
             {
                 const vector& J = owed_[phasei][c];
                 scalar M = 0;
@@ -104,22 +84,17 @@ void Foam::mpm::dragExchange::payNodes(const label phasei)
                 {
                     return;
                 }
-                bookPaid(phasei, c, 0.5*(J & mU)/M);
+                bookPaid(phasei, c, 0.5 * (J & mU) / M);
                 if (!after)
                 {
-                    take
-                    (
-                        nodes, share, stride, fraction_.mesh().V()[c], M, J
-                    );
+                    take(nodes, share, stride, fraction_.mesh().V()[c], M, J);
                 }
-            }
-        );
+            });
     };
     book(atCells(phasei), false);
     addImpulse(phasei);
     book(atCells(phasei), true);
 }
-
 
 void Foam::mpm::dragExchange::payBody(const label phasei)
 {
@@ -136,50 +111,35 @@ void Foam::mpm::dragExchange::payBody(const label phasei)
         const scalar V = fraction_.mesh().V()[c];
         const point& x = fraction_.mesh().C()[c];
         const vector U(now.velocityAt(x));
-        rigid.addLoad(phasei, -V*J);
+        rigid.addLoad(phasei, -V * J);
         if (body)
         {
-            body->addLoad(-V*J, x);
+            body->addLoad(-V * J, x);
         }
         else
         {
-            work_ += V*(J & U);
+            work_ += V * (J & U);
         }
         bookPaid(phasei, c, J & U);
     }
 }
-
 
 void Foam::mpm::dragExchange::findPresent(const label phasei)
 {
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
     setShares(phasei);
     const scalar* U = atCells(phasei);
-    forDragged
-    (
+    forDragged(
         phasei,
-        [&]
-        (
-            const label c,
-            const labelUList& nodes,
-            const UList<scalar>& share,
-            const scalar thetaS
-        )
+        [&](const label c, const labelUList& nodes, const UList<scalar>& share, const scalar thetaS)
         {
             scalar M = 0;
             const vector mU(momentumOf(nodes, share, U, field.stride(), M));
             if (M > 0)
             {
-                present_.append
-                (
-                    presence
-                    {
-                        phasei, c, M/fraction_.mesh().V()[c], mU/M, thetaS
-                    }
-                );
+                present_.append(presence{phasei, c, M / fraction_.mesh().V()[c], mU / M, thetaS});
             }
-        }
-    );
+        });
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -193,25 +153,21 @@ void Foam::mpm::dragExchange::further(const scalar dt)
         {
             continue;
         }
-        const vector J
-        (
-            impulse(s.phasei, s.celli, s.M, s.U, s.thetaS, dt)
-        );
+        const vector J(impulse(s.phasei, s.celli, s.M, s.U, s.thetaS, dt));
         if (!(magSqr(J) > 0))
         {
             continue;
         }
         owedOf(s.phasei)[s.celli] += J;
-        owedWork()[s.celli] += J & (s.M < GREAT ? s.U - 0.5*J/s.M : s.U);
+        owedWork()[s.celli] += J & (s.M < GREAT ? s.U - 0.5 * J / s.M : s.U);
         if (s.M < GREAT)
         {
-            s.U -= J/s.M;
+            s.U -= J / s.M;
         }
     }
     updateFaces();
     gas_.addSources(cells_, J_, Q_, ahead_);
 }
-
 
 void Foam::mpm::dragExchange::owe(const UList<vector>& impulse)
 {
@@ -235,7 +191,7 @@ void Foam::mpm::dragExchange::owe(const UList<vector>& impulse)
         {
             continue;
         }
-        const vector J(-impulse[c]/V[c]);
+        const vector J(-impulse[c] / V[c]);
         if (first[c] >= 0)
         {
             const presence& s = present_[first[c]];
@@ -245,7 +201,7 @@ void Foam::mpm::dragExchange::owe(const UList<vector>& impulse)
         else
         {
             momentum[c] = -J;
-            energy[c] = -J & (gas_.rhoU()[c] - 0.5*J)/gas_.rho()[c];
+            energy[c] = -J & (gas_.rhoU()[c] - 0.5 * J) / gas_.rho()[c];
             cells.append(c);
         }
     }
@@ -253,20 +209,17 @@ void Foam::mpm::dragExchange::owe(const UList<vector>& impulse)
     resume();
 }
 
-
 Foam::vectorField& Foam::mpm::dragExchange::owedOf(const label phasei)
 {
     owed_[phasei].setSize(J_.size(), Zero);
     return owed_[phasei];
 }
 
-
 Foam::scalarField& Foam::mpm::dragExchange::owedWork()
 {
     owedWork_.setSize(J_.size(), 0);
     return owedWork_;
 }
-
 
 void Foam::mpm::dragExchange::resume()
 {
@@ -291,7 +244,6 @@ void Foam::mpm::dragExchange::resume()
     }
 }
 
-
 Foam::vector Foam::mpm::dragExchange::owedMomentum() const
 {
     vector all(Zero);
@@ -299,17 +251,13 @@ Foam::vector Foam::mpm::dragExchange::owedMomentum() const
     {
         if (J.size())
         {
-            all += sum(fraction_.mesh().V().field()*J);
+            all += sum(fraction_.mesh().V().field() * J);
         }
     }
     return all;
 }
 
-
 Foam::scalar Foam::mpm::dragExchange::owedEnergy() const
 {
-    return
-        owedWork_.empty() ? 0 : sum(fraction_.mesh().V().field()*owedWork_);
+    return owedWork_.empty() ? 0 : sum(fraction_.mesh().V().field() * owedWork_);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "fractionLattice.H"
 #include "emptyPolyPatch.H"
@@ -36,8 +30,7 @@ void Foam::mpm::fractionLattice::makeFaces()
         const bool up = S[grid_.direction(d)] > 0;
         faceDirection_[facei] = d;
         faceSign_[facei] = up ? 1 : -1;
-        facePlace_[facei] =
-            placeOf_[mesh.faceOwner()[facei]] + (up ? stride_[d] : 0);
+        facePlace_[facei] = placeOf_[mesh.faceOwner()[facei]] + (up ? stride_[d] : 0);
     };
 
     for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
@@ -69,7 +62,6 @@ void Foam::mpm::fractionLattice::makeFaces()
     coupled_.transfer(coupled);
 }
 
-
 void Foam::mpm::fractionLattice::makeShared()
 {
     const int D = grid_.nDim();
@@ -88,9 +80,8 @@ void Foam::mpm::fractionLattice::makeShared()
     }
     if (all > labelMax)
     {
-        FatalErrorInFunction
-            << "The lattice of " << all << " places is too large for labels of "
-            << sizeof(label)*8 << " bits." << exit(FatalError);
+        FatalErrorInFunction << "The lattice of " << all << " places is too large for labels of "
+                             << sizeof(label) * 8 << " bits." << exit(FatalError);
     }
 
     Map<label> keyOfPlace;
@@ -111,11 +102,10 @@ void Foam::mpm::fractionLattice::makeShared()
                 {
                     i = (i - 1 + nAll) % nAll + 1;
                 }
-                ring =
-                    ring || at[d] < 1 || at[d] > grid_.lattice().nLatticeCells(d);
-                key += stride*i;
+                ring = ring || at[d] < 1 || at[d] > grid_.lattice().nLatticeCells(d);
+                key += stride * i;
                 stride *= nAll + 2;
-                place += stride_[d]*at[d];
+                place += stride_[d] * at[d];
             }
             // Own cells far from any ring or ghost have no other place
             const label c = grid_.lattice().cellAt(at);
@@ -138,7 +128,7 @@ void Foam::mpm::fractionLattice::makeShared()
             label key = 0, stride = 1;
             for (int d = 0; d < D; ++d)
             {
-                key += stride*(grid_.lattice().window(d) + grid_.lattice().ijk(celli, d));
+                key += stride * (grid_.lattice().window(d) + grid_.lattice().ijk(celli, d));
                 stride *= grid_.lattice().nAllLatticeCells(d) + 2;
             }
             iter.val() = key;
@@ -180,20 +170,16 @@ void Foam::mpm::fractionLattice::makeShared()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid)
-:
-    grid_(grid),
-    nPlaces_(1),
-    stride_{0, 0, 0}
+Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid) :
+    grid_(grid), nPlaces_(1), stride_{0, 0, 0}
 {
     const int D = grid_.nDim();
     const string reason(refuses(grid_));
     if (!reason.empty())
     {
-        FatalErrorInFunction
-            << "solidFraction lattice needs boxes of one size in each"
-            << " direction: " << reason.c_str() << ". On other meshes choose"
-            << " solidFraction star." << exit(FatalError);
+        FatalErrorInFunction << "solidFraction lattice needs boxes of one size in each"
+                             << " direction: " << reason.c_str() << ". On other meshes choose"
+                             << " solidFraction star." << exit(FatalError);
     }
 
     for (int d = 0; d < D; ++d)
@@ -202,17 +188,17 @@ Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid)
         nPlaces_ *= grid_.lattice().nLatticeCells(d) + 2;
     }
     placeOf_.setSize(grid_.nCells());
-    below_.setSize(D*grid_.nCells());
-    above_.setSize(D*grid_.nCells());
+    below_.setSize(D * grid_.nCells());
+    above_.setSize(D * grid_.nCells());
     forAll(placeOf_, celli)
     {
         placeOf_[celli] = 0;
         const unsigned walls = grid_.lattice().walls(celli);
         for (int d = 0; d < D; ++d)
         {
-            placeOf_[celli] += stride_[d]*grid_.lattice().ijk(celli, d);
-            below_[D*celli + d] = (walls >> 2*d) & 1 ? 0 : -stride_[d];
-            above_[D*celli + d] = (walls >> (2*d + 1)) & 1 ? 0 : stride_[d];
+            placeOf_[celli] += stride_[d] * grid_.lattice().ijk(celli, d);
+            below_[D * celli + d] = (walls >> 2 * d) & 1 ? 0 : -stride_[d];
+            above_[D * celli + d] = (walls >> (2 * d + 1)) & 1 ? 0 : stride_[d];
         }
     }
 
@@ -230,36 +216,34 @@ Foam::string Foam::mpm::fractionLattice::refuses(const pointGrid& grid)
         scalar least = GREAT, most = 0;
         for (label i = 1; i <= grid.lattice().nLatticeCells(d); ++i)
         {
-            const scalar h =
-                grid.lattice().planes(d)[i + 1] - grid.lattice().planes(d)[i];
+            const scalar h = grid.lattice().planes(d)[i + 1] - grid.lattice().planes(d)[i];
             least = min(least, h);
             most = max(most, h);
         }
         reduce(least, minOp<scalar>());
         reduce(most, maxOp<scalar>());
-        if (most > (1 + 1e-4)*least)
+        if (most > (1 + 1e-4) * least)
         {
             OStringStream s;
-            s   << "direction " << "xyz"[grid.direction(d)]
-                << " is graded, its cells are " << least << " to " << most
-                << " m wide";
+            s << "direction "
+              << "xyz"[grid.direction(d)] << " is graded, its cells are " << least << " to " << most
+              << " m wide";
             reason = s.str();
         }
     }
     return reason;
 }
 
-
 void Foam::mpm::fractionLattice::sum(scalar* q, const int nComp) const
 {
     for (const labelList& group : same_)
     {
-        scalar* to = q + nComp*group[0];
+        scalar* to = q + nComp * group[0];
         for (label i = 1; i < group.size(); ++i)
         {
             for (int c = 0; c < nComp; ++c)
             {
-                to[c] += q[nComp*group[i] + c];
+                to[c] += q[nComp * group[i] + c];
             }
         }
     }
@@ -269,15 +253,13 @@ void Foam::mpm::fractionLattice::sum(scalar* q, const int nComp) const
     }
     for (const labelList& group : same_)
     {
-        const scalar* from = q + nComp*group[0];
+        const scalar* from = q + nComp * group[0];
         for (label i = 1; i < group.size(); ++i)
         {
             for (int c = 0; c < nComp; ++c)
             {
-                q[nComp*group[i] + c] = from[c];
+                q[nComp * group[i] + c] = from[c];
             }
         }
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "fractionWatch.H"
 #include "cellSums.H"
@@ -31,7 +25,7 @@ Foam::string Foam::mpm::fractionWatch::advice(const label celli) const
             {
                 worst = phasei;
                 most = v;
-                growth = v*phase.rho()/cellSum(cloud, k, cloud.mass()[0]);
+                growth = v * phase.rho() / cellSum(cloud, k, cloud.mass()[0]);
             }
         }
     }
@@ -39,54 +33,46 @@ Foam::string Foam::mpm::fractionWatch::advice(const label celli) const
     OStringStream os;
     if (worst < 0)
     {
-        os  << "No point is in the cell. A smaller maxCo and maxCoGas may help.";
+        os << "No point is in the cell. A smaller maxCo and maxCoGas may help.";
         return os.str();
     }
     const materialPointPhase& phase = points_.phases()[worst];
-    os  << "Points of " << phase.name() << " fill "
-        << most/fraction_.mesh().V()[celli] << " of the cell. ";
+    os << "Points of " << phase.name() << " fill " << most / fraction_.mesh().V()[celli]
+       << " of the cell. ";
     if (phase.grains() && !grains_.acts(worst))
     {
-        os  << "Nothing keeps its grains apart. Valid choices in phase "
-            << phase.name() << ": granularPressure { type JohnsonJackson;"
-            << " alphaMin 0.5; alphaMax 0.65; } or a constitutiveModel with a"
-            << " stress; or a smaller volumeFraction in setMaterialPointsDict.";
+        os << "Nothing keeps its grains apart. Valid choices in phase " << phase.name()
+           << ": granularPressure { type JohnsonJackson;"
+           << " alphaMin 0.5; alphaMax 0.65; } or a constitutiveModel with a"
+           << " stress; or a smaller volumeFraction in setMaterialPointsDict.";
     }
     else if (phase.grains())
     {
-        os  << "Its granularPressure did not hold them: a smaller alphaMax, a"
-            << " larger Fr, a smaller maxCo.";
+        os << "Its granularPressure did not hold them: a smaller alphaMax, a"
+           << " larger Fr, a smaller maxCo.";
     }
     else
     {
-        os  << "Their volume is " << growth << " times that of the unstressed"
-            << " material. Points that have grown larger than a cell, as the"
-            << " products of an explosion do, fill cells unevenly. Valid choices:"
-            << " as many points per cell at the start as the volume should grow"
-            << " (pointsPerCell in setMaterialPointsDict); gas of their energy"
-            << " in their place (p and T." << gas_.name() << "); no gas around"
-            << " them. Points that overlap from the start: check"
-            << " setMaterialPointsDict.";
+        os << "Their volume is " << growth << " times that of the unstressed"
+           << " material. Points that have grown larger than a cell, as the"
+           << " products of an explosion do, fill cells unevenly. Valid choices:"
+           << " as many points per cell at the start as the volume should grow"
+           << " (pointsPerCell in setMaterialPointsDict); gas of their energy"
+           << " in their place (p and T." << gas_.name() << "); no gas around"
+           << " them. Points that overlap from the start: check"
+           << " setMaterialPointsDict.";
     }
     return os.str();
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::fractionWatch::fractionWatch
-(
-    materialPointSystem& points,
-    eulerianFlow& gas,
-    const solidFraction& fraction,
-    const granularForce& grains
-)
-:
-    points_(points),
-    gas_(gas),
-    fraction_(fraction),
-    grains_(grains),
-    energy_(0)
-{}
+Foam::mpm::fractionWatch::fractionWatch(
+    materialPointSystem& points, eulerianFlow& gas, const solidFraction& fraction,
+    const granularForce& grains) :
+    points_(points), gas_(gas), fraction_(fraction), grains_(grains), energy_(0)
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -103,13 +89,12 @@ void Foam::mpm::fractionWatch::measureEnergy() const
             const scalar* U = cloud.U()[d];
             for (label p = 0; p < cloud.size(); ++p)
             {
-                sum += 0.5*m[p]*sqr(U[p]);
+                sum += 0.5 * m[p] * sqr(U[p]);
             }
         }
     }
     energy_ = returnReduce(sum, sumOp<scalar>());
 }
-
 
 void Foam::mpm::fractionWatch::check()
 {
@@ -147,28 +132,24 @@ void Foam::mpm::fractionWatch::check()
     if (at >= 0)
     {
         OStringStream os;
-        os  << "Volume fractions of cell " << at << " at "
-            << mesh.cellCentres()[at] << " add up to "
-            << Theta(at) << ", time "
-            << mesh.time().value() << ". " << advice(at).c_str();
+        os << "Volume fractions of cell " << at << " at " << mesh.cellCentres()[at] << " add up to "
+           << Theta(at) << ", time " << mesh.time().value() << ". " << advice(at).c_str();
         gas_.condemn(at, os.str());
         return;
     }
 
-    if (mag(fixed) > mostFixed*energy_ && gas_.fixedCell() >= 0)
+    if (mag(fixed) > mostFixed * energy_ && gas_.fixedCell() >= 0)
     {
         at = gas_.fixedCell();
         OStringStream os;
-        os  << "Fix-ups have added " << fixed << " J to gas " << gas_.name()
-            << "; without them it and the motion of the points had "
-            << energy_ << " J. The largest was in cell " << at << " at "
-            << mesh.cellCentres()[at] << ", theta " << gas_.theta()[at]
-            << ", all fractions " << Theta(at)
-            << "; time " << mesh.time().value() << ". " << advice(at).c_str();
+        os << "Fix-ups have added " << fixed << " J to gas " << gas_.name()
+           << "; without them it and the motion of the points had " << energy_
+           << " J. The largest was in cell " << at << " at " << mesh.cellCentres()[at] << ", theta "
+           << gas_.theta()[at] << ", all fractions " << Theta(at) << "; time "
+           << mesh.time().value() << ". " << advice(at).c_str();
         gas_.condemn(at, os.str());
     }
 }
-
 
 void Foam::mpm::fractionWatch::report() const
 {
@@ -181,32 +162,19 @@ void Foam::mpm::fractionWatch::report() const
     reduce(least, minOp<scalar>());
     reduce(most, maxOp<scalar>());
     measureEnergy();
-    Info<< "Theta: min " << least << ", max " << most << endl;
+    Info << "Theta: min " << least << ", max " << most << endl;
 }
-
 
 void Foam::mpm::fractionWatch::write() const
 {
     const fvMesh& mesh = fraction_.mesh();
-    volScalarField field
-    (
-        IOobject
-        (
-            "Theta",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        mesh,
-        dimensionedScalar("Theta", dimless, 0)
-    );
+    volScalarField field(
+        IOobject(
+            "Theta", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
+        mesh, dimensionedScalar("Theta", dimless, 0));
     forAll(field, c)
     {
         field[c] = Theta(c);
     }
     field.write();
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "gasCoupling.H"
 #include "pointEnergy.H"
@@ -33,16 +27,12 @@ void Foam::mpm::gasCoupling::settle(const scalar dt)
     promise();
 }
 
-
 void Foam::mpm::gasCoupling::updateWidths() const
 {
     const fvMesh& mesh = fraction_->mesh();
     inverse_.setSize(mesh.nCells(), 0);
     const auto add = [&](const label f, const label c)
-    {
-        inverse_[c] =
-            max(inverse_[c], mag(mesh.faceAreas()[f])/mesh.V()[c]);
-    };
+    { inverse_[c] = max(inverse_[c], mag(mesh.faceAreas()[f]) / mesh.V()[c]); };
     for (label f = 0; f < mesh.nInternalFaces(); ++f)
     {
         add(f, mesh.faceOwner()[f]);
@@ -60,122 +50,78 @@ void Foam::mpm::gasCoupling::updateWidths() const
     }
 }
 
-
 void Foam::mpm::gasCoupling::promise()
 {
-    gas_.promise
-    (
-        later_.owed() - drag_.owedMomentum(),
-        later_.energy() - drag_.owedEnergy()
-    );
+    gas_.promise(later_.owed() - drag_.owedMomentum(), later_.energy() - drag_.owedEnergy());
 }
-
 
 template<class Function>
 void Foam::mpm::gasCoupling::forOwed(const Function& f) const
 {
     gasCoupling& all = const_cast<gasCoupling&>(*this);
     const word of('.' + gas_.name());
-    f("owedPressure" + of, dimPressure*dimTime, all.later_.C());
-    f("owedImpulse" + of, dimForce*dimTime, all.later_.B());
+    f("owedPressure" + of, dimPressure * dimTime, all.later_.C());
+    f("owedImpulse" + of, dimForce * dimTime, all.later_.B());
     f("owedPressureWork" + of, dimPressure, all.later_.CW());
     f("owedWork" + of, dimPressure, all.drag_.owedWork());
     forAll(points_.phases(), phasei)
     {
-        f
-        (
-            "owedDrag." + points_.phases()[phasei].name(),
-            dimDensity*dimVelocity,
-            all.drag_.owedOf(phasei)
-        );
+        f("owedDrag." + points_.phases()[phasei].name(), dimDensity * dimVelocity,
+          all.drag_.owedOf(phasei));
     }
 }
 
-
-Foam::IOobject Foam::mpm::gasCoupling::owedHeader
-(
-    const word& name,
-    const IOobject::readOption read
-) const
+Foam::IOobject
+Foam::mpm::gasCoupling::owedHeader(const word& name, const IOobject::readOption read) const
 {
     const fvMesh& mesh = fraction_->mesh();
-    return IOobject
-    (
-        name, mesh.time().timeName(), mesh, read, IOobject::NO_WRITE, false
-    );
+    return IOobject(name, mesh.time().timeName(), mesh, read, IOobject::NO_WRITE, false);
 }
-
 
 template<class Function>
 void Foam::mpm::gasCoupling::forOwedFields(const Function& f) const
 {
-    forOwed
-    (
+    forOwed(
         [&](const word& name, const dimensionSet& dimensions, auto& values)
         {
             typedef typename std::decay<decltype(values[0])>::type Type;
-            const DimensionedField<Type, volMesh> field
-            (
-                owedHeader(name, IOobject::NO_READ), fraction_->mesh(),
-                dimensions, values
-            );
+            const DimensionedField<Type, volMesh> field(
+                owedHeader(name, IOobject::NO_READ), fraction_->mesh(), dimensions, values);
             f(field);
-        }
-    );
+        });
 }
-
 
 void Foam::mpm::gasCoupling::readOwed(const fieldStates* states)
 {
-    IOobject first
-    (
-        owedHeader("owedPressure." + gas_.name(), IOobject::MUST_READ)
-    );
+    IOobject first(owedHeader("owedPressure." + gas_.name(), IOobject::MUST_READ));
     const bool there =
-        states
-      ? states->found(first.name())
-      : first.typeHeaderOk<volScalarField::Internal>(false);
+        states ? states->found(first.name()) : first.typeHeaderOk<volScalarField::Internal>(false);
     if (!returnReduce(there, orOp<bool>()))
     {
         return;
     }
-    forOwed
-    (
+    forOwed(
         [&](const word& name, const dimensionSet& dimensions, auto& values)
         {
             typedef typename std::decay<decltype(values[0])>::type Type;
-            const DimensionedField<Type, volMesh> field
-            (
-                fileOrState<DimensionedField<Type, volMesh>>
-                (
-                    owedHeader(name, IOobject::MUST_READ), fraction_->mesh(),
-                    states
-                )
-            );
+            const DimensionedField<Type, volMesh> field(
+                fileOrState<DimensionedField<Type, volMesh>>(
+                    owedHeader(name, IOobject::MUST_READ), fraction_->mesh(), states));
             checkDimensions(field, dimensions);
             values = field.field();
-        }
-    );
+        });
     later_.resume();
     drag_.resume();
     promise();
 }
 
-
 void Foam::mpm::gasCoupling::addFields(fieldStates& fields) const
 {
     if (later_.acts() || drag_.owes())
     {
-        forOwedFields
-        (
-            [&](const auto& field)
-            {
-                fields.set(field.name(), fieldDictionary(field));
-            }
-        );
+        forOwedFields([&](const auto& field) { fields.set(field.name(), fieldDictionary(field)); });
     }
 }
-
 
 void Foam::mpm::gasCoupling::writeOwed() const
 {
@@ -188,25 +134,17 @@ void Foam::mpm::gasCoupling::writeOwed() const
 
     // Nor what an earlier run has left
     const Time& time = fraction_->mesh().time();
-    rm(time.path()/time.timeName()/"owedPressure." + gas_.name());
+    rm(time.path() / time.timeName() / "owedPressure." + gas_.name());
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::gasCoupling::gasCoupling
-(
-    materialPointSystem& points,
-    eulerianFlow& gas,
-    const dictionary& properties,
-    const fieldStates* fields
-)
-:
+Foam::mpm::gasCoupling::gasCoupling(
+    materialPointSystem& points, eulerianFlow& gas, const dictionary& properties,
+    const fieldStates* fields) :
     points_(points),
     gas_(gas),
-    fraction_
-    (
-        solidFraction::New(points, requiredDict(properties, gas.name()))
-    ),
+    fraction_(solidFraction::New(points, requiredDict(properties, gas.name()))),
     grains_(points, *fraction_, properties),
     pressure_(points, gas, *fraction_),
     drag_(points, gas, *fraction_, properties),
@@ -226,8 +164,7 @@ Foam::mpm::gasCoupling::gasCoupling
         FatalIOErrorInFunction(requiredDict(properties, gas_.name()))
             << "Gas " << gas_.name() << " has an equationOfState; beside"
             << " material points a phase of type gas needs thermo perfectGas or"
-            << " isentropic." << nl << "With this equation:  type fluid;"
-            << exit(FatalIOError);
+            << " isentropic." << nl << "With this equation:  type fluid;" << exit(FatalIOError);
     }
     fraction_->beside(gas.theta(), gas.thetaBehind(), gas.walls());
     fraction_->show(pores_);
@@ -260,14 +197,12 @@ void Foam::mpm::gasCoupling::start(const scalar dt)
     pressure_.start(grains_, books_, later_, dt);
 }
 
-
 void Foam::mpm::gasCoupling::exchange(const scalar dt)
 {
     const noTraps guard;
     pressure_.load(dt);
     drag_.exchange(firstOfGas(dt));
 }
-
 
 void Foam::mpm::gasCoupling::moved(const scalar dt)
 {
@@ -279,12 +214,7 @@ void Foam::mpm::gasCoupling::moved(const scalar dt)
     }
 }
 
-
-void Foam::mpm::gasCoupling::accepted(const scalar)
-{
-    fraction_->keepVolumes();
-}
-
+void Foam::mpm::gasCoupling::accepted(const scalar) { fraction_->keepVolumes(); }
 
 void Foam::mpm::gasCoupling::end(const scalar dt)
 {
@@ -295,13 +225,11 @@ void Foam::mpm::gasCoupling::end(const scalar dt)
     ended_ = false;
 }
 
-
 void Foam::mpm::gasCoupling::removing(const scalar dt)
 {
     finish(dt);
     ended_ = true;
 }
-
 
 void Foam::mpm::gasCoupling::finish(const scalar dt)
 {
@@ -320,7 +248,6 @@ void Foam::mpm::gasCoupling::finish(const scalar dt)
     }
 }
 
-
 void Foam::mpm::gasCoupling::fill()
 {
     scalarField room(fraction_->theta());
@@ -331,30 +258,22 @@ void Foam::mpm::gasCoupling::fill()
         // No more than there is room: fractions may have added up to more
         const scalar theta = gas_.theta()[c];
         const scalar most = max(theta, 1 - fraction_->theta()[c]);
-        room[c] =
-            max
-            (
-                min(room[c], most - theta),
-                min(0.5*fraction_->eps() - theta, scalar(0))
-            );
+        room[c] = max(min(room[c], most - theta), min(0.5 * fraction_->eps() - theta, scalar(0)));
     }
     gas_.fill(room);
     removed_ = false;
 }
 
-
 void Foam::mpm::gasCoupling::needEnergy() const
 {
     if (!gas_.hasEnergy())
     {
-        FatalErrorInFunction
-            << "An energy budget needs a gas with an energy: the thermo of "
-            << gas_.name() << " is isentropic. Remove energyBudget from"
-            << " fvSolution.materialPoints and function objects of type"
-            << " materialPointEnergy, or use perfectGas." << exit(FatalError);
+        FatalErrorInFunction << "An energy budget needs a gas with an energy: the thermo of "
+                             << gas_.name() << " is isentropic. Remove energyBudget from"
+                             << " fvSolution.materialPoints and function objects of type"
+                             << " materialPointEnergy, or use perfectGas." << exit(FatalError);
     }
 }
-
 
 void Foam::mpm::gasCoupling::startBudget()
 {
@@ -365,7 +284,6 @@ void Foam::mpm::gasCoupling::startBudget()
     budget_.momentum0 = gas_.momentum();
     budget_.energy0 = gas_.energy();
 }
-
 
 Foam::mpm::gasBudget Foam::mpm::gasCoupling::balance() const
 {
@@ -384,13 +302,11 @@ Foam::mpm::gasBudget Foam::mpm::gasCoupling::balance() const
     return b;
 }
 
-
 void Foam::mpm::gasCoupling::setBalance(const gasBudget& sums)
 {
     startBudget();
     budget_ = Pstream::master() ? sums : gasBudget();
 }
-
 
 void Foam::mpm::gasCoupling::report() const
 {
@@ -398,26 +314,23 @@ void Foam::mpm::gasCoupling::report() const
     heat_.report();
 }
 
-
 void Foam::mpm::gasCoupling::write()
 {
     watch_.write();
     writeOwed();
 }
 
-
 void Foam::mpm::gasCoupling::severalSteps(const bool several)
 {
     several_ = several;
     if (several_ && (later_.acts() || drag_.owes()))
     {
-        FatalErrorInFunction
-            << "Time " << fraction_->mesh().time().timeName()
-            << " was written with maxGasSubSteps: what points and "
-            << gas_.name() << " owe each other (files owed*) goes with one"
-            << " step of the points." << nl
-            << "Go on with maxGasSubSteps, or start maxSubSteps from a time"
-            << " without these files." << exit(FatalError);
+        FatalErrorInFunction << "Time " << fraction_->mesh().time().timeName()
+                             << " was written with maxGasSubSteps: what points and " << gas_.name()
+                             << " owe each other (files owed*) goes with one"
+                             << " step of the points." << nl
+                             << "Go on with maxGasSubSteps, or start maxSubSteps from a time"
+                             << " without these files." << exit(FatalError);
     }
     if (several_ && !steps_)
     {
@@ -425,18 +338,12 @@ void Foam::mpm::gasCoupling::severalSteps(const bool several)
     }
 }
 
-
-void Foam::mpm::gasCoupling::severalOfGas
-(
-    const bool several,
-    const scalar gasDeltaT
-)
+void Foam::mpm::gasCoupling::severalOfGas(const bool several, const scalar gasDeltaT)
 {
     further_ = several;
     gasDeltaT_ = several ? gasDeltaT : GREAT;
     drag_.severalOfGas(several || later_.acts());
 }
-
 
 Foam::scalar Foam::mpm::gasCoupling::lagRate() const
 {
@@ -460,29 +367,18 @@ Foam::scalar Foam::mpm::gasCoupling::lagRate() const
         forAll(cloud.cells(), k)
         {
             const label c = cloud.cells()[k];
-            const scalar rho =
-                cellSum(cloud, k, mass)/cellSum(cloud, k, volume);
+            const scalar rho = cellSum(cloud, k, mass) / cellSum(cloud, k, volume);
             const scalar theta = max(gas_.theta()[c], fraction_->eps());
             const eulerianFlow::waveState w(gas_.wave(c));
             const scalar spring =
-                std::sqrt(w.K/(theta*rho))/(1 + drains*min(w.drained, 0.1));
-            rate = max
-            (
-                rate,
-                inverse_[c]*max(w.z/(added*rho), spring/pores)
-            );
+                std::sqrt(w.K / (theta * rho)) / (1 + drains * min(w.drained, 0.1));
+            rate = max(rate, inverse_[c] * max(w.z / (added * rho), spring / pores));
         }
     }
     return returnReduce(rate, maxOp<scalar>());
 }
 
-
-void Foam::mpm::gasCoupling::advanceGas
-(
-    const scalar dt,
-    const scalar all,
-    const bool last
-)
+void Foam::mpm::gasCoupling::advanceGas(const scalar dt, const scalar all, const bool last)
 {
     if (passed_ > 0)
     {
@@ -517,7 +413,7 @@ void Foam::mpm::gasCoupling::advanceGas
         dilation_.setSize(fraction_->mesh().nCells());
         forAll(dilation_, c)
         {
-            dilation_[c] = dt/all*pores.dilation[c];
+            dilation_[c] = dt / all * pores.dilation[c];
         }
         pores.dilation = dilation_.cdata();
     }
@@ -548,5 +444,3 @@ void Foam::mpm::gasCoupling::advanceGas
     }
     watch_.check();
 }
-
-// ************************************************************************* //

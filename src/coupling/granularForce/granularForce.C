@@ -1,38 +1,21 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "granularForce.H"
 #include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::granularForce::read
-(
-    const label phasei,
-    const dictionary& dict
-)
+void Foam::mpm::granularForce::read(const label phasei, const dictionary& dict)
 {
-    laws_.set
-    (
-        phasei,
-        granularPressure::New(requiredDict(dict, "granularPressure")).ptr()
-    );
-    const scalar c = std::sqrt
-    (
-        laws_[phasei].slope(1)/points_.phases()[phasei].rho()
-    );
+    laws_.set(phasei, granularPressure::New(requiredDict(dict, "granularPressure")).ptr());
+    const scalar c = std::sqrt(laws_[phasei].slope(1) / points_.phases()[phasei].rho());
     const pointGrid& grid = points_.grid();
     scalar rate = 0;
     for (label celli = 0; celli < grid.nCells(); ++celli)
     {
         for (int d = 0; d < grid.nDim(); ++d)
         {
-            rate = max(rate, c/grid.width(celli, d));
+            rate = max(rate, c / grid.width(celli, d));
         }
     }
     waveRate_ = max(waveRate_, returnReduce(rate, maxOp<scalar>()));
@@ -40,22 +23,13 @@ void Foam::mpm::granularForce::read
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::granularForce::granularForce
-(
-    const materialPointSystem& points,
-    solidFraction& fraction,
-    const dictionary& phaseProperties
-)
-:
-    points_(points),
-    fraction_(fraction),
-    laws_(points.phases().size()),
-    waveRate_(0)
+Foam::mpm::granularForce::granularForce(
+    const materialPointSystem& points, solidFraction& fraction, const dictionary& phaseProperties) :
+    points_(points), fraction_(fraction), laws_(points.phases().size()), waveRate_(0)
 {
     forAll(points_.phases(), phasei)
     {
-        const dictionary& dict =
-            requiredDict(phaseProperties, points_.phases()[phasei].name());
+        const dictionary& dict = requiredDict(phaseProperties, points_.phases()[phasei].name());
         if (dict.found("granularPressure"))
         {
             read(phasei, dict);
@@ -66,10 +40,7 @@ Foam::mpm::granularForce::granularForce
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-const Foam::scalarField* Foam::mpm::granularForce::pressure
-(
-    const label phasei
-)
+const Foam::scalarField* Foam::mpm::granularForce::pressure(const label phasei)
 {
     if (!acts(phasei))
     {
@@ -90,16 +61,10 @@ const Foam::scalarField* Foam::mpm::granularForce::pressure
     {
         if (p_[c] > 0)
         {
-            p_[c] += law.q
-            (
-                a[c],
-                rho,
-                points_.grid().shortestSide(c)
-               *max(-fraction_.divergence(phasei, c), scalar(0))
-            );
+            p_[c] += law.q(
+                a[c], rho,
+                points_.grid().shortestSide(c) * max(-fraction_.divergence(phasei, c), scalar(0)));
         }
     }
     return &p_;
 }
-
-// ************************************************************************* //

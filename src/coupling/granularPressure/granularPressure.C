@@ -17,36 +17,29 @@ defineRunTimeSelectionTable(granularPressure, dictionary);
 namespace granularPressures
 {
 
-class JohnsonJackson
-:
-    public granularPressure
+class JohnsonJackson : public granularPressure
 {
     const scalar min_, max_, Fr_, eta_, n_, delta_;
 
     //- The formula without its tangent
     scalar formula(const scalar a) const
     {
-        return Fr_*a*std::pow(a - min_, eta_)/std::pow(max_ - a, n_);
+        return Fr_ * a * std::pow(a - min_, eta_) / std::pow(max_ - a, n_);
     }
 
 public:
-
     TypeName("JohnsonJackson");
 
-    explicit JohnsonJackson(const dictionary& dict)
-    :
-        granularPressure
-        (
-            dict,
-            {"alphaMin", "alphaMax", "Fr", "eta", "n", "delta"}
-        ),
+    explicit JohnsonJackson(const dictionary& dict) :
+        granularPressure(dict, {"alphaMin", "alphaMax", "Fr", "eta", "n", "delta"}),
         min_(bounded(dict, "alphaMin", 0, 0.98)),
         max_(bounded(dict, "alphaMax", min_ + 0.02, 1)),
         Fr_(boundedOrDefault(dict, "Fr", 0.1, VSMALL, GREAT)),
         eta_(boundedOrDefault(dict, "eta", 2, 1, 10)),
         n_(boundedOrDefault(dict, "n", 5, 0, 10)),
-        delta_(boundedOrDefault(dict, "delta", 0.01, 1e-6, 0.9*(max_ - min_)))
-    {}
+        delta_(boundedOrDefault(dict, "delta", 0.01, 1e-6, 0.9 * (max_ - min_)))
+    {
+    }
 
     scalar p(const scalar a) const override
     {
@@ -55,7 +48,7 @@ public:
             return 0;
         }
         const scalar last = max_ - delta_;
-        return a < last ? formula(a) : formula(last) + slope(last)*(a - last);
+        return a < last ? formula(a) : formula(last) + slope(last) * (a - last);
     }
 
     scalar slope(const scalar a) const override
@@ -65,10 +58,9 @@ public:
             return 0;
         }
         const scalar b = min(a, max_ - delta_);
-        return formula(b)*(1/b + eta_/(b - min_) + n_/(max_ - b));
+        return formula(b) * (1 / b + eta_ / (b - min_) + n_ / (max_ - b));
     }
 };
-
 
 defineTypeNameAndDebug(JohnsonJackson, 0);
 addToRunTimeSelectionTable(granularPressure, JohnsonJackson, dictionary);
@@ -80,12 +72,7 @@ addToRunTimeSelectionTable(granularPressure, JohnsonJackson, dictionary);
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::granularPressure::granularPressure
-(
-    const dictionary& dict,
-    const wordList& keywords
-)
-:
+Foam::mpm::granularPressure::granularPressure(const dictionary& dict, const wordList& keywords) :
     linear_(boundedOrDefault(dict, "linear", 1, 0, 2)),
     quadratic_(boundedOrDefault(dict, "quadratic", 4, 0, 10))
 {
@@ -96,33 +83,18 @@ Foam::mpm::granularPressure::granularPressure
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::granularPressure> Foam::mpm::granularPressure::New
-(
-    const dictionary& dict
-)
+Foam::autoPtr<Foam::mpm::granularPressure> Foam::mpm::granularPressure::New(const dictionary& dict)
 {
-    return selectFromTable<granularPressure>
-    (
-        dict,
-        dictionaryConstructorTablePtr_,
-        dict
-    );
+    return selectFromTable<granularPressure>(dict, dictionaryConstructorTablePtr_, dict);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::granularPressure::q
-(
-    const scalar a,
-    const scalar rho,
-    const scalar jump
-) const
+Foam::scalar
+Foam::mpm::granularPressure::q(const scalar a, const scalar rho, const scalar jump) const
 {
     const scalar stiffness = jump > 0 ? slope(a) : 0;
-    return
-        stiffness > 0
-      ? rho*a*jump*(linear_*std::sqrt(stiffness/rho) + quadratic_*jump)
-      : 0;
+    return stiffness > 0
+        ? rho * a * jump * (linear_ * std::sqrt(stiffness / rho) + quadratic_ * jump)
+        : 0;
 }
-
-// ************************************************************************* //

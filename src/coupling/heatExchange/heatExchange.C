@@ -1,21 +1,11 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "heatExchange.H"
 #include "dictionaryTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::heatExchange::read
-(
-    const label phasei,
-    const dictionary& dict
-)
+void Foam::mpm::heatExchange::read(const label phasei, const dictionary& dict)
 {
     const dictionary& heatDict = requiredDict(dict, "heatTransfer");
     models_.set(phasei, heatTransferModel::New(heatDict).ptr());
@@ -25,11 +15,9 @@ void Foam::mpm::heatExchange::read
         FatalIOErrorInFunction(heatDict)
             << "The heat transfer of " << points_.phases()[phasei].name()
             << " needs the viscosity and the Prandtl number of the gas: add mu"
-            << " [Pa s] and Pr to phase " << gas_.name() << "."
-            << exit(FatalIOError);
+            << " [Pa s] and Pr to phase " << gas_.name() << "." << exit(FatalIOError);
     }
 }
-
 
 void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
 {
@@ -52,77 +40,48 @@ void Foam::mpm::heatExchange::exchange(const label phasei, const scalar dt)
         for (label p = begin; p < end; ++p)
         {
             M += m[p];
-            mT += m[p]*T[p];
+            mT += m[p] * T[p];
             volume += v[p];
-            mU += m[p]*cloud.velocity(p);
+            mU += m[p] * cloud.velocity(p);
         }
         const scalar rho = gas_.rho()[c], theta = gas_.theta()[c];
-        const vector u(gas_.rhoU()[c]/rho);
+        const vector u(gas_.rhoU()[c] / rho);
         const eulerianFlow::heatState gas(gas_.heat(c));
 
-        const scalar H = models_[phasei].H
-        (
-            heatTransferModel::state
-            {
-                fraction_.ofPoints(volume, V),
-                theta,
-                rho/theta,
-                mu_,
-                gas.Cp,
-                Pr_,
-                mag(u - mU/M)
-            }
-        );
-        const scalar g = dt*H/gas.rhoCv, b = dt*H*V/(M*CvS);
-        const scalar TgNew = (gas.T*(1 + b) + g*mT/M)/(1 + b + g);
+        const scalar H = models_[phasei].H(heatTransferModel::state{
+            fraction_.ofPoints(volume, V), theta, rho / theta, mu_, gas.Cp, Pr_, mag(u - mU / M)});
+        const scalar g = dt * H / gas.rhoCv, b = dt * H * V / (M * CvS);
+        const scalar TgNew = (gas.T * (1 + b) + g * mT / M) / (1 + b + g);
 
         scalar gained = 0;
         for (label p = begin; p < end; ++p)
         {
-            const scalar change = (TgNew - T[p])*(b/(1 + b));
-            gained += m[p]*change;
+            const scalar change = (TgNew - T[p]) * (b / (1 + b));
+            gained += m[p] * change;
             T[p] += change;
         }
-        energy[k] = -CvS*gained/V;
-        gain_ -= CvS*gained;
+        energy[k] = -CvS * gained / V;
+        gain_ -= CvS * gained;
     }
     gas_.addHeat(cloud.cells(), energy);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::heatExchange::heatExchange
-(
-    materialPointSystem& points,
-    eulerianFlow& gas,
-    const solidFraction& fraction,
-    const dictionary& phaseProperties
-)
-:
+Foam::mpm::heatExchange::heatExchange(
+    materialPointSystem& points, eulerianFlow& gas, const solidFraction& fraction,
+    const dictionary& phaseProperties) :
     points_(points),
     gas_(gas),
     fraction_(fraction),
-    mu_
-    (
-        boundedOrDefault
-        (
-            requiredDict(phaseProperties, gas.name()), "mu", 0, 0, GREAT
-        )
-    ),
-    Pr_
-    (
-        boundedOrDefault
-        (
-            requiredDict(phaseProperties, gas.name()), "Pr", 0, 0, GREAT
-        )
-    ),
+    mu_(boundedOrDefault(requiredDict(phaseProperties, gas.name()), "mu", 0, 0, GREAT)),
+    Pr_(boundedOrDefault(requiredDict(phaseProperties, gas.name()), "Pr", 0, 0, GREAT)),
     models_(points.phases().size()),
     gain_(0)
 {
     forAll(points_.phases(), phasei)
     {
-        const dictionary& dict =
-            requiredDict(phaseProperties, points_.phases()[phasei].name());
+        const dictionary& dict = requiredDict(phaseProperties, points_.phases()[phasei].name());
         if (dict.found("heatTransfer"))
         {
             read(phasei, dict);
@@ -144,7 +103,6 @@ bool Foam::mpm::heatExchange::acts() const
     return false;
 }
 
-
 void Foam::mpm::heatExchange::exchange(const scalar dt)
 {
     gain_ = 0;
@@ -156,7 +114,6 @@ void Foam::mpm::heatExchange::exchange(const scalar dt)
         }
     }
 }
-
 
 void Foam::mpm::heatExchange::report() const
 {
@@ -173,15 +130,13 @@ void Foam::mpm::heatExchange::report() const
         scalar heat = 0, least = GREAT, most = -GREAT;
         for (label p = 0; p < cloud.size(); ++p)
         {
-            heat += m[p]*T[p];
+            heat += m[p] * T[p];
             least = min(least, T[p]);
             most = max(most, T[p]);
         }
-        Info<< "Heat of " << phase.name() << ": "
-            << phase.Cv()*returnReduce(heat, sumOp<scalar>()) << ", T "
-            << returnReduce(least, minOp<scalar>()) << " to "
-            << returnReduce(most, maxOp<scalar>()) << endl;
+        Info << "Heat of " << phase.name() << ": "
+             << phase.Cv() * returnReduce(heat, sumOp<scalar>()) << ", T "
+             << returnReduce(least, minOp<scalar>()) << " to "
+             << returnReduce(most, maxOp<scalar>()) << endl;
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "latticeFraction.H"
 #include "syncTools.H"
@@ -16,8 +10,8 @@ namespace Foam
 {
 namespace mpm
 {
-    defineTypeNameAndDebug(latticeFraction, 0);
-    addToRunTimeSelectionTable(solidFraction, latticeFraction, dictionary);
+defineTypeNameAndDebug(latticeFraction, 0);
+addToRunTimeSelectionTable(solidFraction, latticeFraction, dictionary);
 }
 }
 
@@ -26,13 +20,10 @@ namespace mpm
 Foam::scalar Foam::mpm::latticeFraction::faceVolume(const label facei) const
 {
     const label celli = mesh_.faceOwner()[facei];
-    return
-        lattice_.grid().radial() < 0
-      ? mesh_.V()[celli]
-      : mag(mesh_.faceAreas()[facei])
-       *lattice_.grid().width(celli, lattice_.direction(facei));
+    return lattice_.grid().radial() < 0
+        ? mesh_.V()[celli]
+        : mag(mesh_.faceAreas()[facei]) * lattice_.grid().width(celli, lattice_.direction(facei));
 }
-
 
 void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
 {
@@ -48,13 +39,9 @@ void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
             face = 0;
             cell = 0;
         }
-        kernels_->arrive
-        (
-            points_.phases()[phasei].cloud(),
-            withDilation ? oldVolume_[phasei].cdata() : nullptr,
-            face.data(),
-            cell.data()
-        );
+        kernels_->arrive(
+            points_.phases()[phasei].cloud(), withDilation ? oldVolume_[phasei].cdata() : nullptr,
+            face.data(), cell.data());
         if (own)
         {
             forAll(face, i)
@@ -73,28 +60,24 @@ void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
     lattice_.sum(cell_.data(), pointKernels::cellStride);
 }
 
-
 void Foam::mpm::latticeFraction::sumFaces(scalarList& face) const
 {
     for (int d = 0; d < lattice_.grid().nDim(); ++d)
     {
-        lattice_.sum
-        (
-            face.data() + pointKernels::faceStride*lattice_.nPlaces()*d,
-            pointKernels::faceStride
-        );
+        lattice_.sum(
+            face.data() + pointKernels::faceStride * lattice_.nPlaces() * d,
+            pointKernels::faceStride);
     }
 
     // The solid is mirrored at walls
     for (const label facei : lattice_.walls())
     {
-        scalar* q = face.data() + pointKernels::faceStride*at(facei);
+        scalar* q = face.data() + pointKernels::faceStride * at(facei);
         q[pointKernels::volume] *= 2;
         q[pointKernels::mass] *= 2;
         q[pointKernels::flux] = 0;
     }
 }
-
 
 void Foam::mpm::latticeFraction::updateFaces(const scalar dt)
 {
@@ -104,7 +87,7 @@ void Foam::mpm::latticeFraction::updateFaces(const scalar dt)
         {
             continue;
         }
-        const label i = pointKernels::faceStride*at(f);
+        const label i = pointKernels::faceStride * at(f);
         const scalar* old = face_.cdata() + i;
         const scalar* now = faceNew_.cdata() + i;
         const scalar sumOld = old[pointKernels::volume];
@@ -118,44 +101,39 @@ void Foam::mpm::latticeFraction::updateFaces(const scalar dt)
 
         const scalar V = faceVolume(f);
         const scalar S = mag(mesh_.faceAreas()[f]);
-        const scalar mean = 0.5*(1 - eps_)*(sumOld + sumNow)/V;
-        thetaS0_[f] = min((1 - eps_)*sumOld/V, most_);
+        const scalar mean = 0.5 * (1 - eps_) * (sumOld + sumNow) / V;
+        thetaS0_[f] = min((1 - eps_) * sumOld / V, most_);
         thetaS_[f] = min(mean, most_);
         dragLimit_[f] = mean;
 
         // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
         // adds up in the gas fraction
-        phiS_[f] =
-            lattice_.sign(f)*(thetaS_[f]/mean)*(1 - eps_)
-           *now[pointKernels::flux]*S/(V*dt);
-        uS_[f] = phiS_[f]/(thetaS_[f]*S);
+        phiS_[f] = lattice_.sign(f) * (thetaS_[f] / mean) * (1 - eps_) * now[pointKernels::flux] * S
+            / (V * dt);
+        uS_[f] = phiS_[f] / (thetaS_[f] * S);
 
         const scalar m = old[pointKernels::mass] + now[pointKernels::mass];
-        rhoS_[f] = m/(sumOld + sumNow);
+        rhoS_[f] = m / (sumOld + sumNow);
     }
 }
-
 
 void Foam::mpm::latticeFraction::updateCells()
 {
     forAll(theta_, c)
     {
-        const scalar* q =
-            cell_.cdata() + pointKernels::cellStride*lattice_.place(c);
-        dilation_[c] = (1 - eps_)*q[pointKernels::dilation]/mesh_.V()[c];
-        theta_[c] = (1 - eps_)*q[pointKernels::fraction]/mesh_.V()[c];
+        const scalar* q = cell_.cdata() + pointKernels::cellStride * lattice_.place(c);
+        dilation_[c] = (1 - eps_) * q[pointKernels::dilation] / mesh_.V()[c];
+        theta_[c] = (1 - eps_) * q[pointKernels::fraction] / mesh_.V()[c];
     }
     forAll(own_, phasei)
     {
         forAll(own_[phasei], c)
         {
-            const label i = pointKernels::cellStride*lattice_.place(c);
-            own_[phasei][c] =
-                ownCell_[phasei][i + pointKernels::fraction]/mesh_.V()[c];
+            const label i = pointKernels::cellStride * lattice_.place(c);
+            own_[phasei][c] = ownCell_[phasei][i + pointKernels::fraction] / mesh_.V()[c];
         }
     }
 }
-
 
 void Foam::mpm::latticeFraction::limitDrag()
 {
@@ -175,62 +153,46 @@ void Foam::mpm::latticeFraction::limitDrag()
     forAll(dragLimit_, f)
     {
         const label i = f - nei.size();
-        const scalar most =
-            max(largest[own[f]], i < 0 ? largest[nei[f]] : behind[i]);
-        dragLimit_[f] = most > 0 ? thetaS_[f]/most : 0;
+        const scalar most = max(largest[own[f]], i < 0 ? largest[nei[f]] : behind[i]);
+        dragLimit_[f] = most > 0 ? thetaS_[f] / most : 0;
     }
 }
 
-
 template<class Jump>
-void Foam::mpm::latticeFraction::sumJumps
-(
-    const UList<scalar>& p,
-    const UList<scalar>& pBehind,
-    const Jump& jump,
-    scalarList& G
-) const
+void Foam::mpm::latticeFraction::sumJumps(
+    const UList<scalar>& p, const UList<scalar>& pBehind, const Jump& jump, scalarList& G) const
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
     G = 0;
-    lattice_.forFaces
-    (
+    lattice_.forFaces(
         [&](const label f)
         {
             const label i = f - nei.size();
             G[at(f)] = jump(f, p[own[f]], i < 0 ? p[nei[f]] : pBehind[i]);
-        }
-    );
+        });
     for (int d = 0; d < lattice_.grid().nDim(); ++d)
     {
-        lattice_.sum(G.data() + lattice_.nPlaces()*d, 1);
+        lattice_.sum(G.data() + lattice_.nPlaces() * d, 1);
     }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::latticeFraction::latticeFraction
-(
-    materialPointSystem& points,
-    const dictionary& gasDict
-)
-:
+Foam::mpm::latticeFraction::latticeFraction(
+    materialPointSystem& points, const dictionary& gasDict) :
     solidFraction(points, gasDict, points.grid().radial() < 0 ? 0.5 : 1),
     lattice_(points.grid()),
     kernels_(pointKernels::New(lattice_)),
-    face_
-    (
-        pointKernels::faceStride*lattice_.nPlaces()*points.grid().nDim(),
-        scalar(0)
-    ),
+    face_(pointKernels::faceStride * lattice_.nPlaces() * points.grid().nDim(), scalar(0)),
     faceNew_(face_.size(), scalar(0)),
-    cell_(pointKernels::cellStride*lattice_.nPlaces(), scalar(0)),
+    cell_(pointKernels::cellStride * lattice_.nPlaces(), scalar(0)),
     ownFace_(points.phases().size()),
     ownCell_(points.phases().size()),
     P_(lattice_.nPlaces(), scalar(0)),
-    G_(lattice_.nPlaces()*points.grid().nDim(), scalar(0))
-{}
+    G_(lattice_.nPlaces() * points.grid().nDim(), scalar(0))
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -242,7 +204,6 @@ void Foam::mpm::latticeFraction::keepOwn(const label phasei)
     ownG_.setSize(G_.size());
 }
 
-
 void Foam::mpm::latticeFraction::initialise()
 {
     faceNew_ = 0;
@@ -251,12 +212,7 @@ void Foam::mpm::latticeFraction::initialise()
     face_.swap(faceNew_);
 }
 
-
-void Foam::mpm::latticeFraction::setPressure
-(
-    const UList<scalar>& p,
-    const UList<scalar>& pBehind
-)
+void Foam::mpm::latticeFraction::setPressure(const UList<scalar>& p, const UList<scalar>& pBehind)
 {
     P_ = 0;
     forAll(lattice_.places(), c)
@@ -265,71 +221,49 @@ void Foam::mpm::latticeFraction::setPressure
     }
     lattice_.sum(P_.data(), 1);
 
-    sumJumps
-    (
-        p,
-        pBehind,
+    sumJumps(
+        p, pBehind,
         [&](const label f, const scalar pO, const scalar pN) -> scalar
         {
             const scalar V = faceVolume(f);
-            const scalar sum =
-                face_[pointKernels::faceStride*at(f) + pointKernels::volume];
-            const scalar theta = (1 - eps_)*sum/V;
+            const scalar sum = face_[pointKernels::faceStride * at(f) + pointKernels::volume];
+            const scalar theta = (1 - eps_) * sum / V;
             if (!(theta > 0))
             {
                 return 0;
             }
-            const scalar clip = min(scalar(1), most_/theta);
-            return
-                (1 - eps_)*clip*lattice_.sign(f)*(pN - pO)
-               *mag(mesh_.faceAreas()[f])/V;
+            const scalar clip = min(scalar(1), most_ / theta);
+            return (1 - eps_) * clip * lattice_.sign(f) * (pN - pO) * mag(mesh_.faceAreas()[f]) / V;
         },
-        G_
-    );
+        G_);
 }
 
-
-void Foam::mpm::latticeFraction::gather
-(
-    const label phasei,
-    const scalarField* pOwn
-)
+void Foam::mpm::latticeFraction::gather(const label phasei, const scalarField* pOwn)
 {
     if (pOwn)
     {
         scalarField behind;
         syncTools::swapBoundaryCellList(mesh_, *pOwn, behind);
-        sumJumps
-        (
-            *pOwn,
-            behind,
+        sumJumps(
+            *pOwn, behind,
             [&](const label f, const scalar pO, const scalar pN) -> scalar
             {
                 // v/h is the area; v holds V K_f
-                const scalar v = ownFace_[phasei]
-                [
-                    pointKernels::faceStride*at(f) + pointKernels::volume
-                ];
-                return
-                    v > 0 && pO != pN
-                  ? lattice_.sign(f)*(pN - pO)*mag(mesh_.faceAreas()[f])/v
-                  : 0;
+                const scalar v =
+                    ownFace_[phasei][pointKernels::faceStride * at(f) + pointKernels::volume];
+                return v > 0 && pO != pN
+                    ? lattice_.sign(f) * (pN - pO) * mag(mesh_.faceAreas()[f]) / v
+                    : 0;
             },
-            ownG_
-        );
+            ownG_);
         forAll(ownG_, i)
         {
             ownG_[i] += G_[i];
         }
     }
-    kernels_->gather
-    (
-        points_.phases()[phasei].cloud(),
-        P_.cdata(),
-        pOwn ? ownG_.cdata() : G_.cdata()
-    );
+    kernels_->gather(
+        points_.phases()[phasei].cloud(), P_.cdata(), pOwn ? ownG_.cdata() : G_.cdata());
 }
-
 
 void Foam::mpm::latticeFraction::depart()
 {
@@ -340,7 +274,6 @@ void Foam::mpm::latticeFraction::depart()
     }
 }
 
-
 void Foam::mpm::latticeFraction::arrive(const scalar dt)
 {
     sumPoints(true);
@@ -349,7 +282,6 @@ void Foam::mpm::latticeFraction::arrive(const scalar dt)
     limitDrag();
     face_.swap(faceNew_);
 }
-
 
 void Foam::mpm::latticeFraction::updateNormals()
 {
@@ -369,7 +301,7 @@ void Foam::mpm::latticeFraction::updateNormals()
     }
     lattice_.sum(smooth_.data(), 1);
 
-    for (int pass = 0; pass < 2*D; ++pass)
+    for (int pass = 0; pass < 2 * D; ++pass)
     {
         const int d = pass % D;
         coarse_ = 0;
@@ -377,8 +309,7 @@ void Foam::mpm::latticeFraction::updateNormals()
         {
             const scalar* q = smooth_.cdata() + places[c];
             coarse_[places[c]] =
-                0.5*q[0]
-              + 0.25*(q[lattice_.below(c, d)] + q[lattice_.above(c, d)]);
+                0.5 * q[0] + 0.25 * (q[lattice_.below(c, d)] + q[lattice_.above(c, d)]);
         }
         lattice_.sum(coarse_.data(), 1);
         smooth_.swap(coarse_);
@@ -392,14 +323,10 @@ void Foam::mpm::latticeFraction::updateNormals()
         scalar most = 0;
         for (int d = 0; d < D; ++d)
         {
-            const scalar difference =
-                q[lattice_.above(c, d)] - q[lattice_.below(c, d)];
-            n[grid.direction(d)] =
-                difference*grid.lattice().invWidth(d)[1];
+            const scalar difference = q[lattice_.above(c, d)] - q[lattice_.below(c, d)];
+            n[grid.direction(d)] = difference * grid.lattice().invWidth(d)[1];
             most = max(most, mag(difference));
         }
-        normals_[c] = most < uniform ? vector(Zero) : n/mag(n);
+        normals_[c] = most < uniform ? vector(Zero) : n / mag(n);
     }
 }
-
-// ************************************************************************* //

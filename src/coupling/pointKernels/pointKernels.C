@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointKernels.H"
 #include "lanes.H"
@@ -17,9 +11,7 @@ namespace mpm
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
 template<int DIM, bool HOOP = false>
-class boxKernels
-:
-    public pointKernels
+class boxKernels : public pointKernels
 {
     static constexpr int W = laneWidth<DIM>;
     typedef lanes<W> T;
@@ -27,13 +19,12 @@ class boxKernels
 
     //- Cells around a cell and faces of one direction that its points reach
     static constexpr int nCells = DIM == 1 ? 3 : DIM == 2 ? 9 : 27;
-    static constexpr int nFaces = 2*nCells/3;
+    static constexpr int nFaces = 2 * nCells / 3;
 
     const fractionLattice& sums_;
 
     //- Computed direction of the radius where HOOP is
     const int radial_;
-
 
     //- Factors of the kernels of W points: hat at the lower and upper plane,
     //  spline of the cell below, the cell, the cell above
@@ -61,12 +52,12 @@ class boxKernels
         for (int n = 0; n < 2; ++n)
         {
             const scalar h = r[n] - r[n - 1];
-            const bool atAxis = r[n] < 1e-6*h;
+            const bool atAxis = r[n] < 1e-6 * h;
             const scalar d = sqr(r[n]) - sqr(max(r[n - 1], scalar(0)));
             s.s[n] = sqr(r[n]);
-            s.invD[n] = atAxis ? 0 : 1/d;
-            s.scale[n] = atAxis ? 0 : 2*r[n]*h/d;
-            s.invR[n] = atAxis ? 0 : 1/r[n];
+            s.invD[n] = atAxis ? 0 : 1 / d;
+            s.scale[n] = atAxis ? 0 : 2 * r[n] * h / d;
+            s.invR[n] = atAxis ? 0 : 1 / r[n];
         }
     }
 
@@ -103,8 +94,8 @@ class boxKernels
         {
             for (int n = 0; n < nFaces; ++n)
             {
-                label at = place + (n % 2)*sums_.stride(d);
-                int rest = n/2;
+                label at = place + (n % 2) * sums_.stride(d);
+                int rest = n / 2;
                 for (int e = 0; e < DIM; ++e)
                 {
                     if (e != d)
@@ -118,14 +109,9 @@ class boxKernels
         }
     }
 
-    MPM_INLINE void evaluate
-    (
-        const around& s,
-        const scalar* const (&x)[DIM],
-        const label p,
-        const int n,
-        factors& K
-    ) const
+    MPM_INLINE void evaluate(
+        const around& s, const scalar* const (&x)[DIM], const label p, const int n,
+        factors& K) const
     {
         for (int d = 0; d < DIM; ++d)
         {
@@ -133,23 +119,23 @@ class boxKernels
             const T xp = n == W ? load<W>(x[d] + p) : loadPart<W>(x[d] + p, n);
             if (HOOP && d == radial_)
             {
-                const T none = {}, r2 = xp*xp;
-                const T c0 = laneMax(1.0 - (r2 - s.s[0])*s.invD[0], none);
-                const T c1 = laneMax(1.0 - (s.s[1] - r2)*s.invD[1], none);
-                K.n1[d][0] = s.scale[0]*c0;
-                K.n1[d][1] = s.scale[1]*c1;
-                K.n2[d][0] = s.scale[0] > 0 ? 0.5*c0*c0 : none;
-                K.n2[d][2] = 0.5*c1*c1;
+                const T none = {}, r2 = xp * xp;
+                const T c0 = laneMax(1.0 - (r2 - s.s[0]) * s.invD[0], none);
+                const T c1 = laneMax(1.0 - (s.s[1] - r2) * s.invD[1], none);
+                K.n1[d][0] = s.scale[0] * c0;
+                K.n1[d][1] = s.scale[1] * c1;
+                K.n2[d][0] = s.scale[0] > 0 ? 0.5 * c0 * c0 : none;
+                K.n2[d][2] = 0.5 * c1 * c1;
                 K.n2[d][1] = 1.0 - K.n2[d][0] - K.n2[d][2];
                 continue;
             }
-            const T xi = (xp - s.lower[d])*s.invWidth[d];
+            const T xi = (xp - s.lower[d]) * s.invWidth[d];
             const T c = 1.0 - xi, t = xi - 0.5;
             K.n1[d][0] = c;
             K.n1[d][1] = xi;
-            K.n2[d][0] = 0.5*c*c;
-            K.n2[d][1] = 0.75 - t*t;
-            K.n2[d][2] = 0.5*xi*xi;
+            K.n2[d][0] = 0.5 * c * c;
+            K.n2[d][1] = 0.75 - t * t;
+            K.n2[d][2] = 0.5 * xi * xi;
         }
     }
 
@@ -157,15 +143,17 @@ class boxKernels
     static MPM_INLINE T cellKernel(const factors& K, const int n)
     {
         T k = K.n2[0][n % 3];
-        if constexpr (DIM > 1) k *= K.n2[1][(n/3) % 3];
-        if constexpr (DIM > 2) k *= K.n2[2][n/9];
+        if constexpr (DIM > 1)
+            k *= K.n2[1][(n / 3) % 3];
+        if constexpr (DIM > 2)
+            k *= K.n2[2][n / 9];
         return k;
     }
 
     static MPM_INLINE T faceKernel(const factors& K, const int d, const int n)
     {
         T k = K.n1[d][n % 2];
-        int rest = n/2;
+        int rest = n / 2;
         for (int e = 0; e < DIM; ++e)
         {
             if (e != d)
@@ -178,14 +166,8 @@ class boxKernels
     }
 
     //- Add values of the first n lanes times the kernel, four per face
-    static MPM_INLINE void addFaces
-    (
-        const factors& K,
-        const int d,
-        const T (&q)[3],
-        const int n,
-        quad (&acc)[nFaces]
-    )
+    static MPM_INLINE void
+    addFaces(const factors& K, const int d, const T (&q)[3], const int n, quad (&acc)[nFaces])
     {
         alignas(64) double Q[W][4], k[nFaces][W];
         for (int l = 0; l < W; ++l)
@@ -204,17 +186,12 @@ class boxKernels
             const quad v = mpm::load<4>(Q[l]);
             for (int f = 0; f < nFaces; ++f)
             {
-                acc[f] += k[f][l]*v;
+                acc[f] += k[f][l] * v;
             }
         }
     }
 
-    void flushFaces
-    (
-        const around& s,
-        quad (&acc)[DIM][nFaces],
-        scalar* face
-    ) const
+    void flushFaces(const around& s, quad (&acc)[DIM][nFaces], scalar* face) const
     {
         for (int f = 0; HOOP && f < nFaces; ++f)
         {
@@ -222,22 +199,17 @@ class boxKernels
         }
         for (int d = 0; d < DIM; ++d)
         {
-            scalar* to = face + size_t(faceStride)*sums_.nPlaces()*d;
+            scalar* to = face + size_t(faceStride) * sums_.nPlaces() * d;
             for (int f = 0; f < nFaces; ++f)
             {
-                scalar* q = to + size_t(faceStride)*s.face[d][f];
+                scalar* q = to + size_t(faceStride) * s.face[d][f];
                 mpm::store<4>(q, mpm::load<4>(q) + acc[d][f]);
             }
         }
     }
 
 public:
-
-    explicit boxKernels(const fractionLattice& sums)
-    :
-        sums_(sums),
-        radial_(sums.grid().radial())
-    {}
+    explicit boxKernels(const fractionLattice& sums) : sums_(sums), radial_(sums.grid().radial()) {}
 
     void depart(materialPointCloud& cloud, scalar* face) const override
     {
@@ -261,16 +233,16 @@ public:
                 const int n = int(min(label(W), end - p));
                 factors K;
                 evaluate(s, x, p, n, K);
-                const T vp = 0.5*load<W>(v + p);
+                const T vp = 0.5 * load<W>(v + p);
                 for (int d = 0; d < DIM; ++d)
                 {
                     T w = load<W>(way[d] + p);
                     if (HOOP && d == radial_)
                     {
                         // Half the change of r^2
-                        w *= load<W>(x[d] + p) + 0.5*w;
+                        w *= load<W>(x[d] + p) + 0.5 * w;
                     }
-                    const T q[3] = {T{}, vp*w, T{}};
+                    const T q[3] = {T{}, vp * w, T{}};
                     addFaces(K, d, q, n, acc[d]);
                 }
             }
@@ -278,13 +250,8 @@ public:
         }
     }
 
-    void arrive
-    (
-        materialPointCloud& cloud,
-        const scalar* oldVolume,
-        scalar* face,
-        scalar* cell
-    ) const override
+    void arrive(materialPointCloud& cloud, const scalar* oldVolume, scalar* face, scalar* cell)
+        const override
     {
         const scalar* x[DIM];
         const scalar* way[DIM];
@@ -315,9 +282,9 @@ public:
                     T w = load<W>(way[d] + p);
                     if (HOOP && d == radial_)
                     {
-                        w *= load<W>(x[d] + p) - 0.5*w;
+                        w *= load<W>(x[d] + p) - 0.5 * w;
                     }
-                    const T q[3] = {vp, 0.5*vp*w, mp};
+                    const T q[3] = {vp, 0.5 * vp * w, mp};
                     addFaces(K, d, q, n, acc[d]);
                 }
                 T filling = vp;
@@ -329,14 +296,14 @@ public:
                 for (int c = 0; c < nCells; ++c)
                 {
                     const T kernel = cellKernel(K, c);
-                    dilated[c] += kernel*dv;
-                    filled[c] += kernel*filling;
+                    dilated[c] += kernel * dv;
+                    filled[c] += kernel * filling;
                 }
             }
             flushFaces(s, acc, face);
             for (int c = 0; c < nCells; ++c)
             {
-                scalar* q = cell + size_t(cellStride)*s.cell[c];
+                scalar* q = cell + size_t(cellStride) * s.cell[c];
                 scalar a = 0, b = 0;
                 for (int l = 0; l < W; ++l)
                 {
@@ -349,12 +316,7 @@ public:
         }
     }
 
-    void gather
-    (
-        materialPointCloud& cloud,
-        const scalar* P,
-        const scalar* G
-    ) const override
+    void gather(materialPointCloud& cloud, const scalar* P, const scalar* G) const override
     {
         const scalar* x[DIM];
         scalar* force[DIM];
@@ -379,7 +341,7 @@ public:
             {
                 for (int f = 0; f < nFaces; ++f)
                 {
-                    Gf[d][f] = G[sums_.nPlaces()*d + s.face[d][f]];
+                    Gf[d][f] = G[sums_.nPlaces() * d + s.face[d][f]];
                     if (HOOP && d == radial_)
                     {
                         Gf[d][f] *= s.invR[f % 2];
@@ -394,11 +356,11 @@ public:
                 evaluate(s, x, p, n, K);
 
                 // Around the cell's own pressure: a uniform one is exact
-                const scalar own = Pc[nCells/2];
+                const scalar own = Pc[nCells / 2];
                 T Pp = {};
                 for (int c = 0; c < nCells; ++c)
                 {
-                    Pp += cellKernel(K, c)*(Pc[c] - own);
+                    Pp += cellKernel(K, c) * (Pc[c] - own);
                 }
                 storePart<W>(pressure + p, Pp + own, n);
                 const T vp = load<W>(v + p);
@@ -407,13 +369,13 @@ public:
                     T g = {};
                     for (int f = 0; f < nFaces; ++f)
                     {
-                        g += faceKernel(K, d, f)*Gf[d][f];
+                        g += faceKernel(K, d, f) * Gf[d][f];
                     }
                     if (HOOP && d == radial_)
                     {
                         g *= load<W>(x[d] + p);
                     }
-                    storePart<W>(force[d] + p, -vp*g, n);
+                    storePart<W>(force[d] + p, -vp * g, n);
                 }
             }
         }
@@ -430,13 +392,14 @@ autoPtr<pointKernels> pointKernels::New(const fractionLattice& sums)
     }
     switch (sums.grid().nDim())
     {
-        case 1: return autoPtr<pointKernels>(new boxKernels<1>(sums));
-        case 2: return autoPtr<pointKernels>(new boxKernels<2>(sums));
-        default: return autoPtr<pointKernels>(new boxKernels<3>(sums));
+    case 1:
+        return autoPtr<pointKernels>(new boxKernels<1>(sums));
+    case 2:
+        return autoPtr<pointKernels>(new boxKernels<2>(sums));
+    default:
+        return autoPtr<pointKernels>(new boxKernels<3>(sums));
     }
 }
 
 } // End namespace mpm
 } // End namespace Foam
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pressureForce.H"
 #include "granularForce.H"
@@ -23,8 +17,7 @@ void Foam::mpm::pressureForce::sumLoad(const label phasei)
     for (int d = 0; d < D; ++d)
     {
         const scalar* F = (*cloud.gasForce())[d];
-        load[grid.direction(d)] =
-            std::accumulate(F, F + cloud.size(), scalar(0));
+        load[grid.direction(d)] = std::accumulate(F, F + cloud.size(), scalar(0));
     }
 
     freeBody* body = points_.phases()[phasei].motion()->free();
@@ -47,12 +40,7 @@ void Foam::mpm::pressureForce::sumLoad(const label phasei)
     body->setPush(load, torque);
 }
 
-
-void Foam::mpm::pressureForce::gatherApart
-(
-    const label phasei,
-    const scalarField& pOwn
-)
+void Foam::mpm::pressureForce::gatherApart(const label phasei, const scalarField& pOwn)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
     const int D = points_.grid().nDim();
@@ -79,41 +67,31 @@ void Foam::mpm::pressureForce::gatherApart
         scalar* b = push[d];
         for (label p = 0; p < cloud.size(); ++p)
         {
-            b[p] = (F[p] - b[p])/m[p];
+            b[p] = (F[p] - b[p]) / m[p];
         }
     }
 }
 
-
-Foam::scalar Foam::mpm::pressureForce::grainWork
-(
-    const label phasei,
-    const scalar dt
-)
+Foam::scalar Foam::mpm::pressureForce::grainWork(const label phasei, const scalar dt)
 {
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
     const int D = points_.grid().nDim(), stride = field.stride();
-    nodeForce_.setSize(stride*points_.grid().nNodes());
+    nodeForce_.setSize(stride * points_.grid().nNodes());
     nodeForce_ = 0;
-    points_.gridTransfer().addBodyForce
-    (
-        points_.phases()[phasei].cloud(),
-        grainPush_[phasei],
-        nodeForce_.data()
-    );
+    points_.gridTransfer().addBodyForce(
+        points_.phases()[phasei].cloud(), grainPush_[phasei], nodeForce_.data());
 
     // Of own points only: nodes that processors share need no sum
     scalar work = 0;
     for (const label n : field.active())
     {
-        for (label i = stride*n; i < stride*n + D; ++i)
+        for (label i = stride * n; i < stride * n + D; ++i)
         {
-            work += nodeForce_[i]*(field.U()[i] + 0.5*field.dU()[i]);
+            work += nodeForce_[i] * (field.U()[i] + 0.5 * field.dU()[i]);
         }
     }
-    return dt*work;
+    return dt * work;
 }
-
 
 void Foam::mpm::pressureForce::dryPressure(const label phasei)
 {
@@ -137,13 +115,8 @@ void Foam::mpm::pressureForce::dryPressure(const label phasei)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pressureForce::pressureForce
-(
-    materialPointSystem& points,
-    const eulerianFlow& gas,
-    solidFraction& fraction
-)
-:
+Foam::mpm::pressureForce::pressureForce(
+    materialPointSystem& points, const eulerianFlow& gas, solidFraction& fraction) :
     points_(points),
     gas_(gas),
     fraction_(fraction),
@@ -151,17 +124,13 @@ Foam::mpm::pressureForce::pressureForce
     work_(0),
     grainPush_(points.phases().size()),
     grainWork_(0)
-{}
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::pressureForce::start
-(
-    granularForce& grains,
-    const bool books,
-    const pressureOverSteps& last,
-    const scalar dt
-)
+void Foam::mpm::pressureForce::start(
+    granularForce& grains, const bool books, const pressureOverSteps& last, const scalar dt)
 {
     const List<gasState>& W = gas_.states();
     const List<gasState>& Wb = gas_.boundaryStates();
@@ -203,22 +172,16 @@ void Foam::mpm::pressureForce::start
     }
 }
 
-
 void Foam::mpm::pressureForce::load(const scalar dt)
 {
     forAll(points_.phases(), phasei)
     {
         if (points_.phases()[phasei].motion())
         {
-            points_.fields()[points_.fieldOf(phasei)].rigid().addLoad
-            (
-                phasei,
-                dt*load_[phasei]
-            );
+            points_.fields()[points_.fieldOf(phasei)].rigid().addLoad(phasei, dt * load_[phasei]);
         }
     }
 }
-
 
 void Foam::mpm::pressureForce::sumWork(const scalar dt)
 {
@@ -244,12 +207,11 @@ void Foam::mpm::pressureForce::sumWork(const scalar dt)
             const scalar* dx = (*cloud.displacement())[d];
             for (label p = 0; p < cloud.size(); ++p)
             {
-                work_ -= F[p]*dx[p];
+                work_ -= F[p] * dx[p];
             }
         }
     }
 }
-
 
 void Foam::mpm::pressureForce::addWork(gasBudget& sums)
 {
@@ -273,10 +235,8 @@ void Foam::mpm::pressureForce::addWork(gasBudget& sums)
         {
             if (damage[p] >= 1)
             {
-                sums.dry += (1 - fraction_.eps())*P[p]*(v[p] - oldV[p]);
+                sums.dry += (1 - fraction_.eps()) * P[p] * (v[p] - oldV[p]);
             }
         }
     }
 }
-
-// ************************************************************************* //

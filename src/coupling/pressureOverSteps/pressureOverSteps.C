@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pressureOverSteps.H"
 #include "PstreamReduceOps.H"
@@ -30,13 +24,8 @@ void Foam::mpm::pressureOverSteps::update()
     }
 }
 
-
-void Foam::mpm::pressureOverSteps::rate
-(
-    const solidOnFaces& pores,
-    const scalar dt,
-    scalarField& W
-) const
+void Foam::mpm::pressureOverSteps::rate(
+    const solidOnFaces& pores, const scalar dt, scalarField& W) const
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -51,16 +40,11 @@ void Foam::mpm::pressureOverSteps::rate
     }
     forAll(W, c)
     {
-        W[c] = W[c]/mesh_.V()[c] - pores.dilation[c]/dt;
+        W[c] = W[c] / mesh_.V()[c] - pores.dilation[c] / dt;
     }
 }
 
-
-void Foam::mpm::pressureOverSteps::share
-(
-    const solidOnFaces& pores,
-    vectorField& B
-) const
+void Foam::mpm::pressureOverSteps::share(const solidOnFaces& pores, vectorField& B) const
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -73,14 +57,13 @@ void Foam::mpm::pressureOverSteps::share
             continue;
         }
         const label P = own[f], i = f - nei.size();
-        const scalar jump =
-            (i < 0 ? later_[nei[f]] : behind_[i]) - later_[P];
-        vector A(pores.thetaS0[f]*S[f]);
+        const scalar jump = (i < 0 ? later_[nei[f]] : behind_[i]) - later_[P];
+        vector A(pores.thetaS0[f] * S[f]);
         if (pores.area0)
         {
             A += pores.area0[f];
         }
-        const vector half((-0.5*jump)*A);
+        const vector half((-0.5 * jump) * A);
         B[P] += half;
         if (i < 0)
         {
@@ -91,8 +74,7 @@ void Foam::mpm::pressureOverSteps::share
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pressureOverSteps::pressureOverSteps(const fvMesh& mesh)
-:
+Foam::mpm::pressureOverSteps::pressureOverSteps(const fvMesh& mesh) :
     mesh_(mesh),
     coupled_(mesh),
     later_(mesh.nCells(), 0),
@@ -101,27 +83,23 @@ Foam::mpm::pressureOverSteps::pressureOverSteps(const fvMesh& mesh)
     owed_(mesh.nCells(), Zero),
     way_(mesh.nCells(), 0),
     acts_(false)
-{}
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::pressureOverSteps::addTo
-(
-    const scalar dt,
-    scalarField& p,
-    scalarField& pBehind
-) const
+void Foam::mpm::pressureOverSteps::addTo(
+    const scalar dt, scalarField& p, scalarField& pBehind) const
 {
     forAll(p, c)
     {
-        p[c] += later_[c]/dt;
+        p[c] += later_[c] / dt;
     }
     forAll(pBehind, i)
     {
-        pBehind[i] += behind_[i]/dt;
+        pBehind[i] += behind_[i] / dt;
     }
 }
-
 
 void Foam::mpm::pressureOverSteps::begin(const UList<gasState>& states)
 {
@@ -132,27 +110,16 @@ void Foam::mpm::pressureOverSteps::begin(const UList<gasState>& states)
     }
 }
 
-
-void Foam::mpm::pressureOverSteps::add
-(
-    const UList<scalar>& p,
-    const scalar dt
-)
+void Foam::mpm::pressureOverSteps::add(const UList<scalar>& p, const scalar dt)
 {
     forAll(sum_, c)
     {
-        sum_[c] += dt*(p[c] - first_[c]);
+        sum_[c] += dt * (p[c] - first_[c]);
     }
 }
 
-
-void Foam::mpm::pressureOverSteps::finish
-(
-    const solidOnFaces& pores,
-    const scalar dt,
-    vectorField& rest,
-    scalarField& energy
-)
+void Foam::mpm::pressureOverSteps::finish(
+    const solidOnFaces& pores, const scalar dt, vectorField& rest, scalarField& energy)
 {
     // Of what was owed, what the step gave
     vectorField given(owed_.size(), Zero);
@@ -161,13 +128,11 @@ void Foam::mpm::pressureOverSteps::finish
 
     scalarField W(mesh_.nCells());
     rate(pores, dt, W);
-    energy = way_ - later_*W;
-    way_ = sum_*W;
+    energy = way_ - later_ * W;
+    way_ = sum_ * W;
 
     later_ = sum_;
     sum_ = 0;
     update();
     share(pores, owed_);
 }
-
-// ************************************************************************* //

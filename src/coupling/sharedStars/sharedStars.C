@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "sharedStars.H"
 #include "PstreamBuffers.H"
@@ -47,7 +41,6 @@ void pack(const starPart& part, DynamicList<scalar>& to)
     }
 }
 
-
 //- Its opposite, appended; from is moved to the next part
 void unpack(const scalar*& from, starPart& part)
 {
@@ -83,12 +76,8 @@ void unpack(const scalar*& from, starPart& part)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::sharedStars::sharedStars
-(
-    const pointGrid& grid,
-    const std::function<void(const label, starPart&)>& ownPart
-)
-:
+Foam::mpm::sharedStars::sharedStars(
+    const pointGrid& grid, const std::function<void(const label, starPart&)>& ownPart) :
     shared_(grid.shared(0)),
     place_(grid.nNodes(), -1),
     others_(shared_.nodes().size()),
@@ -163,7 +152,7 @@ Foam::mpm::sharedStars::sharedStars
             first_[i][k] += start_[place_[shared_.with(i)[k]]];
         }
     }
-    rows_.setSize(stride*start_.last(), Zero);
+    rows_.setSize(stride * start_.last(), Zero);
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -176,67 +165,49 @@ void Foam::mpm::sharedStars::exchange() const
     {
         if (receive_[i].size())
         {
-            UIPstream::read
-            (
-                UPstream::commsTypes::nonBlocking,
-                shared_.procs()[i],
-                reinterpret_cast<char*>(receive_[i].data()),
-                receive_[i].size()*sizeof(scalar),
-                tag
-            );
+            UIPstream::read(
+                UPstream::commsTypes::nonBlocking, shared_.procs()[i],
+                reinterpret_cast<char*>(receive_[i].data()), receive_[i].size() * sizeof(scalar),
+                tag);
         }
     }
     forAll(send_, i)
     {
         if (send_[i].size())
         {
-            UOPstream::write
-            (
-                UPstream::commsTypes::nonBlocking,
-                shared_.procs()[i],
-                reinterpret_cast<const char*>(send_[i].cdata()),
-                send_[i].size()*sizeof(scalar),
-                tag
-            );
+            UOPstream::write(
+                UPstream::commsTypes::nonBlocking, shared_.procs()[i],
+                reinterpret_cast<const char*>(send_[i].cdata()), send_[i].size() * sizeof(scalar),
+                tag);
         }
     }
     UPstream::waitRequests(request);
 }
 
-
-void Foam::mpm::sharedStars::addMean
-(
-    const label i,
-    const scalar base,
-    const scalar sum,
-    const scalar volume
-) const
+void Foam::mpm::sharedStars::addMean(
+    const label i, const scalar base, const scalar sum, const scalar volume) const
 {
     if (!(weight_[i] > 0))
     {
         base_[i] = base;
     }
     weight_[i] += volume;
-    sum_[i] += sum + volume*(base - base_[i]);
+    sum_[i] += sum + volume * (base - base_[i]);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::sharedStars::means
-(
-    scalarList& base,
-    const scalarList& sum
-) const
+void Foam::mpm::sharedStars::means(scalarList& base, const scalarList& sum) const
 {
     forAll(send_, i)
     {
         const labelList& nodes = shared_.with(i);
-        send_[i].setSize(2*nodes.size());
-        receive_[i].setSize(2*nodes.size());
+        send_[i].setSize(2 * nodes.size());
+        receive_[i].setSize(2 * nodes.size());
         forAll(nodes, k)
         {
-            send_[i][2*k] = base[nodes[k]];
-            send_[i][2*k + 1] = sum[nodes[k]];
+            send_[i][2 * k] = base[nodes[k]];
+            send_[i][2 * k + 1] = sum[nodes[k]];
         }
     }
     exchange();
@@ -262,7 +233,7 @@ void Foam::mpm::sharedStars::means
         }
         forAll(shared_.with(i), k)
         {
-            const scalar* q = receive_[i].cdata() + 2*k;
+            const scalar* q = receive_[i].cdata() + 2 * k;
             addMean(place_[shared_.with(i)[k]], q[0], q[1], volume_[i][k]);
         }
     }
@@ -272,8 +243,6 @@ void Foam::mpm::sharedStars::means
     }
     forAll(shared_.nodes(), i)
     {
-        base[shared_.nodes()[i]] = base_[i] + sum_[i]/weight_[i];
+        base[shared_.nodes()[i]] = base_[i] + sum_[i] / weight_[i];
     }
 }
-
-// ************************************************************************* //

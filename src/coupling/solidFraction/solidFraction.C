@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "solidFraction.H"
 #include "fractionLattice.H"
@@ -17,8 +11,8 @@ namespace Foam
 {
 namespace mpm
 {
-    defineTypeNameAndDebug(solidFraction, 0);
-    defineRunTimeSelectionTable(solidFraction, dictionary);
+defineTypeNameAndDebug(solidFraction, 0);
+defineRunTimeSelectionTable(solidFraction, dictionary);
 }
 }
 
@@ -37,7 +31,7 @@ void Foam::mpm::solidFraction::updateVolumes()
             const scalar rho = phase.rho();
             for (label p = 0; p < cloud.size(); ++p)
             {
-                to[p] = m[p]/rho;
+                to[p] = m[p] / rho;
             }
             continue;
         }
@@ -49,7 +43,7 @@ void Foam::mpm::solidFraction::updateVolumes()
             {
                 if ((*damage)[0][p] >= 1)
                 {
-                    to[p] = min(to[p], m[p]/rho);
+                    to[p] = min(to[p], m[p] / rho);
                 }
             }
         }
@@ -58,17 +52,12 @@ void Foam::mpm::solidFraction::updateVolumes()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::solidFraction::solidFraction
-(
-    materialPointSystem& points,
-    const dictionary& gasDict,
-    const scalar clipped
-)
-:
+Foam::mpm::solidFraction::solidFraction(
+    materialPointSystem& points, const dictionary& gasDict, const scalar clipped) :
     points_(points),
     mesh_(refCast<const fvMesh>(points.grid().mesh())),
     eps_(boundedOrDefault(gasDict, "poreFloor", 1e-2, 1e-6, 0.5)),
-    most_(1 - clipped*eps_),
+    most_(1 - clipped * eps_),
     thetaS0_(mesh_.nFaces(), 0),
     thetaS_(mesh_.nFaces(), 0),
     phiS_(mesh_.nFaces(), 0),
@@ -91,23 +80,14 @@ Foam::mpm::solidFraction::solidFraction
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::solidFraction> Foam::mpm::solidFraction::New
-(
-    materialPointSystem& points,
-    const dictionary& gasDict
-)
+Foam::autoPtr<Foam::mpm::solidFraction>
+Foam::mpm::solidFraction::New(materialPointSystem& points, const dictionary& gasDict)
 {
-    const word name
-    (
-        oneOfOrDefault
-        (
-            gasDict,
-            "solidFraction",
-            fractionLattice::refuses(points.grid()).empty() ? "lattice" : "star",
-            dictionaryConstructorTablePtr_->sortedToc()
-        )
-    );
-    Info<< "Points in gas: solidFraction " << name << nl << endl;
+    const word name(oneOfOrDefault(
+        gasDict, "solidFraction",
+        fractionLattice::refuses(points.grid()).empty() ? "lattice" : "star",
+        dictionaryConstructorTablePtr_->sortedToc()));
+    Info << "Points in gas: solidFraction " << name << nl << endl;
     return dictionaryConstructorTablePtr_->cfind(name).val()(points, gasDict);
 }
 
@@ -125,23 +105,16 @@ void Foam::mpm::solidFraction::show(solidOnFaces& pores) const
     pores.eps = eps_;
 }
 
-
-Foam::scalar Foam::mpm::solidFraction::divergence
-(
-    const label phasei,
-    const label celli
-) const
+Foam::scalar Foam::mpm::solidFraction::divergence(const label phasei, const label celli) const
 {
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
     return points_.grid().divergence(celli, field.U(), field.stride());
 }
 
-
 void Foam::mpm::solidFraction::keepOwn(const label phasei)
 {
     own_[phasei].setSize(mesh_.nCells(), 0);
 }
-
 
 void Foam::mpm::solidFraction::keepVolumes()
 {
@@ -153,5 +126,3 @@ void Foam::mpm::solidFraction::keepVolumes()
         std::copy(v, v + cloud.size(), oldVolume_[phasei].begin());
     }
 }
-
-// ************************************************************************* //

@@ -1,21 +1,10 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "solidOverSteps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::solidOverSteps::add
-(
-    const label f,
-    const solidOnFaces& step,
-    const scalar dt
-)
+void Foam::mpm::solidOverSteps::add(const label f, const solidOnFaces& step, const scalar dt)
 {
     if (!hasFace_[f])
     {
@@ -24,13 +13,13 @@ void Foam::mpm::solidOverSteps::add
         inertia_[f] = GREAT;
     }
     // Areas remain where thetaS is clipped to 0
-    const scalar w = dt*max(step.thetaS[f], SMALL);
+    const scalar w = dt * max(step.thetaS[f], SMALL);
     weight_[f] += w;
-    thetaS0_[f] += dt*step.thetaS0[f];
-    thetaS_[f] += dt*step.thetaS[f];
-    phiS_[f] += dt*step.phiS[f];
-    uS_[f] += w*step.uS[f];
-    rhoS_[f] += w*step.rhoS[f];
+    thetaS0_[f] += dt * step.thetaS0[f];
+    thetaS_[f] += dt * step.thetaS[f];
+    phiS_[f] += dt * step.phiS[f];
+    uS_[f] += w * step.uS[f];
+    rhoS_[f] += w * step.rhoS[f];
     K_[f] = max(K_[f], step.K[f]);
     dragLimit_[f] = max(dragLimit_[f], step.dragLimit[f]);
     if (step.K[f] > 0)
@@ -39,16 +28,15 @@ void Foam::mpm::solidOverSteps::add
     }
     if (step.area0)
     {
-        area0_[f] += dt*step.area0[f];
-        area_[f] += dt*step.area[f];
-        U_[f] += w*step.U[f];
+        area0_[f] += dt * step.area0[f];
+        area_[f] += dt * step.area[f];
+        U_[f] += w * step.U[f];
     }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::solidOverSteps::solidOverSteps(const fvMesh& mesh)
-:
+Foam::mpm::solidOverSteps::solidOverSteps(const fvMesh& mesh) :
     mesh_(mesh),
     thetaS0_(mesh.nFaces(), 0),
     thetaS_(mesh.nFaces(), 0),
@@ -65,7 +53,8 @@ Foam::mpm::solidOverSteps::solidOverSteps(const fvMesh& mesh)
     dilation_(mesh.nCells(), 0),
     hasFace_(mesh.nFaces(), false),
     dt_(0)
-{}
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -83,7 +72,6 @@ void Foam::mpm::solidOverSteps::clear()
     dt_ = 0;
 }
 
-
 void Foam::mpm::solidOverSteps::add(const solidOnFaces& step, const scalar dt)
 {
     for (label f = 0; f < mesh_.nFaces(); ++f)
@@ -100,15 +88,11 @@ void Foam::mpm::solidOverSteps::add(const solidOnFaces& step, const scalar dt)
     dt_ += dt;
 }
 
-
-Foam::mpm::solidOnFaces Foam::mpm::solidOverSteps::mean
-(
-    const solidOnFaces& last
-)
+Foam::mpm::solidOnFaces Foam::mpm::solidOverSteps::mean(const solidOnFaces& last)
 {
     for (const label f : faces_)
     {
-        const scalar w = 1/max(weight_[f], VSMALL);
+        const scalar w = 1 / max(weight_[f], VSMALL);
         uS_[f] *= w;
         rhoS_[f] *= w;
         U_[f] *= w;
@@ -136,5 +120,3 @@ Foam::mpm::solidOnFaces Foam::mpm::solidOverSteps::mean
     }
     return all;
 }
-
-// ************************************************************************* //

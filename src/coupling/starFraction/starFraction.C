@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "starFraction.H"
 #include "lanes.H"
@@ -18,8 +12,8 @@ namespace Foam
 {
 namespace mpm
 {
-    defineTypeNameAndDebug(starFraction, 0);
-    addToRunTimeSelectionTable(solidFraction, starFraction, dictionary);
+defineTypeNameAndDebug(starFraction, 0);
+addToRunTimeSelectionTable(solidFraction, starFraction, dictionary);
 }
 }
 
@@ -39,9 +33,8 @@ starOperators makeStars(const pointGrid& grid)
     }
     catch (const string& reason)
     {
-        FatalErrorInFunction
-            << "Material points in a gas do not work on this mesh: "
-            << reason.c_str() << "." << exit(FatalError);
+        FatalErrorInFunction << "Material points in a gas do not work on this mesh: "
+                             << reason.c_str() << "." << exit(FatalError);
         throw;
     }
 }
@@ -61,7 +54,6 @@ Foam::vector Foam::mpm::starFraction::inAxes(const scalar* q) const
     return v;
 }
 
-
 void Foam::mpm::starFraction::shiftLevels()
 {
     if (!arrived_)
@@ -79,13 +71,10 @@ void Foam::mpm::starFraction::shiftLevels()
     }
 }
 
-
 void Foam::mpm::starFraction::clear()
 {
     const auto zero = [](scalarList& q, const label i, const int stride)
-    {
-        std::fill_n(q.begin() + stride*i, stride, 0.0);
-    };
+    { std::fill_n(q.begin() + stride * i, stride, 0.0); };
     for (const label c : cells_)
     {
         for (label v = stars_.start(c); v < stars_.start(c + 1); ++v)
@@ -107,7 +96,6 @@ void Foam::mpm::starFraction::clear()
     cells_.clear();
     nodes_.clear();
 }
-
 
 void Foam::mpm::starFraction::touch()
 {
@@ -134,7 +122,6 @@ void Foam::mpm::starFraction::touch()
     }
 }
 
-
 void Foam::mpm::starFraction::share()
 {
     const sharedStars* others = stars_.others();
@@ -145,9 +132,7 @@ void Foam::mpm::starFraction::share()
     constexpr int stride = starPoints::nodeStride;
     const labelList& shared = others->nodes().nodes();
     const auto mark = [&](const label l) -> scalar&
-    {
-        return ofPhase_[0][stride*l + starPoints::spare];
-    };
+    { return ofPhase_[0][stride * l + starPoints::spare]; };
     for (const label l : shared)
     {
         mark(l) = hasNode_[l];
@@ -183,15 +168,10 @@ void Foam::mpm::starFraction::share()
             nodes_.append(l);
         }
     }
-    others->sendRows
-    (
-        hasNode_,
-        [&](const label l) { return stars_.verticesOf(l); },
-        vertex_.cdata(),
-        starPoints::way(stars_.grid().nDim()) + 1
-    );
+    others->sendRows(
+        hasNode_, [&](const label l) { return stars_.verticesOf(l); }, vertex_.cdata(),
+        starPoints::way(stars_.grid().nDim()) + 1);
 }
-
 
 void Foam::mpm::starFraction::collectNodes()
 {
@@ -202,26 +182,21 @@ void Foam::mpm::starFraction::collectNodes()
     constexpr int stride = starPoints::nodeStride;
     for (const label l : nodes_)
     {
-        std::fill_n(node_.begin() + stride*l, stride, 0.0);
+        std::fill_n(node_.begin() + stride * l, stride, 0.0);
         for (const scalarList& q : ofPhase_)
         {
             for (int i = 0; i < stride; ++i)
             {
-                node_[stride*l + i] += q[stride*l + i];
+                node_[stride * l + i] += q[stride * l + i];
             }
         }
     }
 }
 
-
-Foam::mpm::starPoints::sums Foam::mpm::starFraction::sumsOf
-(
-    const label phasei
-)
+Foam::mpm::starPoints::sums Foam::mpm::starFraction::sumsOf(const label phasei)
 {
     return {vertex_.begin(), ofPhase_[phasei].begin(), cell_.begin()};
 }
-
 
 void Foam::mpm::starFraction::sumFaces()
 {
@@ -230,7 +205,7 @@ void Foam::mpm::starFraction::sumFaces()
 
     for (const label f : faces_)
     {
-        std::fill_n(face_.begin() + faceStride*f, faceStride, 0.0);
+        std::fill_n(face_.begin() + faceStride * f, faceStride, 0.0);
         hasFace_[f] = false;
     }
     faces_.clear();
@@ -248,10 +223,10 @@ void Foam::mpm::starFraction::sumFaces()
         const auto add = [&](const scalar* of, const label i)
         {
             const row q = load<faceStride>(of);
-            const scalar* g = star.g.begin() + n*i;
+            const scalar* g = star.g.begin() + n * i;
             for (label k = 0; k < n; ++k)
             {
-                sum[k] += g[k]*q;
+                sum[k] += g[k] * q;
             }
         };
         forAll(vertices, i)
@@ -259,7 +234,7 @@ void Foam::mpm::starFraction::sumFaces()
             const label v = vertices[i];
             if (hasSums_[stars_.cellOf(v)])
             {
-                add(vertex_.begin() + faceStride*v, i);
+                add(vertex_.begin() + faceStride * v, i);
             }
         }
         if (const starPart* part = others ? others->othersOf(l) : nullptr)
@@ -267,20 +242,18 @@ void Foam::mpm::starFraction::sumFaces()
             const scalar* rows = others->rowsOf(l);
             forAll(part->vertices, i)
             {
-                add(rows + faceStride*i, vertices.size() + i);
+                add(rows + faceStride * i, vertices.size() + i);
             }
         }
-        const scalar* q = node_.begin() + starPoints::nodeStride*l;
+        const scalar* q = node_.begin() + starPoints::nodeStride * l;
         for (label k = 0; k < n; ++k)
         {
-            const scalar* B = star.B.begin() + D*k;
+            const scalar* B = star.B.begin() + D * k;
             for (int d = 0; d < D; ++d)
             {
-                sum[k][starPoints::gradOld(D) + d] -=
-                    q[starPoints::volumeOld]*B[d];
-                sum[k][starPoints::gradNew(D) + d] -=
-                    q[starPoints::volume]*B[d];
-                sum[k][starPoints::way(D)] -= q[starPoints::moved + d]*B[d];
+                sum[k][starPoints::gradOld(D) + d] -= q[starPoints::volumeOld] * B[d];
+                sum[k][starPoints::gradNew(D) + d] -= q[starPoints::volume] * B[d];
+                sum[k][starPoints::way(D)] -= q[starPoints::moved + d] * B[d];
             }
             const label f = faces[k];
             if (!hasFace_[f])
@@ -288,7 +261,7 @@ void Foam::mpm::starFraction::sumFaces()
                 hasFace_[f] = true;
                 faces_.append(f);
             }
-            scalar* to = face_.begin() + faceStride*f;
+            scalar* to = face_.begin() + faceStride * f;
             store<faceStride>(to, load<faceStride>(to) + sum[k]);
         }
     }
@@ -304,12 +277,11 @@ void Foam::mpm::starFraction::sumFaces()
             faces_.append(other);
             for (int i = 0; i < faceStride; ++i)
             {
-                face_[faceStride*other + i] = -face_[faceStride*f + i];
+                face_[faceStride * other + i] = -face_[faceStride * f + i];
             }
         }
     }
 }
-
 
 void Foam::mpm::starFraction::updateVelocities()
 {
@@ -318,16 +290,11 @@ void Foam::mpm::starFraction::updateVelocities()
     forAll(velocity_, phasei)
     {
         const materialPointPhase& phase = points_.phases()[phasei];
-        const velocityField& field =
-            points_.fields()[points_.fieldOf(phasei)];
+        const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
         scalarList& u = velocity_[phasei];
-        const scalar* U =
-            phase.motion() ? nullptr
-          : levels_ ? levels_->atShares
-            (
-                phase.cloud(), field.U(), beside_[phasei]
-            )
-          : field.U();
+        const scalar* U = phase.motion() ? nullptr
+            : levels_ ? levels_->atShares(phase.cloud(), field.U(), beside_[phasei])
+                      : field.U();
         for (const label l : nodes_)
         {
             // A node that the last point has left keeps its velocity
@@ -335,18 +302,12 @@ void Foam::mpm::starFraction::updateVelocities()
             {
                 continue;
             }
-            const vector rigid
-            (
+            const vector rigid(
                 U ? vector(Zero)
-              : phase.motion()->now().velocityAt
-                (
-                    grid.mesh().points()[grid.nodePoint()[l]]
-                )
-            );
+                  : phase.motion()->now().velocityAt(grid.mesh().points()[grid.nodePoint()[l]]));
             for (int d = 0; d < D; ++d)
             {
-                u[D*l + d] =
-                    U ? U[field.stride()*l + d] : rigid[grid.direction(d)];
+                u[D * l + d] = U ? U[field.stride() * l + d] : rigid[grid.direction(d)];
             }
         }
     }
@@ -354,29 +315,20 @@ void Foam::mpm::starFraction::updateVelocities()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::starFraction::starFraction
-(
-    materialPointSystem& points,
-    const dictionary& gasDict
-)
-:
+Foam::mpm::starFraction::starFraction(materialPointSystem& points, const dictionary& gasDict) :
     solidFraction(points, gasDict, 1),
     stars_(makeStars(points.grid())),
     sums_(starPoints::New(points.grid(), stars_.cells(), stars_.starts())),
     levels_(dynamic_cast<const twoLevelShares*>(&points.gridTransfer())),
     gap_(levels_ ? 0.4 : 0.1),
-    vertex_(starPoints::vertexStride*stars_.nVertices(), Zero),
-    cell_(starPoints::cellStride*mesh_.nCells(), Zero),
-    node_(starPoints::nodeStride*points.grid().nNodes(), Zero),
+    vertex_(starPoints::vertexStride * stars_.nVertices(), Zero),
+    cell_(starPoints::cellStride * mesh_.nCells(), Zero),
+    node_(starPoints::nodeStride * points.grid().nNodes(), Zero),
     ofPhase_(points.phases().size(), scalarList(node_.size(), Zero)),
     old_(points.grid().nNodes(), Zero),
     oldOfPhase_(points.phases().size(), scalarList(old_.size(), Zero)),
-    velocity_
-    (
-        points.phases().size(),
-        scalarList(points.grid().nDim()*old_.size(), Zero)
-    ),
-    face_(faceStride*mesh_.nFaces(), Zero),
+    velocity_(points.phases().size(), scalarList(points.grid().nDim() * old_.size(), Zero)),
+    face_(faceStride * mesh_.nFaces(), Zero),
     beside_(points.phases().size()),
     hasSums_(mesh_.nCells(), false),
     hasNode_(old_.size(), false),
@@ -388,10 +340,7 @@ Foam::mpm::starFraction::starFraction
     areaNew_(mesh_.nFaces(), Zero),
     velocityOfFaces_(mesh_.nFaces(), Zero),
     isBetween_(mesh_.nFaces(), false),
-    ofSector_
-    (
-        points.grid().radial() < 0 ? bitSet() : gridNodes::emptyFaces(mesh_)
-    ),
+    ofSector_(points.grid().radial() < 0 ? bitSet() : gridNodes::emptyFaces(mesh_)),
     soundLimit_(mesh_.nFaces(), Zero),
     dense_(points.phases().size()),
     largest_(old_.size(), Zero),
@@ -409,7 +358,7 @@ Foam::mpm::starFraction::starFraction
         {
             n += !isEmpty.test(f);
         }
-        limit[c] = 0.8/n;
+        limit[c] = 0.8 / n;
     }
     DynamicList<label> sides;
     for (const polyPatch& pp : mesh_.boundaryMesh())
@@ -432,11 +381,8 @@ Foam::mpm::starFraction::starFraction
     forAll(soundLimit_, f)
     {
         const label i = f - mesh_.nInternalFaces();
-        soundLimit_[f] = min
-        (
-            limit[mesh_.faceOwner()[f]],
-            i < 0 ? limit[mesh_.faceNeighbour()[f]] : behind[i]
-        );
+        soundLimit_[f] =
+            min(limit[mesh_.faceOwner()[f]], i < 0 ? limit[mesh_.faceNeighbour()[f]] : behind[i]);
     }
 }
 
@@ -451,7 +397,6 @@ void Foam::mpm::starFraction::show(solidOnFaces& pores) const
     pores.soundLimit = soundLimit_.cdata();
     pores.leak = 0;
 }
-
 
 void Foam::mpm::starFraction::initialise()
 {
@@ -476,19 +421,14 @@ void Foam::mpm::starFraction::initialise()
     touch();
     forAll(points_.phases(), phasei)
     {
-        sums_->arrive
-        (
-            points_.phases()[phasei].cloud(), nullptr, sumsOf(phasei)
-        );
+        sums_->arrive(points_.phases()[phasei].cloud(), nullptr, sumsOf(phasei));
     }
     collectNodes();
     sumFaces();
     const int D = stars_.grid().nDim();
     for (const label f : faces_)
     {
-        areaNew_[f] =
-            (1 - eps_)
-           *inAxes(face_.begin() + faceStride*f + starPoints::gradNew(D));
+        areaNew_[f] = (1 - eps_) * inAxes(face_.begin() + faceStride * f + starPoints::gradNew(D));
     }
     updateVelocities();
     updateTheta();
@@ -496,37 +436,21 @@ void Foam::mpm::starFraction::initialise()
     arrived_ = true;
 }
 
-
-void Foam::mpm::starFraction::setPressure
-(
-    const UList<scalar>& p,
-    const UList<scalar>& pBehind
-)
+void Foam::mpm::starFraction::setPressure(const UList<scalar>& p, const UList<scalar>& pBehind)
 {
     stars_.toNodes(p, P_, &nodes_);
     updateGasPush(p, pBehind, areaNew_);
 }
 
-
-void Foam::mpm::starFraction::gather
-(
-    const label phasei,
-    const scalarField* pOwn
-)
+void Foam::mpm::starFraction::gather(const label phasei, const scalarField* pOwn)
 {
     if (pOwn)
     {
         updatePush(phasei, *pOwn);
     }
-    sums_->gather
-    (
-        points_.phases()[phasei].cloud(),
-        P_.cdata(),
-        1 - eps_,
-        pOwn ? push_.cdata() : nullptr
-    );
+    sums_->gather(
+        points_.phases()[phasei].cloud(), P_.cdata(), 1 - eps_, pOwn ? push_.cdata() : nullptr);
 }
-
 
 void Foam::mpm::starFraction::depart()
 {
@@ -539,19 +463,13 @@ void Foam::mpm::starFraction::depart()
     }
 }
 
-
 void Foam::mpm::starFraction::arrive(const scalar dt)
 {
     updateVolumes();
     touch();
     forAll(points_.phases(), phasei)
     {
-        sums_->arrive
-        (
-            points_.phases()[phasei].cloud(),
-            oldVolume_[phasei].cdata(),
-            sumsOf(phasei)
-        );
+        sums_->arrive(points_.phases()[phasei].cloud(), oldVolume_[phasei].cdata(), sumsOf(phasei));
     }
     collectNodes();
     arrived_ = true;
@@ -575,5 +493,3 @@ void Foam::mpm::starFraction::arrive(const scalar dt)
     updateDilation(dt);
     findDense();
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "starFraction.H"
 #include "syncTools.H"
@@ -13,17 +7,13 @@ License
 
 Foam::scalar Foam::mpm::starFraction::thetaOf(const label node) const
 {
-    return (1 - eps_)*volumeOf(node_, node)/stars_.nodeVolume(node);
+    return (1 - eps_) * volumeOf(node_, node) / stars_.nodeVolume(node);
 }
-
 
 Foam::scalar Foam::mpm::starFraction::meanTheta(const label node) const
 {
-    return
-        0.5*(1 - eps_)*(old_[node] + volumeOf(node_, node))
-       /stars_.nodeVolume(node);
+    return 0.5 * (1 - eps_) * (old_[node] + volumeOf(node_, node)) / stars_.nodeVolume(node);
 }
-
 
 Foam::vector Foam::mpm::starFraction::velocityOf(const label facei) const
 {
@@ -39,18 +29,16 @@ Foam::vector Foam::mpm::starFraction::velocityOf(const label facei) const
         forAll(velocity_, phasei)
         {
             const scalar weight =
-                (oldOfPhase_[phasei][l] + volumeOf(ofPhase_[phasei], l))
-               /stars_.nodeVolume(l);
+                (oldOfPhase_[phasei][l] + volumeOf(ofPhase_[phasei], l)) / stars_.nodeVolume(l);
             sum += weight;
             for (int d = 0; d < D; ++d)
             {
-                u[d] += weight*velocity_[phasei][D*l + d];
+                u[d] += weight * velocity_[phasei][D * l + d];
             }
         }
     }
-    return sum > 0 ? inAxes(u)/sum : vector(Zero);
+    return sum > 0 ? inAxes(u) / sum : vector(Zero);
 }
-
 
 Foam::scalar Foam::mpm::starFraction::density(const label facei) const
 {
@@ -60,40 +48,35 @@ Foam::scalar Foam::mpm::starFraction::density(const label facei) const
         const label l = stars_.grid().pointToNode()[pointi];
         if (hasNode_[l])
         {
-            const scalar* q = node_.begin() + starPoints::nodeStride*l;
+            const scalar* q = node_.begin() + starPoints::nodeStride * l;
             m += q[starPoints::mass];
             v += q[starPoints::volume];
         }
     }
-    return v > 0 ? m/v : 0;
+    return v > 0 ? m / v : 0;
 }
-
 
 void Foam::mpm::starFraction::updateFace(const label f, const scalar dt)
 {
     const int D = stars_.grid().nDim();
-    const scalar* q = face_.begin() + faceStride*f;
+    const scalar* q = face_.begin() + faceStride * f;
     const scalar share = 1 - eps_;
-    area_[f] =
-        0.5*(area0_[f] + share*inAxes(q + starPoints::gradOld(D)));
-    areaNew_[f] = share*inAxes(q + starPoints::gradNew(D));
-    phiS_[f] = share*q[starPoints::way(D)]/dt;
+    area_[f] = 0.5 * (area0_[f] + share * inAxes(q + starPoints::gradOld(D)));
+    areaNew_[f] = share * inAxes(q + starPoints::gradNew(D));
+    phiS_[f] = share * q[starPoints::way(D)] / dt;
 
     const vector& S = mesh_.faceAreas()[f];
     const scalar S2 = magSqr(S);
-    thetaS_[f] = max(min((area_[f] & S)/S2, most_), scalar(0));
+    thetaS_[f] = max(min((area_[f] & S) / S2, most_), scalar(0));
 
     // Both faces of a cyclic pair have the same velocity; the first stands
     // first in faces_
     const label other = stars_.mate(f);
     velocityOfFaces_[f] =
-        other >= 0 && magSqr(velocityOfFaces_[other]) > 0
-      ? velocityOfFaces_[other]
-      : velocityOf(f);
-    uS_[f] = (velocityOfFaces_[f] & S)/std::sqrt(S2);
+        other >= 0 && magSqr(velocityOfFaces_[other]) > 0 ? velocityOfFaces_[other] : velocityOf(f);
+    uS_[f] = (velocityOfFaces_[f] & S) / std::sqrt(S2);
     rhoS_[f] = density(f);
 }
-
 
 void Foam::mpm::starFraction::updateSides()
 {
@@ -111,26 +94,19 @@ void Foam::mpm::starFraction::updateSides()
             const label l = toNode[pointi];
             if (hasNode_[l])
             {
-                old += (1 - eps_)*old_[l]/stars_.nodeVolume(l);
+                old += (1 - eps_) * old_[l] / stars_.nodeVolume(l);
                 mean += meanTheta(l);
             }
         }
-        thetaS0_[f] = min(old/points.size(), most_);
-        thetaS_[f] = min(mean/points.size(), most_);
+        thetaS0_[f] = min(old / points.size(), most_);
+        thetaS_[f] = min(mean / points.size(), most_);
         uS_[f] =
-            thetaS_[f] > 0
-          ? (velocityOf(f) & mesh_.faceAreas()[f])/mag(mesh_.faceAreas()[f])
-          : 0;
+            thetaS_[f] > 0 ? (velocityOf(f) & mesh_.faceAreas()[f]) / mag(mesh_.faceAreas()[f]) : 0;
     }
 }
 
-
-void Foam::mpm::starFraction::updateGasPush
-(
-    const UList<scalar>& p,
-    const UList<scalar>& pBehind,
-    const vectorField& area
-)
+void Foam::mpm::starFraction::updateGasPush(
+    const UList<scalar>& p, const UList<scalar>& pBehind, const vectorField& area)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -146,52 +122,37 @@ void Foam::mpm::starFraction::updateGasPush
             }
             const label i = f - nei.size();
             const label other = i >= 0 ? -1 : own[f] == c ? nei[f] : own[f];
-            const scalar beside =
-                other < 0 ? (*gasThetaBehind_)[i] : (*gasTheta_)[other];
+            const scalar beside = other < 0 ? (*gasThetaBehind_)[i] : (*gasTheta_)[other];
             const scalar jump =
-                theta/(theta + beside)
-               *((other < 0 ? pBehind[i] : p[other]) - p[c]);
+                theta / (theta + beside) * ((other < 0 ? pBehind[i] : p[other]) - p[c]);
             const vector S(mesh_.faceAreas()[f] - area[f]);
-            sum += own[f] == c ? jump*S : -jump*S;
+            sum += own[f] == c ? jump * S : -jump * S;
         }
-        gasPush_[c] = -sum/mesh_.V()[c];
+        gasPush_[c] = -sum / mesh_.V()[c];
     }
 }
 
-
-Foam::scalar Foam::mpm::starFraction::ownOf
-(
-    const label phasei,
-    const label celli
-) const
+Foam::scalar Foam::mpm::starFraction::ownOf(const label phasei, const label celli) const
 {
     const scalarList& q = ofPhase_[phasei];
-    return sumOver
-    (
-        celli,
-        [&](const scalar V, const label l)
-        {
-            return V*volumeOf(q, l)/stars_.nodeVolume(l);
-        }
-    )/mesh_.V()[celli];
+    return sumOver(
+               celli,
+               [&](const scalar V, const label l)
+               { return V * volumeOf(q, l) / stars_.nodeVolume(l); })
+        / mesh_.V()[celli];
 }
 
-
-void Foam::mpm::starFraction::updatePush
-(
-    const label phasei,
-    const scalarField& q
-)
+void Foam::mpm::starFraction::updatePush(const label phasei, const scalarField& q)
 {
     const pointGrid& grid = stars_.grid();
     const int D = grid.nDim();
     const sharedStars* others = stars_.others();
-    push_.setSize(D*grid.nNodes());
+    push_.setSize(D * grid.nNodes());
     const auto clear = [&](const labelUList& nodes)
     {
         for (const label l : nodes)
         {
-            std::fill_n(push_.begin() + D*l, D, 0.0);
+            std::fill_n(push_.begin() + D * l, D, 0.0);
         }
     };
     clear(nodes_);
@@ -223,16 +184,13 @@ void Foam::mpm::starFraction::updatePush
         {
             continue;
         }
-        const vector H
-        (
-            ((i < 0 ? 1 : 0.5)*(qO - qN)/v)*mesh_.faceAreas()[f]
-        );
+        const vector H(((i < 0 ? 1 : 0.5) * (qO - qN) / v) * mesh_.faceAreas()[f]);
         for (const label pointi : mesh_.faces()[f])
         {
             const label l = grid.pointToNode()[pointi];
             for (int d = 0; hasNode_[l] && d < D; ++d)
             {
-                push_[D*l + d] += H[grid.direction(d)];
+                push_[D * l + d] += H[grid.direction(d)];
             }
         }
     }
@@ -241,7 +199,6 @@ void Foam::mpm::starFraction::updatePush
         others->nodes().sum(push_.begin(), D, D);
     }
 }
-
 
 void Foam::mpm::starFraction::updateTheta()
 {
@@ -272,10 +229,8 @@ void Foam::mpm::starFraction::updateTheta()
     }
     for (const label c : around_)
     {
-        theta_[c] = sumOver
-        (
-            c, [&](const scalar V, const label l) { return V*thetaOf(l); }
-        )/mesh_.V()[c];
+        theta_[c] = sumOver(c, [&](const scalar V, const label l) { return V * thetaOf(l); })
+            / mesh_.V()[c];
         forAll(own_, phasei)
         {
             if (own_[phasei].size())
@@ -285,7 +240,6 @@ void Foam::mpm::starFraction::updateTheta()
         }
     }
 }
-
 
 void Foam::mpm::starFraction::limitDrag()
 {
@@ -339,41 +293,34 @@ void Foam::mpm::starFraction::limitDrag()
     for (const label f : faces_)
     {
         const label i = f - mesh_.nInternalFaces();
-        const scalar other =
-            i < 0 ? around1_[mesh_.faceNeighbour()[f]]
-          : others ? behind_[i]
-          : around1_[mesh_.faceOwner()[stars_.mate(f)]];
+        const scalar other = i < 0 ? around1_[mesh_.faceNeighbour()[f]]
+            : others               ? behind_[i]
+                                   : around1_[mesh_.faceOwner()[stars_.mate(f)]];
         const scalar most = max(around1_[mesh_.faceOwner()[f]], other);
-        dragLimit_[f] = most > 0 ? thetaS_[f]/most : 0;
+        dragLimit_[f] = most > 0 ? thetaS_[f] / most : 0;
     }
 }
-
 
 void Foam::mpm::starFraction::updateDilation(const scalar dt)
 {
     for (const label c : around_)
     {
-        const scalar* q = cell_.begin() + starPoints::cellStride*c;
+        const scalar* q = cell_.begin() + starPoints::cellStride * c;
         if (q[0] > 0)
         {
-            dilation_[c] = min(theta_[c], most_)*q[1]/q[0];
+            dilation_[c] = min(theta_[c], most_) * q[1] / q[0];
             continue;
         }
-        const scalar sum = sumOver
-        (
+        const scalar sum = sumOver(
             c,
-            [&](const scalar V, const label l)
-            {
-                return
-                    V/stars_.nodeVolume(l)
-                   *node_[starPoints::nodeStride*l + starPoints::dilation];
-            }
-        );
-        dilation_[c] = (1 - eps_)*sum/mesh_.V()[c];
+            [&](const scalar V, const label l) {
+                return V / stars_.nodeVolume(l)
+                    * node_[starPoints::nodeStride * l + starPoints::dilation];
+            });
+        dilation_[c] = (1 - eps_) * sum / mesh_.V()[c];
     }
     blendDilation(dt);
 }
-
 
 void Foam::mpm::starFraction::findFailed()
 {
@@ -400,8 +347,7 @@ void Foam::mpm::starFraction::findFailed()
             continue;
         }
         fails = true;
-        cloud.forCells
-        (
+        cloud.forCells(
             [&](const label p, const label celli)
             {
                 if ((*damage)[0][p] >= 1)
@@ -412,8 +358,7 @@ void Foam::mpm::starFraction::findFailed()
                         add(nodes[i]);
                     }
                 }
-            }
-        );
+            });
     }
     if (stars_.others() && fails)
     {
@@ -432,7 +377,6 @@ void Foam::mpm::starFraction::findFailed()
         }
     }
 }
-
 
 void Foam::mpm::starFraction::blendDilation(const scalar dt)
 {
@@ -459,19 +403,15 @@ void Foam::mpm::starFraction::blendDilation(const scalar dt)
             {
                 continue;
             }
-            const vector u
-            (
-                hasFace_[f] ? velocityOfFaces_[f] : velocityOf(f)
-            );
+            const vector u(hasFace_[f] ? velocityOfFaces_[f] : velocityOf(f));
             const scalar flux = u & mesh_.faceAreas()[f];
             sum += mesh_.faceOwner()[f] == c ? flux : -flux;
         }
-        const scalar b = min(scalar(1), (m - least)/(most_ - least));
+        const scalar b = min(scalar(1), (m - least) / (most_ - least));
         const scalar theta = 1 - (*gasTheta_)[c];
-        dilation_[c] += b*(theta*dt*sum/mesh_.V()[c] - dilation_[c]);
+        dilation_[c] += b * (theta * dt * sum / mesh_.V()[c] - dilation_[c]);
     }
 }
-
 
 void Foam::mpm::starFraction::findDense()
 {
@@ -481,7 +421,7 @@ void Foam::mpm::starFraction::findDense()
     }
     for (const label c : around_)
     {
-        if (!(theta_[c] > 0.5) || cell_[starPoints::cellStride*c] > 0)
+        if (!(theta_[c] > 0.5) || cell_[starPoints::cellStride * c] > 0)
         {
             continue;
         }
@@ -492,19 +432,16 @@ void Foam::mpm::starFraction::findDense()
             for (label i = 0; i < stars_.cells().nVertices(c); ++i)
             {
                 const label l = stars_.cells().nodes(c)[i];
-                const scalar w =
-                    stars_.vertexVolume(stars_.start(c) + i)
-                   /stars_.nodeVolume(l);
-                const scalar* q =
-                    ofPhase_[phasei].begin() + starPoints::nodeStride*l;
+                const scalar w = stars_.vertexVolume(stars_.start(c) + i) / stars_.nodeVolume(l);
+                const scalar* q = ofPhase_[phasei].begin() + starPoints::nodeStride * l;
                 d.nodes.append(l);
-                d.share.append(w*q[starPoints::mass]);
+                d.share.append(w * q[starPoints::mass]);
                 M += d.share.last();
-                v += w*q[starPoints::volume];
+                v += w * q[starPoints::volume];
             }
             if (M > 0)
             {
-                d.theta = min((1 - eps_)*v/mesh_.V()[c], most_);
+                d.theta = min((1 - eps_) * v / mesh_.V()[c], most_);
                 dense_[phasei].append(d);
             }
         }
@@ -513,11 +450,7 @@ void Foam::mpm::starFraction::findDense()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::starFraction::divergence
-(
-    const label phasei,
-    const label celli
-) const
+Foam::scalar Foam::mpm::starFraction::divergence(const label phasei, const label celli) const
 {
     const int D = stars_.grid().nDim();
     const label* nodes = stars_.cells().nodes(celli);
@@ -527,26 +460,19 @@ Foam::scalar Foam::mpm::starFraction::divergence
         const vector e(stars_.sideSum(celli, i));
         for (int d = 0; d < D; ++d)
         {
-            sum +=
-                velocity_[phasei][D*nodes[i] + d]*e[stars_.grid().direction(d)];
+            sum += velocity_[phasei][D * nodes[i] + d] * e[stars_.grid().direction(d)];
         }
     }
-    return sum/mesh_.V()[celli];
+    return sum / mesh_.V()[celli];
 }
 
-
-void Foam::mpm::starFraction::forDenseCells
-(
-    const label phasei,
-    const denseCellAction& f
-) const
+void Foam::mpm::starFraction::forDenseCells(const label phasei, const denseCellAction& f) const
 {
     for (const dense& d : dense_[phasei])
     {
         f(d.celli, d.nodes, d.share, d.theta);
     }
 }
-
 
 void Foam::mpm::starFraction::updateNormals()
 {
@@ -564,11 +490,9 @@ void Foam::mpm::starFraction::updateNormals()
             scalar sum = 0;
             for (label i = 0; i < cells.nVertices(c); ++i)
             {
-                sum +=
-                    stars_.vertexVolume(stars_.start(c) + i)
-                   *ofNodes[cells.nodes(c)[i]];
+                sum += stars_.vertexVolume(stars_.start(c) + i) * ofNodes[cells.nodes(c)[i]];
             }
-            ofCells[c] = sum/mesh_.V()[c];
+            ofCells[c] = sum / mesh_.V()[c];
         }
     }
     stars_.toNodes(ofCells, ofNodes);
@@ -588,12 +512,10 @@ void Foam::mpm::starFraction::updateNormals()
         {
             for (label i = 0; i < cells.nVertices(c); ++i)
             {
-                n += ofNodes[cells.nodes(c)[i]]*stars_.sideSum(c, i);
+                n += ofNodes[cells.nodes(c)[i]] * stars_.sideSum(c, i);
             }
             n /= mag(n);
         }
         normals_[c] = n;
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "starOperators.H"
 #include "gridNodes.H"
@@ -27,11 +21,10 @@ Foam::scalar Foam::mpm::starOperators::thickness(const label celli) const
     scalar sum = 0;
     for (label s = 0; s < cells_.nSimplices(celli); ++s)
     {
-        sum += radius(celli, s)*cells_.volumes(celli)[s];
+        sum += radius(celli, s) * cells_.volumes(celli)[s];
     }
-    return mesh_.cellVolumes()[celli]/sum;
+    return mesh_.cellVolumes()[celli] / sum;
 }
-
 
 void Foam::mpm::starOperators::makeVertices()
 {
@@ -53,7 +46,7 @@ void Foam::mpm::starOperators::makeVertices()
         {
             const label v = start_[c] + i, l = cells_.nodes(c)[i];
             cellOf_[v] = c;
-            vertexVolume_[v] = t*cells_.integral(c, i);
+            vertexVolume_[v] = t * cells_.integral(c, i);
             nodeVolume_[l] += vertexVolume_[v];
             ++vertexStart_[l + 1];
         }
@@ -72,7 +65,6 @@ void Foam::mpm::starOperators::makeVertices()
         }
     }
 }
-
 
 void Foam::mpm::starOperators::makeFaces()
 {
@@ -159,7 +151,6 @@ void Foam::mpm::starOperators::makeFaces()
     }
 }
 
-
 void Foam::mpm::starOperators::share()
 {
     if (!Pstream::parRun())
@@ -188,23 +179,11 @@ void Foam::mpm::starOperators::share()
     syncTools::swapBoundaryFaceList(mesh_, faceNumber_);
     syncTools::swapBoundaryFaceList(mesh_, wayBehind_);
 
-    others_.reset
-    (
-        new sharedStars
-        (
-            grid_,
-            [&](const label l, starPart& part) { ownPart(l, part); }
-        )
-    );
+    others_.reset(new sharedStars(grid_, [&](const label l, starPart& part) { ownPart(l, part); }));
     others_->nodes().sum(nodeVolume_.begin(), 1, 1);
 }
 
-
-Foam::vector Foam::mpm::starOperators::sideSum
-(
-    const label celli,
-    const label i
-) const
+Foam::vector Foam::mpm::starOperators::sideSum(const label celli, const label i) const
 {
     const int D = grid_.nDim();
     const scalar b = cells_.originShare(celli, i);
@@ -216,25 +195,19 @@ Foam::vector Foam::mpm::starOperators::sideSum
         for (int k = 0; k < D; ++k)
         {
             const scalar share =
-                (scalar(corner[k] == i) - b)
-               *radius(celli, s)*cells_.volumes(celli)[s];
+                (scalar(corner[k] == i) - b) * radius(celli, s) * cells_.volumes(celli)[s];
             for (int d = 0; d < D; ++d)
             {
-                sum[grid_.direction(d)] += share*I[D*k + d];
+                sum[grid_.direction(d)] += share * I[D * k + d];
             }
         }
         corner += D;
-        I += D*D;
+        I += D * D;
     }
-    return thickness(celli)*sum;
+    return thickness(celli) * sum;
 }
 
-
-Foam::vector Foam::mpm::starOperators::faceShare
-(
-    const label facei,
-    const label node
-) const
+Foam::vector Foam::mpm::starOperators::faceShare(const label facei, const label node) const
 {
     const face& f = mesh_.faces()[facei];
     const labelList& toNode = grid_.pointToNode();
@@ -247,12 +220,12 @@ Foam::vector Foam::mpm::starOperators::faceShare
         {
             if (toNode[p] == node)
             {
-                share += grid_.radial() < 0 ? 1.0/f.size() : wedgeShare(f, p);
+                share += grid_.radial() < 0 ? 1.0 / f.size() : wedgeShare(f, p);
             }
         }
         for (int d = 0; d < grid_.nDim(); ++d)
         {
-            sum[grid_.direction(d)] = share*S[grid_.direction(d)];
+            sum[grid_.direction(d)] = share * S[grid_.direction(d)];
         }
         return sum;
     }
@@ -260,87 +233,61 @@ Foam::vector Foam::mpm::starOperators::faceShare
     const pointField& x = mesh_.points();
     for (label k = 1; k < f.size() - 1; ++k)
     {
-        const label p[3] =
-        {
-            f[base],
-            f[(base + k) % f.size()],
-            f[(base + k + 1) % f.size()]
-        };
-        const vector area(0.5*((x[p[1]] - x[p[0]]) ^ (x[p[2]] - x[p[0]])));
+        const label p[3] = {f[base], f[(base + k) % f.size()], f[(base + k + 1) % f.size()]};
+        const vector area(0.5 * ((x[p[1]] - x[p[0]]) ^ (x[p[2]] - x[p[0]])));
         for (const label pointi : p)
         {
             if (toNode[pointi] == node)
             {
-                sum += area/3;
+                sum += area / 3;
             }
         }
     }
     return sum;
 }
 
-
 Foam::scalar Foam::mpm::starOperators::weight(const label facei) const
 {
     const vectorField& C = mesh_.cellCentres();
     const vectorField& Cf = mesh_.faceCentres();
-    const label other =
-        facei < mesh_.nInternalFaces() ? facei : mate_[facei];
-    const vector way
-    (
+    const label other = facei < mesh_.nInternalFaces() ? facei : mate_[facei];
+    const vector way(
         (Cf[facei] - C[owner(facei)])
-      + (
-            other < 0
-          ? wayBehind_[facei - mesh_.nInternalFaces()]
-          : C[neighbour(facei)] - Cf[other]
-        )
-    );
+        + (other < 0 ? wayBehind_[facei - mesh_.nInternalFaces()]
+                     : C[neighbour(facei)] - Cf[other]));
     const vector& S = mesh_.faceAreas()[facei];
     const scalar area = mag(S);
 
     // Any positive weight will do; a very skewed face gets no huge one
-    return area/max(mag(way & S)/area, 0.05*mag(way));
+    return area / max(mag(way & S) / area, 0.05 * mag(way));
 }
-
 
 bool Foam::mpm::starOperators::ofLower(const label facei) const
 {
     const label i = facei - mesh_.nInternalFaces();
-    return
-        i >= 0 && mate_[facei] < 0
-     && faceNumber_[i] < faceNumbers_->toGlobal(facei);
+    return i >= 0 && mate_[facei] < 0 && faceNumber_[i] < faceNumbers_->toGlobal(facei);
 }
 
-
-Foam::mpm::starPart::edge Foam::mpm::starOperators::edgeOf
-(
-    const label facei,
-    const label node
-) const
+Foam::mpm::starPart::edge
+Foam::mpm::starOperators::edgeOf(const label facei, const label node) const
 {
     const label i = facei - mesh_.nInternalFaces();
     starPart::edge e;
     e.face = faceNumbers_ ? faceNumbers_->toGlobal(facei) : facei;
     e.owner = number(owner(facei));
-    e.neighbour =
-        i >= 0 && mate_[facei] < 0 ? cellBehind_[i] : number(neighbour(facei));
+    e.neighbour = i >= 0 && mate_[facei] < 0 ? cellBehind_[i] : number(neighbour(facei));
     e.weight = e.owner == e.neighbour ? 0 : weight(facei);
     e.share = faceShare(facei, node);
     return e;
 }
-
 
 void Foam::mpm::starOperators::ownPart(const label node, starPart& part) const
 {
     for (const label v : verticesOf(node))
     {
         const label c = cellOf_[v];
-        part.vertices.append
-        (
-            starPart::vertex
-            {
-                number(c), vertexVolume_[v], surfaceSum(c, v - start_[c])
-            }
-        );
+        part.vertices.append(
+            starPart::vertex{number(c), vertexVolume_[v], surfaceSum(c, v - start_[c])});
     }
     for (const label f : facesOf(node))
     {
@@ -352,14 +299,9 @@ void Foam::mpm::starOperators::ownPart(const label node, starPart& part) const
     part.wall = wall_[node];
 }
 
-
-Foam::scalarList Foam::mpm::starOperators::potentials
-(
-    const label node,
-    const labelUList& cells,
-    const UList<starPart::edge>& edges,
-    const UList<scalar>& w
-) const
+Foam::scalarList Foam::mpm::starOperators::potentials(
+    const label node, const labelUList& cells, const UList<starPart::edge>& edges,
+    const UList<scalar>& w) const
 {
     const label n = cells.size();
     scalarSquareMatrix L(n, Zero);
@@ -389,10 +331,10 @@ Foam::scalarList Foam::mpm::starOperators::potentials
     labelList pivots(n);
     LUDecompose(inverse, pivots);
 
-    scalarList pi(n*n), residual(n);
+    scalarList pi(n * n), residual(n);
     for (label h = 0; h < n; ++h)
     {
-        scalar* x = pi.begin() + n*h;
+        scalar* x = pi.begin() + n * h;
         std::fill_n(x, n, 0.0);
 
         // The second time the residual of the first
@@ -403,7 +345,7 @@ Foam::scalarList Foam::mpm::starOperators::potentials
                 residual[i] = scalar(i == h) - w[i];
                 for (label j = 0; j < n; ++j)
                 {
-                    residual[i] -= L(i, j)*x[j];
+                    residual[i] -= L(i, j) * x[j];
                 }
             }
             LUBacksubstitute(inverse, pivots, residual);
@@ -417,21 +359,16 @@ Foam::scalarList Foam::mpm::starOperators::potentials
     {
         if (!std::isfinite(p))
         {
-            FatalErrorInFunction
-                << "The cells around the mesh point at "
-                << grid_.nodePositions()[node] << " touch at this point or"
-                << " edge only: material points in a gas need cells that are"
-                << " joined by faces." << exit(FatalError);
+            FatalErrorInFunction << "The cells around the mesh point at "
+                                 << grid_.nodePositions()[node] << " touch at this point or"
+                                 << " edge only: material points in a gas need cells that are"
+                                 << " joined by faces." << exit(FatalError);
         }
     }
     return pi;
 }
 
-
-Foam::mpm::starOperators::star* Foam::mpm::starOperators::makeStar
-(
-    const label node
-) const
+Foam::mpm::starOperators::star* Foam::mpm::starOperators::makeStar(const label node) const
 {
     const int D = grid_.nDim();
     const SubList<label> faces(facesOf(node));
@@ -463,15 +400,15 @@ Foam::mpm::starOperators::star* Foam::mpm::starOperators::makeStar
             w.append(0);
             e.append(vector(Zero));
         }
-        w[column[i]] += v.volume/V;
+        w[column[i]] += v.volume / V;
         e[column[i]] += v.side;
     }
     const label n = cells.size(), nFaces = faces.size();
     const scalarList pi(potentials(node, cells, all.edges, w));
 
     star* made = new star;
-    made->g.setSize(column.size()*nFaces);
-    made->B.setSize(D*nFaces, Zero);
+    made->g.setSize(column.size() * nFaces);
+    made->B.setSize(D * nFaces, Zero);
     label next = 0;
     forAll(faces, k)
     {
@@ -480,8 +417,7 @@ Foam::mpm::starOperators::star* Foam::mpm::starOperators::makeStar
         const starPart::edge* edge = nullptr;
         if (turned)
         {
-            const label at =
-                faceNumber_[faces[k] - mesh_.nInternalFaces()];
+            const label at = faceNumber_[faces[k] - mesh_.nInternalFaces()];
             for (const starPart::edge& e : all.edges)
             {
                 edge = e.face == at ? &e : edge;
@@ -495,19 +431,19 @@ Foam::mpm::starOperators::star* Foam::mpm::starOperators::makeStar
         const scalar c = turned ? -edge->weight : edge->weight;
         forAll(column, i)
         {
-            const scalar* x = pi.begin() + n*column[i];
-            made->g[nFaces*i + k] = c*(x[O] - x[N]);
+            const scalar* x = pi.begin() + n * column[i];
+            made->g[nFaces * i + k] = c * (x[O] - x[N]);
         }
         if (!all.wall)
         {
             vector a(turned ? edge->share : -edge->share);
             for (label h = 0; h < n; ++h)
             {
-                a += (c*(pi[n*h + O] - pi[n*h + N]))*e[h];
+                a += (c * (pi[n * h + O] - pi[n * h + N])) * e[h];
             }
             for (int d = 0; d < D; ++d)
             {
-                made->B[D*k + d] = a[grid_.direction(d)]/V;
+                made->B[D * k + d] = a[grid_.direction(d)] / V;
             }
         }
     }
@@ -516,12 +452,8 @@ Foam::mpm::starOperators::star* Foam::mpm::starOperators::makeStar
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::starOperators::starOperators(const pointGrid& grid)
-:
-    grid_(grid),
-    mesh_(grid.mesh()),
-    cells_(grid),
-    stars_(grid.nNodes())
+Foam::mpm::starOperators::starOperators(const pointGrid& grid) :
+    grid_(grid), mesh_(grid.mesh()), cells_(grid), stars_(grid.nNodes())
 {
     // Where all faces are triangles their base points do not matter
     bool triangles = true;
@@ -541,12 +473,8 @@ Foam::mpm::starOperators::starOperators(const pointGrid& grid)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::starOperators::toNodes
-(
-    const UList<scalar>& ofCells,
-    scalarList& ofNodes,
-    const labelUList* some
-) const
+void Foam::mpm::starOperators::toNodes(
+    const UList<scalar>& ofCells, scalarList& ofNodes, const labelUList* some) const
 {
     ofNodes.setSize(grid_.nNodes());
     sums_.setSize(others_ ? grid_.nNodes() : 0);
@@ -554,13 +482,12 @@ void Foam::mpm::starOperators::toNodes
     {
         // Equal values stay equal
         const label first = vertexStart_[l], end = vertexStart_[l + 1];
-        const scalar base =
-            first < end ? ofCells[cellOf_[vertices_[first]]] : 0;
+        const scalar base = first < end ? ofCells[cellOf_[vertices_[first]]] : 0;
         scalar sum = 0;
         for (label i = first; i < end; ++i)
         {
             const label v = vertices_[i];
-            sum += vertexVolume_[v]*(ofCells[cellOf_[v]] - base);
+            sum += vertexVolume_[v] * (ofCells[cellOf_[v]] - base);
         }
         if (others_ && others_->othersOf(l))
         {
@@ -569,7 +496,7 @@ void Foam::mpm::starOperators::toNodes
         }
         else
         {
-            ofNodes[l] = first < end ? base + sum/nodeVolume_[l] : 0;
+            ofNodes[l] = first < end ? base + sum / nodeVolume_[l] : 0;
         }
     };
     if (some)
@@ -593,5 +520,3 @@ void Foam::mpm::starOperators::toNodes
         others_->means(ofNodes, sums_);
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "starPoints.H"
 #include "simplexShape.H"
@@ -18,9 +12,7 @@ namespace mpm
 
 //- HOOP: on wedges (DIM 2)
 template<int DIM, bool HOOP = false>
-class starPointsOf final
-:
-    public starPoints
+class starPointsOf final : public starPoints
 {
     typedef simplexShape<DIM> shape;
     typedef typename shape::T T;
@@ -29,7 +21,7 @@ class starPointsOf final
 
     static constexpr int W = shape::W;
 
-    static_assert(2*DIM + 1 <= vertexStride && moved + DIM <= spare);
+    static_assert(2 * DIM + 1 <= vertexStride && moved + DIM <= spare);
     static_assert(!HOOP || DIM == 2, "the plane of a wedge is 2D");
 
     //- Places of v/r in the rows of points, with v before and after; nobody
@@ -68,13 +60,8 @@ class starPointsOf final
     }
 
     //- One copy for all passes: same arithmetic
-    static __attribute__((noinline)) void find
-    (
-        const stencil& s,
-        const scalar* const (&x)[DIM],
-        const label p,
-        place& at
-    )
+    static __attribute__((noinline)) void
+    find(const stencil& s, const scalar* const (&x)[DIM], const label p, place& at)
     {
         T X[DIM];
         for (int d = 0; d < DIM; ++d)
@@ -102,13 +89,8 @@ class starPointsOf final
     //- Call start(stencil), point(stencil, p, place, lane) for each point,
     //  end(stencil) of each cell
     template<class Start, class Point, class End>
-    void forPoints
-    (
-        materialPointCloud& cloud,
-        const Start& start,
-        const Point& point,
-        const End& end
-    ) const
+    void forPoints(
+        materialPointCloud& cloud, const Start& start, const Point& point, const End& end) const
     {
         const scalar* x[DIM];
         for (int d = 0; d < DIM; ++d)
@@ -137,56 +119,35 @@ class starPointsOf final
 
     //- Rows of points to their simplex and vertices
     template<class Row>
-    void scatter
-    (
-        materialPointCloud& cloud,
-        const Row& of,
-        const sums& to
-    ) const;
+    void scatter(materialPointCloud& cloud, const Row& of, const sums& to) const;
 
     void finish(const stencil& s, const row& ofOrigin, const sums& to) const;
 
     //- 1/r of a ring of volume v
     scalar inverseRadius(const scalar r, const scalar v) const
     {
-        return 1/max(r, 0.1*std::cbrt(v/sector_));
+        return 1 / max(r, 0.1 * std::cbrt(v / sector_));
     }
 
 public:
-
-    starPointsOf
-    (
-        const pointGrid& grid,
-        const cellSimplices& cells,
-        const labelUList& start
-    )
-    :
+    starPointsOf(const pointGrid& grid, const cellSimplices& cells, const labelUList& start) :
         grid_(grid),
         cells_(cells),
         start_(start),
-        ofSimplices_(8*mostSimplices(cells, grid.nCells())),
-        ofVertices_(8*max(cells.maxVertices(), label(1))),
-        gradP_(DIM*mostSimplices(cells, grid.nCells())),
+        ofSimplices_(8 * mostSimplices(cells, grid.nCells())),
+        ofVertices_(8 * max(cells.maxVertices(), label(1))),
+        gradP_(DIM * mostSimplices(cells, grid.nCells())),
         radial_(grid.radial()),
         sector_(grid.sector())
-    {}
+    {
+    }
 
     void depart(materialPointCloud& cloud, const sums& to) const override;
 
-    void arrive
-    (
-        materialPointCloud& cloud,
-        const scalar* oldVolume,
-        const sums& to
-    ) const override;
+    void arrive(materialPointCloud& cloud, const scalar* oldVolume, const sums& to) const override;
 
-    void gather
-    (
-        materialPointCloud& cloud,
-        const scalar* P,
-        const scalar share,
-        const scalar* push
-    ) const override;
+    void gather(materialPointCloud& cloud, const scalar* P, const scalar share, const scalar* push)
+        const override;
 };
 
 } // End namespace mpm
@@ -196,108 +157,88 @@ public:
 
 template<int DIM, bool HOOP>
 template<class Row>
-void Foam::mpm::starPointsOf<DIM, HOOP>::scatter
-(
-    materialPointCloud& cloud,
-    const Row& of,
-    const sums& to
-) const
+void Foam::mpm::starPointsOf<DIM, HOOP>::scatter(
+    materialPointCloud& cloud, const Row& of, const sums& to) const
 {
     scalar* ofSimplices = ofSimplices_.data();
     scalar* ofVertices = ofVertices_.data();
     row ofOrigin = {};
-    forPoints
-    (
+    forPoints(
         cloud,
         [&](const stencil& s)
         {
             ofOrigin = row{};
-            std::fill_n(ofSimplices, 8*s.nSimplices, 0.0);
-            std::fill_n(ofVertices, 8*s.n, 0.0);
+            std::fill_n(ofSimplices, 8 * s.nSimplices, 0.0);
+            std::fill_n(ofVertices, 8 * s.n, 0.0);
         },
         [&](const stencil& s, const label p, const place& at, const int lane)
         {
             const row q = of(p);
             const int simplex = int(at.simplex[lane]);
-            scalar* sum = ofSimplices + 8*simplex;
+            scalar* sum = ofSimplices + 8 * simplex;
             store<8>(sum, load<8>(sum) + q);
             double rest = 1;
             for (int k = 0; k < DIM; ++k)
             {
                 const double lambda = at.lambda[k][lane];
                 rest -= lambda;
-                scalar* vertex = ofVertices + 8*s.corners[DIM*simplex + k];
-                store<8>(vertex, load<8>(vertex) + lambda*q);
+                scalar* vertex = ofVertices + 8 * s.corners[DIM * simplex + k];
+                store<8>(vertex, load<8>(vertex) + lambda * q);
             }
-            ofOrigin += rest*q;
+            ofOrigin += rest * q;
         },
-        [&](const stencil& s) { finish(s, ofOrigin, to); }
-    );
+        [&](const stencil& s) { finish(s, ofOrigin, to); });
 }
 
-
 template<int DIM, bool HOOP>
-void Foam::mpm::starPointsOf<DIM, HOOP>::finish
-(
-    const stencil& s,
-    const row& ofOrigin,
-    const sums& to
-) const
+void Foam::mpm::starPointsOf<DIM, HOOP>::finish(
+    const stencil& s, const row& ofOrigin, const sums& to) const
 {
     const scalar* ofSimplices = ofSimplices_.data();
-    scalar* vertex = to.vertices + vertexStride*start_[s.celli];
+    scalar* vertex = to.vertices + vertexStride * start_[s.celli];
     const scalar* I = s.inverses;
     const label* corner = s.corners;
     row gradOrigin = {}, all = {};
-    for (int i = 0; i < s.nSimplices; ++i, I += DIM*DIM, corner += DIM)
+    for (int i = 0; i < s.nSimplices; ++i, I += DIM * DIM, corner += DIM)
     {
-        const scalar* q = ofSimplices + 8*i;
+        const scalar* q = ofSimplices + 8 * i;
         all += load<8>(q);
         for (int k = 0; k < DIM; ++k)
         {
             row grad = {};
             for (int d = 0; d < DIM; ++d)
             {
-                grad[gradOld(DIM) + d] = q[volumeOld]*I[DIM*k + d];
-                grad[gradNew(DIM) + d] = q[volume]*I[DIM*k + d];
-                grad[way(DIM)] += q[moved + d]*I[DIM*k + d];
+                grad[gradOld(DIM) + d] = q[volumeOld] * I[DIM * k + d];
+                grad[gradNew(DIM) + d] = q[volume] * I[DIM * k + d];
+                grad[way(DIM)] += q[moved + d] * I[DIM * k + d];
             }
             gradOrigin -= grad;
-            scalar* at = vertex + vertexStride*corner[k];
+            scalar* at = vertex + vertexStride * corner[k];
             store<8>(at, load<8>(at) + grad);
         }
     }
     for (int i = 0; i < s.n; ++i)
     {
         const double b = cells_.originShare(s.celli, i);
-        scalar* at = vertex + vertexStride*i;
-        store<8>(at, load<8>(at) + b*gradOrigin);
+        scalar* at = vertex + vertexStride * i;
+        store<8>(at, load<8>(at) + b * gradOrigin);
         if constexpr (HOOP)
         {
-            const scalar* q = ofVertices_.data() + 8*i;
-            at[gradOld(DIM) + radial_] +=
-                q[sectionOld] + b*ofOrigin[sectionOld];
-            at[gradNew(DIM) + radial_] += q[section] + b*ofOrigin[section];
+            const scalar* q = ofVertices_.data() + 8 * i;
+            at[gradOld(DIM) + radial_] += q[sectionOld] + b * ofOrigin[sectionOld];
+            at[gradNew(DIM) + radial_] += q[section] + b * ofOrigin[section];
         }
-        scalar* node = to.nodes + nodeStride*s.nodes[i];
-        store<8>
-        (
-            node,
-            load<8>(node) + load<8>(ofVertices_.data() + 8*i) + b*ofOrigin
-        );
+        scalar* node = to.nodes + nodeStride * s.nodes[i];
+        store<8>(node, load<8>(node) + load<8>(ofVertices_.data() + 8 * i) + b * ofOrigin);
     }
-    to.cells[cellStride*s.celli] += all[volume];
-    to.cells[cellStride*s.celli + 1] += all[dilation];
+    to.cells[cellStride * s.celli] += all[volume];
+    to.cells[cellStride * s.celli + 1] += all[dilation];
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int DIM, bool HOOP>
-void Foam::mpm::starPointsOf<DIM, HOOP>::depart
-(
-    materialPointCloud& cloud,
-    const sums& to
-) const
+void Foam::mpm::starPointsOf<DIM, HOOP>::depart(materialPointCloud& cloud, const sums& to) const
 {
     const scalar* v = (*cloud.gasVolume())[0];
     const scalar* dx[DIM];
@@ -305,30 +246,23 @@ void Foam::mpm::starPointsOf<DIM, HOOP>::depart
     {
         dx[d] = (*cloud.displacement())[d];
     }
-    scatter
-    (
+    scatter(
         cloud,
         [&](const label p)
         {
             row q = {};
             for (int d = 0; d < DIM; ++d)
             {
-                q[moved + d] = 0.5*v[p]*dx[d][p];
+                q[moved + d] = 0.5 * v[p] * dx[d][p];
             }
             return q;
         },
-        to
-    );
+        to);
 }
 
-
 template<int DIM, bool HOOP>
-void Foam::mpm::starPointsOf<DIM, HOOP>::arrive
-(
-    materialPointCloud& cloud,
-    const scalar* oldVolume,
-    const sums& to
-) const
+void Foam::mpm::starPointsOf<DIM, HOOP>::arrive(
+    materialPointCloud& cloud, const scalar* oldVolume, const sums& to) const
 {
     const scalar* v = (*cloud.gasVolume())[0];
     const scalar* m = cloud.mass()[0];
@@ -338,8 +272,7 @@ void Foam::mpm::starPointsOf<DIM, HOOP>::arrive
     {
         dx[d] = (*cloud.displacement())[d];
     }
-    scatter
-    (
+    scatter(
         cloud,
         [&](const label p)
         {
@@ -348,11 +281,10 @@ void Foam::mpm::starPointsOf<DIM, HOOP>::arrive
             q[mass] = m[p];
             if constexpr (HOOP)
             {
-                q[section] = v[p]*inverseRadius(r[p], v[p]);
+                q[section] = v[p] * inverseRadius(r[p], v[p]);
                 if (oldVolume)
                 {
-                    q[sectionOld] =
-                        oldVolume[p]*inverseRadius(r[p], oldVolume[p]);
+                    q[sectionOld] = oldVolume[p] * inverseRadius(r[p], oldVolume[p]);
                 }
             }
             if (oldVolume)
@@ -361,24 +293,17 @@ void Foam::mpm::starPointsOf<DIM, HOOP>::arrive
                 q[dilation] = v[p] - oldVolume[p];
                 for (int d = 0; d < DIM; ++d)
                 {
-                    q[moved + d] = 0.5*oldVolume[p]*dx[d][p];
+                    q[moved + d] = 0.5 * oldVolume[p] * dx[d][p];
                 }
             }
             return q;
         },
-        to
-    );
+        to);
 }
 
-
 template<int DIM, bool HOOP>
-void Foam::mpm::starPointsOf<DIM, HOOP>::gather
-(
-    materialPointCloud& cloud,
-    const scalar* P,
-    const scalar share,
-    const scalar* push
-) const
+void Foam::mpm::starPointsOf<DIM, HOOP>::gather(
+    materialPointCloud& cloud, const scalar* P, const scalar share, const scalar* push) const
 {
     const scalar* v = (*cloud.gasVolume())[0];
     scalar* pressure = (*cloud.gasPressure())[0];
@@ -389,8 +314,7 @@ void Foam::mpm::starPointsOf<DIM, HOOP>::gather
     }
     scalar* gradP = gradP_.data();
     scalar ofOrigin = 0, pushOrigin[DIM] = {};
-    forPoints
-    (
+    forPoints(
         cloud,
         [&](const stencil& s)
         {
@@ -399,17 +323,14 @@ void Foam::mpm::starPointsOf<DIM, HOOP>::gather
             ofOrigin = base;
             for (int i = 0; i < s.n; ++i)
             {
-                ofOrigin +=
-                    cells_.originShare(s.celli, i)*(P[s.nodes[i]] - base);
+                ofOrigin += cells_.originShare(s.celli, i) * (P[s.nodes[i]] - base);
             }
             for (int d = 0; push && d < DIM; ++d)
             {
                 pushOrigin[d] = 0;
                 for (int i = 0; i < s.n; ++i)
                 {
-                    pushOrigin[d] +=
-                        cells_.originShare(s.celli, i)
-                       *push[DIM*s.nodes[i] + d];
+                    pushOrigin[d] += cells_.originShare(s.celli, i) * push[DIM * s.nodes[i] + d];
                 }
             }
             const scalar* I = s.inverses;
@@ -418,14 +339,14 @@ void Foam::mpm::starPointsOf<DIM, HOOP>::gather
             {
                 for (int d = 0; d < DIM; ++d)
                 {
-                    scalar& g = gradP[DIM*i + d];
+                    scalar& g = gradP[DIM * i + d];
                     g = 0;
                     for (int k = 0; k < DIM; ++k)
                     {
-                        g += I[DIM*k + d]*(P[s.nodes[corner[k]]] - ofOrigin);
+                        g += I[DIM * k + d] * (P[s.nodes[corner[k]]] - ofOrigin);
                     }
                 }
-                I += DIM*DIM;
+                I += DIM * DIM;
                 corner += DIM;
             }
         },
@@ -435,55 +356,43 @@ void Foam::mpm::starPointsOf<DIM, HOOP>::gather
             scalar sum = ofOrigin;
             for (int k = 0; k < DIM; ++k)
             {
-                sum +=
-                    at.lambda[k][lane]
-                   *(P[s.nodes[s.corners[DIM*simplex + k]]] - ofOrigin);
+                sum += at.lambda[k][lane] * (P[s.nodes[s.corners[DIM * simplex + k]]] - ofOrigin);
             }
             pressure[p] = sum;
             for (int d = 0; d < DIM; ++d)
             {
-                F[d][p] = -share*v[p]*gradP[DIM*simplex + d];
+                F[d][p] = -share * v[p] * gradP[DIM * simplex + d];
             }
             for (int d = 0; push && d < DIM; ++d)
             {
                 scalar H = pushOrigin[d];
                 for (int k = 0; k < DIM; ++k)
                 {
-                    const label l = s.nodes[s.corners[DIM*simplex + k]];
-                    H += at.lambda[k][lane]*(push[DIM*l + d] - pushOrigin[d]);
+                    const label l = s.nodes[s.corners[DIM * simplex + k]];
+                    H += at.lambda[k][lane] * (push[DIM * l + d] - pushOrigin[d]);
                 }
-                F[d][p] += v[p]*H;
+                F[d][p] += v[p] * H;
             }
         },
-        [](const stencil&) {}
-    );
+        [](const stencil&) {});
 }
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::starPoints> Foam::mpm::starPoints::New
-(
-    const pointGrid& grid,
-    const cellSimplices& cells,
-    const labelUList& start
-)
+Foam::autoPtr<Foam::mpm::starPoints> Foam::mpm::starPoints::New(
+    const pointGrid& grid, const cellSimplices& cells, const labelUList& start)
 {
     if (grid.radial() >= 0)
     {
-        return autoPtr<starPoints>
-        (
-            new starPointsOf<2, true>(grid, cells, start)
-        );
+        return autoPtr<starPoints>(new starPointsOf<2, true>(grid, cells, start));
     }
     switch (grid.nDim())
     {
-        case 1:
-            return autoPtr<starPoints>(new starPointsOf<1>(grid, cells, start));
-        case 2:
-            return autoPtr<starPoints>(new starPointsOf<2>(grid, cells, start));
-        default:
-            return autoPtr<starPoints>(new starPointsOf<3>(grid, cells, start));
+    case 1:
+        return autoPtr<starPoints>(new starPointsOf<1>(grid, cells, start));
+    case 2:
+        return autoPtr<starPoints>(new starPointsOf<2>(grid, cells, start));
+    default:
+        return autoPtr<starPoints>(new starPointsOf<3>(grid, cells, start));
     }
 }
-
-// ************************************************************************* //

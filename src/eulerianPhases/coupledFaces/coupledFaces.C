@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "coupledFaces.H"
 #include "processorPolyPatch.H"
@@ -22,52 +16,32 @@ using namespace Foam;
 
 //- Exchange of n of any plain type per face; turn() is called with what came
 template<class T, class Turn>
-void exchange
-(
-    const polyBoundaryMesh& patches,
-    const label nInternal,
-    const labelList& processor,
-    const labelList& cyclic,
-    const label n,
-    UList<T>& b,
-    List<List<T>>& send,
-    List<List<T>>& receive,
-    const Turn& turn
-)
+void exchange(
+    const polyBoundaryMesh& patches, const label nInternal, const labelList& processor,
+    const labelList& cyclic, const label n, UList<T>& b, List<List<T>>& send,
+    List<List<T>>& receive, const Turn& turn)
 {
     const label request = UPstream::nRequests();
     send.setSize(processor.size());
     receive.setSize(processor.size());
     forAll(processor, i)
     {
-        const auto& pp =
-            refCast<const processorPolyPatch>(patches[processor[i]]);
-        const SubList<T> mine(b, n*pp.size(), n*(pp.start() - nInternal));
+        const auto& pp = refCast<const processorPolyPatch>(patches[processor[i]]);
+        const SubList<T> mine(b, n * pp.size(), n * (pp.start() - nInternal));
         receive[i].setSize(mine.size());
         send[i] = mine;
-        UIPstream::read
-        (
-            UPstream::commsTypes::nonBlocking,
-            pp.neighbProcNo(),
+        UIPstream::read(
+            UPstream::commsTypes::nonBlocking, pp.neighbProcNo(),
             reinterpret_cast<char*>(receive[i].data()),
-            std::streamsize(receive[i].size()*sizeof(T)),
-            pp.tag(),
-            pp.comm()
-        );
+            std::streamsize(receive[i].size() * sizeof(T)), pp.tag(), pp.comm());
     }
     forAll(processor, i)
     {
-        const auto& pp =
-            refCast<const processorPolyPatch>(patches[processor[i]]);
-        UOPstream::write
-        (
-            UPstream::commsTypes::nonBlocking,
-            pp.neighbProcNo(),
+        const auto& pp = refCast<const processorPolyPatch>(patches[processor[i]]);
+        UOPstream::write(
+            UPstream::commsTypes::nonBlocking, pp.neighbProcNo(),
             reinterpret_cast<const char*>(send[i].cdata()),
-            std::streamsize(send[i].size()*sizeof(T)),
-            pp.tag(),
-            pp.comm()
-        );
+            std::streamsize(send[i].size() * sizeof(T)), pp.tag(), pp.comm());
     }
 
     // Each pair of cyclic patches once
@@ -76,9 +50,9 @@ void exchange
         const auto& pp = refCast<const cyclicPolyPatch>(patches[patchi]);
         if (pp.owner())
         {
-            const label a = n*(pp.start() - nInternal);
-            const label c = n*(pp.neighbPatch().start() - nInternal);
-            for (label i = 0; i < n*pp.size(); ++i)
+            const label a = n * (pp.start() - nInternal);
+            const label c = n * (pp.neighbPatch().start() - nInternal);
+            for (label i = 0; i < n * pp.size(); ++i)
             {
                 std::swap(b[a + i], b[c + i]);
             }
@@ -89,7 +63,7 @@ void exchange
     forAll(processor, i)
     {
         const polyPatch& pp = patches[processor[i]];
-        SubList<T>(b, n*pp.size(), n*(pp.start() - nInternal)) = receive[i];
+        SubList<T>(b, n * pp.size(), n * (pp.start() - nInternal)) = receive[i];
     }
     for (const label patchi : processor)
     {
@@ -105,11 +79,7 @@ void exchange
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::coupledFaces::rotate
-(
-    const label patchi,
-    UList<gasState>& b
-) const
+void Foam::mpm::coupledFaces::rotate(const label patchi, UList<gasState>& b) const
 {
     const auto& pp = refCast<const coupledPolyPatch>(patches_[patchi]);
     if (pp.parallel())
@@ -126,10 +96,8 @@ void Foam::mpm::coupledFaces::rotate
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::coupledFaces::coupledFaces(const fvMesh& mesh)
-:
-    patches_(mesh.boundaryMesh()),
-    nInternal_(mesh.nInternalFaces())
+Foam::mpm::coupledFaces::coupledFaces(const fvMesh& mesh) :
+    patches_(mesh.boundaryMesh()), nInternal_(mesh.nInternalFaces())
 {
     DynamicList<label> processor, cyclic;
     forAll(patches_, patchi)
@@ -145,11 +113,10 @@ Foam::mpm::coupledFaces::coupledFaces(const fvMesh& mesh)
         }
         else if (pp.coupled())
         {
-            FatalErrorInFunction
-                << "Patch " << pp.name() << " has type " << pp.type()
-                << ", which the gas cannot use." << nl
-                << "Valid coupled types are: (cyclic processor"
-                << " processorCyclic)" << exit(FatalError);
+            FatalErrorInFunction << "Patch " << pp.name() << " has type " << pp.type()
+                                 << ", which the gas cannot use." << nl
+                                 << "Valid coupled types are: (cyclic processor"
+                                 << " processorCyclic)" << exit(FatalError);
         }
     }
     processor_.transfer(processor);
@@ -160,22 +127,13 @@ Foam::mpm::coupledFaces::coupledFaces(const fvMesh& mesh)
 
 void Foam::mpm::coupledFaces::swap(UList<gasState>& b) const
 {
-    exchange
-    (
+    exchange(
         patches_, nInternal_, processor_, cyclic_, 1, b, send_, receive_,
-        [&](const label patchi) { rotate(patchi, b); }
-    );
+        [&](const label patchi) { rotate(patchi, b); });
 }
-
 
 void Foam::mpm::coupledFaces::swap(UList<scalar>& b, const label n) const
 {
     List<List<scalar>> send, receive;
-    exchange
-    (
-        patches_, nInternal_, processor_, cyclic_, n, b, send, receive,
-        [](const label) {}
-    );
+    exchange(patches_, nInternal_, processor_, cyclic_, n, b, send, receive, [](const label) {});
 }
-
-// ************************************************************************* //

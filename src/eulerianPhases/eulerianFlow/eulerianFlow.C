@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFlow.H"
 #include "dictionaryTools.H"
@@ -18,20 +12,16 @@ namespace Foam
 {
 namespace mpm
 {
-    defineTypeName(eulerianFlow::handle);
+defineTypeName(eulerianFlow::handle);
 }
 }
 
 // * * * * * * * * * * * * * * * * Handle  * * * * * * * * * * * * * * * * * //
 
-Foam::mpm::eulerianFlow::handle::handle(const eulerianFlow& flow)
-:
-    regIOobject
-    (
-        IOobject("eulerianFlow", flow.mesh_.time().timeName(), flow.mesh_)
-    ),
-    flow_(flow)
-{}
+Foam::mpm::eulerianFlow::handle::handle(const eulerianFlow& flow) :
+    regIOobject(IOobject("eulerianFlow", flow.mesh_.time().timeName(), flow.mesh_)), flow_(flow)
+{
+}
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
@@ -41,72 +31,48 @@ void Foam::mpm::eulerianFlow::setEnergy(const bool energy)
     rhoE_.setSize(energy ? mesh_.nCells() : 0);
 }
 
-
-Foam::IOobject Foam::mpm::eulerianFlow::header
-(
-    const word& name,
-    const IOobject::readOption read,
-    const word& of
-) const
+Foam::IOobject Foam::mpm::eulerianFlow::header(
+    const word& name, const IOobject::readOption read, const word& of) const
 {
-    return IOobject
-    (
-        IOobject::groupName(name, of),
-        mesh_.time().timeName(),
-        mesh_,
-        read,
-        IOobject::NO_WRITE
-    );
+    return IOobject(
+        IOobject::groupName(name, of), mesh_.time().timeName(), mesh_, read, IOobject::NO_WRITE);
 }
-
 
 Foam::dimensionSet Foam::mpm::eulerianFlow::dimensionsOf(const word& name)
 {
-    return
-        name == "p" || name == "thetaRhoE" ? dimPressure
-      : name == "U" ? dimVelocity
-      : name == "T" ? dimTemperature
-      : name == "rho" || name == "thetaRho" ? dimDensity
-      : name == "thetaRhoU" ? dimDensity*dimVelocity
-      : name == "psi" ? dimDensity/dimPressure
-      : dimless;
+    return name == "p" || name == "thetaRhoE" ? dimPressure
+        : name == "U"                         ? dimVelocity
+        : name == "T"                         ? dimTemperature
+        : name == "rho" || name == "thetaRho" ? dimDensity
+        : name == "thetaRhoU"                 ? dimDensity * dimVelocity
+        : name == "psi"                       ? dimDensity / dimPressure
+                                              : dimless;
 }
 
-
-const Foam::IOobject& Foam::mpm::eulerianFlow::present
-(
-    const IOobject& io
-) const
+const Foam::IOobject& Foam::mpm::eulerianFlow::present(const IOobject& io) const
 {
     const bool there = isThere(io);
     if (!there && group_.size())
     {
-        FatalErrorInFunction
-            << "Field " << io.name() << " of gas " << name_
-            << " is missing: there is no file " << io.objectPath() << "."
-            << exit(FatalError);
+        FatalErrorInFunction << "Field " << io.name() << " of gas " << name_
+                             << " is missing: there is no file " << io.objectPath() << "."
+                             << exit(FatalError);
     }
     if (!there)
     {
-        FatalErrorInFunction
-            << "Field " << io.name() << " of the fluids is missing: there is no"
-            << " file " << io.objectPath() << ". setFluids writes those of"
-            << " system/setFluidsDict." << exit(FatalError);
+        FatalErrorInFunction << "Field " << io.name() << " of the fluids is missing: there is no"
+                             << " file " << io.objectPath() << ". setFluids writes those of"
+                             << " system/setFluidsDict." << exit(FatalError);
     }
     return io;
 }
 
-
 Foam::volScalarField Foam::mpm::eulerianFlow::computed(const word& name) const
 {
-    return volScalarField
-    (
-        header(name, IOobject::NO_READ, group_),
-        mesh_,
-        dimensionedScalar(dimensionsOf(name), Zero)
-    );
+    return volScalarField(
+        header(name, IOobject::NO_READ, group_), mesh_,
+        dimensionedScalar(dimensionsOf(name), Zero));
 }
-
 
 void Foam::mpm::eulerianFlow::begin()
 {
@@ -118,7 +84,6 @@ void Foam::mpm::eulerianFlow::begin()
     updateFields();
     updateBoundaryStates();
 }
-
 
 void Foam::mpm::eulerianFlow::readState(const fieldStates* states)
 {
@@ -133,36 +98,26 @@ void Foam::mpm::eulerianFlow::readState(const fieldStates* states)
     porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
 }
 
-
 void Foam::mpm::eulerianFlow::forState(const fieldAction& f)
 {
     f(p_);
     f(U_);
-    volScalarField theta
-    (
-        header("theta", IOobject::NO_READ, group_), mesh_,
-        dimensionedScalar(dimless, Zero), "zeroGradient"
-    );
+    volScalarField theta(
+        header("theta", IOobject::NO_READ, group_), mesh_, dimensionedScalar(dimless, Zero),
+        "zeroGradient");
     theta.primitiveFieldRef() = theta_;
     theta.correctBoundaryConditions();
     f(theta);
-    volVectorField::Internal rhoU
-    (
-        header("thetaRhoU", IOobject::NO_READ, group_), mesh_,
-        dimensionsOf("thetaRhoU"), rhoU_
-    );
+    volVectorField::Internal rhoU(
+        header("thetaRhoU", IOobject::NO_READ, group_), mesh_, dimensionsOf("thetaRhoU"), rhoU_);
     f(rhoU);
     if (energy_)
     {
-        volScalarField::Internal rhoE
-        (
-            header("thetaRhoE", IOobject::NO_READ, group_), mesh_, dimPressure,
-            rhoE_
-        );
+        volScalarField::Internal rhoE(
+            header("thetaRhoE", IOobject::NO_READ, group_), mesh_, dimPressure, rhoE_);
         f(rhoE);
     }
 }
-
 
 void Foam::mpm::eulerianFlow::setRate(const scalar rate, label bad)
 {
@@ -180,34 +135,23 @@ void Foam::mpm::eulerianFlow::setRate(const scalar rate, label bad)
     }
 }
 
-
-Foam::scalar Foam::mpm::eulerianFlow::newTheta
-(
-    const scalar A,
-    const scalar D,
-    const scalar eps
-)
+Foam::scalar Foam::mpm::eulerianFlow::newTheta(const scalar A, const scalar D, const scalar eps)
 {
     scalar theta = A + D;
-    if (theta < 0.5*A)
+    if (theta < 0.5 * A)
     {
-        theta = A/(1 - D/A);
+        theta = A / (1 - D / A);
         ++fixups_.theta;
     }
-    if (theta < min(A, 0.5*eps))
+    if (theta < min(A, 0.5 * eps))
     {
-        theta = min(A, 0.5*eps);
+        theta = min(A, 0.5 * eps);
         ++fixups_.theta;
     }
     return theta;
 }
 
-
-void Foam::mpm::eulerianFlow::bookFixup
-(
-    const label celli,
-    const scalar energy
-)
+void Foam::mpm::eulerianFlow::bookFixup(const label celli, const scalar energy)
 {
     fixups_.energy += energy;
     if (mag(energy) > fixedMost_)
@@ -221,7 +165,6 @@ void Foam::mpm::eulerianFlow::bookFixup
     }
 }
 
-
 Foam::string Foam::mpm::eulerianFlow::pressures() const
 {
     scalar least = GREAT, most = -GREAT;
@@ -231,11 +174,9 @@ Foam::string Foam::mpm::eulerianFlow::pressures() const
         most = max(most, w.p);
     }
     OStringStream os;
-    os  << returnReduce(least, minOp<scalar>()) << " to "
-        << returnReduce(most, maxOp<scalar>());
+    os << returnReduce(least, minOp<scalar>()) << " to " << returnReduce(most, maxOp<scalar>());
     return os.str();
 }
-
 
 void Foam::mpm::eulerianFlow::reportFilled() const
 {
@@ -243,11 +184,9 @@ void Foam::mpm::eulerianFlow::reportFilled() const
     const scalar mass = total(fixups_.filledMass);
     if (volume != 0)
     {
-        Info<< "    filled what points left: " << volume << " m3, mass "
-            << mass << endl;
+        Info << "    filled what points left: " << volume << " m3, mass " << mass << endl;
     }
 }
-
 
 void Foam::mpm::eulerianFlow::addViscosity(const scalar dt)
 {
@@ -264,7 +203,6 @@ void Foam::mpm::eulerianFlow::addViscosity(const scalar dt)
     }
 }
 
-
 void Foam::mpm::eulerianFlow::bookGravity(const scalar dt)
 {
     const scalarField& V = mesh_.V();
@@ -272,27 +210,22 @@ void Foam::mpm::eulerianFlow::bookGravity(const scalar dt)
     {
         forAll(rho_, c)
         {
-            flows_->gravityImpulse += dt*V[c]*rho_[c]*g_;
-            flows_->gravityWork += dt*V[c]*(rhoU_[c] & g_);
+            flows_->gravityImpulse += dt * V[c] * rho_[c] * g_;
+            flows_->gravityWork += dt * V[c] * (rhoU_[c] & g_);
         }
     }
 }
 
-
 void Foam::mpm::eulerianFlow::stop(const label celli)
 {
     // One processor tells
-    const label teller = returnReduce
-    (
-        celli < 0 ? Pstream::nProcs() : Pstream::myProcNo(),
-        minOp<label>()
-    );
+    const label teller =
+        returnReduce(celli < 0 ? Pstream::nProcs() : Pstream::myProcNo(), minOp<label>());
     if (teller == Pstream::nProcs())
     {
-        FatalErrorInFunction
-            << "The time step of " << name_ << " would be 0 although the state"
-            << " of each cell is good: a speed in constant/phaseProperties has"
-            << " no value of a fluid." << exit(FatalError);
+        FatalErrorInFunction << "The time step of " << name_ << " would be 0 although the state"
+                             << " of each cell is good: a speed in constant/phaseProperties has"
+                             << " no value of a fluid." << exit(FatalError);
     }
     string text;
     if (teller == Pstream::myProcNo())
@@ -310,15 +243,9 @@ void Foam::mpm::eulerianFlow::stop(const label celli)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::eulerianFlow::eulerianFlow
-(
-    const fvMesh& mesh,
-    const word& name,
-    const word& group,
-    const vector& g,
-    const fieldStates* states
-)
-:
+Foam::mpm::eulerianFlow::eulerianFlow(
+    const fvMesh& mesh, const word& name, const word& group, const vector& g,
+    const fieldStates* states) :
     mesh_(mesh),
     name_(name),
     group_(group),
@@ -336,12 +263,9 @@ Foam::mpm::eulerianFlow::eulerianFlow
     p_(startField<volScalarField>("p", states, word::null)),
     U_(startField<volVectorField>("U", states, group)),
     psi_(computed("psi")),
-    phiField_
-    (
-        header("phi", IOobject::NO_READ, group_),
-        mesh,
-        dimensionedScalar(dimVolume/dimTime, Zero)
-    ),
+    phiField_(
+        header("phi", IOobject::NO_READ, group_), mesh,
+        dimensionedScalar(dimVolume / dimTime, Zero)),
     phi_(mesh.nFaces(), 0),
     pStar_(mesh.nFaces(), 0),
     limits_(false),
@@ -363,38 +287,27 @@ Foam::mpm::eulerianFlow::eulerianFlow
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFlow::addSources
-(
-    const UList<label>& cells,
-    const UList<vector>& momentum,
-    const UList<scalar>& energy,
-    const UList<vector>& ahead
-)
+void Foam::mpm::eulerianFlow::addSources(
+    const UList<label>& cells, const UList<vector>& momentum, const UList<scalar>& energy,
+    const UList<vector>& ahead)
 {
     for (const label c : cells)
     {
         rhoU_[c] += momentum[c];
         rhoE_[c] += energy[c];
-        W_[c].u =
-            (ahead.size() ? vector(rhoU_[c] + ahead[c]) : rhoU_[c])/rho_[c];
+        W_[c].u = (ahead.size() ? vector(rhoU_[c] + ahead[c]) : rhoU_[c]) / rho_[c];
         U_[c] = W_[c].u;
     }
     velocityChanged();
 }
 
-
-void Foam::mpm::eulerianFlow::addHeat
-(
-    const UList<label>& cells,
-    const UList<scalar>& energy
-)
+void Foam::mpm::eulerianFlow::addHeat(const UList<label>& cells, const UList<scalar>& energy)
 {
     forAll(cells, i)
     {
         rhoE_[cells[i]] += energy[i];
     }
 }
-
 
 void Foam::mpm::eulerianFlow::correct()
 {
@@ -414,34 +327,23 @@ void Foam::mpm::eulerianFlow::correct()
     updateBoundaryStates();
 }
 
-
 void Foam::mpm::eulerianFlow::writeFields()
 {
     const fullPrecision allDigits;
-    forState
-    (
+    forState(
         [&](regIOobject& field)
         {
             field.instance() = mesh_.time().timeName();
             field.write();
-        }
-    );
+        });
 }
-
 
 Foam::mpm::fieldStates Foam::mpm::eulerianFlow::takeDown()
 {
     fieldStates states;
-    forState
-    (
-        [&](const regIOobject& field)
-        {
-            states.set(field.name(), fieldDictionary(field));
-        }
-    );
+    forState([&](const regIOobject& field) { states.set(field.name(), fieldDictionary(field)); });
     return states;
 }
-
 
 Foam::dictionary Foam::mpm::eulerianFlow::state() const
 {
@@ -456,7 +358,6 @@ Foam::dictionary Foam::mpm::eulerianFlow::state() const
     state.add("filledMass", total(fixups_.filledMass));
     return state;
 }
-
 
 void Foam::mpm::eulerianFlow::setState(const dictionary& state)
 {
@@ -474,23 +375,14 @@ void Foam::mpm::eulerianFlow::setState(const dictionary& state)
     }
 }
 
-
-Foam::scalar Foam::mpm::eulerianFlow::mass() const
-{
-    return sum(mesh_.V().field()*rho_);
-}
-
+Foam::scalar Foam::mpm::eulerianFlow::mass() const { return sum(mesh_.V().field() * rho_); }
 
 Foam::vector Foam::mpm::eulerianFlow::momentum() const
 {
-    return sum(mesh_.V().field()*rhoU_) + promised_;
+    return sum(mesh_.V().field() * rhoU_) + promised_;
 }
-
 
 Foam::scalar Foam::mpm::eulerianFlow::energy() const
 {
-    return
-        rhoE_.size() ? sum(mesh_.V().field()*rhoE_) + promisedEnergy_ : 0;
+    return rhoE_.size() ? sum(mesh_.V().field() * rhoE_) + promisedEnergy_ : 0;
 }
-
-// ************************************************************************* //

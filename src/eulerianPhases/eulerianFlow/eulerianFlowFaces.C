@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFlow.H"
 #include "noTraps.H"
@@ -22,15 +16,9 @@ using namespace Foam;
 //- Call cell(n) for a cell and those beside it, boundary(b) for coupled faces,
 //  which have p > 0 in behind
 template<class Cell, class Behind>
-void around
-(
-    const polyMesh& mesh,
-    const label c,
-    const bool neighbours,
-    const UList<mpm::gasState>& behind,
-    const Cell& cell,
-    const Behind& boundary
-)
+void around(
+    const polyMesh& mesh, const label c, const bool neighbours, const UList<mpm::gasState>& behind,
+    const Cell& cell, const Behind& boundary)
 {
     cell(c);
     if (!neighbours)
@@ -71,12 +59,8 @@ void Foam::mpm::eulerianFlow::setFaces()
             continue;
         }
         const fvPatchVectorField& Ub = U_.boundaryField()[patchi];
-        const bool wall =
-            (
-                Ub.fixesValue()
-             || isA<basicSymmetryFvPatchVectorField>(Ub)
-            )
-         && !p_.boundaryField()[patchi].fixesValue();
+        const bool wall = (Ub.fixesValue() || isA<basicSymmetryFvPatchVectorField>(Ub))
+            && !p_.boundaryField()[patchi].fixesValue();
         for (label f = pp.start(); f < pp.start() + pp.size(); ++f)
         {
             (pp.coupled() ? coupled : boundary).append(f);
@@ -94,9 +78,9 @@ void Foam::mpm::eulerianFlow::setFaces()
     const auto add = [&](const label f, const label c)
     {
         const vector& S = mesh_.faceAreas()[f];
-        const scalar h = 0.5/mesh_.V()[c];
-        faceRates_.directions[c] += h*cmptMag(S);
-        faceRates_.all[c] += h*mag(S);
+        const scalar h = 0.5 / mesh_.V()[c];
+        faceRates_.directions[c] += h * cmptMag(S);
+        faceRates_.all[c] += h * mag(S);
     };
     for (label f = 0; f < nInternal; ++f)
     {
@@ -123,7 +107,6 @@ void Foam::mpm::eulerianFlow::setFaces()
     }
     coupled_.swap(faces_.Vb);
 }
-
 
 void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
 {
@@ -165,7 +148,6 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
     }
 }
 
-
 void Foam::mpm::eulerianFlow::updateFarStates()
 {
     forAll(far_->faces(), i)
@@ -182,12 +164,7 @@ void Foam::mpm::eulerianFlow::updateFarStates()
     }
 }
 
-
-void Foam::mpm::eulerianFlow::farFaces
-(
-    const solidOnFaces* pores,
-    const boolList* first
-)
+void Foam::mpm::eulerianFlow::farFaces(const solidOnFaces* pores, const boolList* first)
 {
     forAll(far_->faces(), i)
     {
@@ -206,7 +183,7 @@ void Foam::mpm::eulerianFlow::farFaces
         }
         scalar& out = out_[c];
         out -= max(phi_[f], scalar(0));
-        phi_[f] = s.u*faces_.magS[f];
+        phi_[f] = s.u * faces_.magS[f];
         pStar_[f] = s.p;
         if (pores && near_[c])
         {
@@ -214,39 +191,31 @@ void Foam::mpm::eulerianFlow::farFaces
             phi_[f] *= 1 - pores->thetaS[f];
             if (pores->area)
             {
-                phi_[f] += pores->thetaS[f]*pores->uS[f]*faces_.magS[f];
+                phi_[f] += pores->thetaS[f] * pores->uS[f] * faces_.magS[f];
             }
         }
         out = max(out, scalar(0)) + max(phi_[f], scalar(0));
     }
 }
 
-
 void Foam::mpm::eulerianFlow::addWedgeSides(const boolList* first)
 {
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        const label n =
-            !reconstruction_.upwind() && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
+        const label n = !reconstruction_.upwind() && isA<wedgePolyPatch>(pp) ? pp.size() : 0;
         for (label f = pp.start(); f < pp.start() + n; ++f)
         {
             const label P = mesh_.faceOwner()[f];
             if (!(first && (*first)[P]))
             {
                 sums_[P].rhoU +=
-                    (reconstruction_.faces()[f].own.p - W_[P].p)
-                   *mesh_.faceAreas()[f];
+                    (reconstruction_.faces()[f].own.p - W_[P].p) * mesh_.faceAreas()[f];
             }
         }
     }
 }
 
-
-void Foam::mpm::eulerianFlow::limitOutflow
-(
-    const scalar dt,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFlow::limitOutflow(const scalar dt, const solidOnFaces* pores)
 {
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
@@ -256,16 +225,13 @@ void Foam::mpm::eulerianFlow::limitOutflow
     const auto most = [&](const label c)
     {
         const scalar theta = theta_[c];
-        return
-            pores
-          ? max(min(0.9*theta, theta - 0.5*pores->eps), pores->leak*theta)
-          : 0.9;
+        return pores ? max(min(0.9 * theta, theta - 0.5 * pores->eps), pores->leak * theta) : 0.9;
     };
 
     limits_ = false;
     forAll(out_, c)
     {
-        if (dt*out_[c] > most(c)*V[c])
+        if (dt * out_[c] > most(c) * V[c])
         {
             limits_ = true;
             break;
@@ -279,10 +245,10 @@ void Foam::mpm::eulerianFlow::limitOutflow
 
     forAll(out_, c)
     {
-        const scalar allowed = most(c)*V[c]/dt;
+        const scalar allowed = most(c) * V[c] / dt;
         if (out_[c] > allowed)
         {
-            out_[c] = allowed/out_[c];
+            out_[c] = allowed / out_[c];
             ++fixups_.limited;
         }
         else
@@ -301,30 +267,25 @@ void Foam::mpm::eulerianFlow::limitOutflow
     for (label f = 0; f < nInternal; ++f)
     {
         const label donor = phi_[f] > 0 ? own[f] : nei[f];
-        phiLimited_[f] = phi_[f]*out_[donor];
-        fixups_.heldBack +=
-            dt*mag(phi_[f] - phiLimited_[f])*W_[donor].rho;
+        phiLimited_[f] = phi_[f] * out_[donor];
+        fixups_.heldBack += dt * mag(phi_[f] - phiLimited_[f]) * W_[donor].rho;
     }
     for (const labelList* list : {&faces_.coupled, &faces_.boundary})
     {
         for (const label f : *list)
         {
-            phiLimited_[f] =
-                phi_[f]*(phi_[f] > 0 ? out_[own[f]] : behind[f - nInternal]);
+            phiLimited_[f] = phi_[f] * (phi_[f] > 0 ? out_[own[f]] : behind[f - nInternal]);
 
             // What comes in is counted where it leaves
             if (phi_[f] > 0)
             {
-                fixups_.heldBack +=
-                    dt*(phi_[f] - phiLimited_[f])*W_[own[f]].rho;
+                fixups_.heldBack += dt * (phi_[f] - phiLimited_[f]) * W_[own[f]].rho;
             }
         }
     }
 }
 
-
-Foam::DynamicList<Foam::mpm::eulerianFlow::column>
-Foam::mpm::eulerianFlow::columns()
+Foam::DynamicList<Foam::mpm::eulerianFlow::column> Foam::mpm::eulerianFlow::columns()
 {
     DynamicList<column> all;
     all.append({theta_.data(), 1});
@@ -349,7 +310,7 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
     for (const label f : faces_.coupled)
     {
         const label P = mesh_.faceOwner()[f];
-        other[f - nInternal] = gasState{V[P]*theta_[P], V[P]*rhoU_[P], 1};
+        other[f - nInternal] = gasState{V[P] * theta_[P], V[P] * rhoU_[P], 1};
     }
     coupled_.swap(other);
 
@@ -364,24 +325,22 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
         }
         scalar volume = 0;
         vector momentum(Zero);
-        around
-        (
+        around(
             mesh_, c, change[c] > 0, other,
             [&](const label n)
             {
-                volume += V[n]*theta_[n];
-                momentum += V[n]*rhoU_[n];
+                volume += V[n] * theta_[n];
+                momentum += V[n] * rhoU_[n];
             },
             [&](const label b)
             {
                 volume += other[b].rho;
                 momentum += other[b].u;
-            }
-        );
+            });
         cells.append(c);
-        factor.append(change[c]/volume);
-        rhoU.append(change[c]/volume*momentum);
-        fixups_.filled += V[c]*change[c];
+        factor.append(change[c] / volume);
+        rhoU.append(change[c] / volume * momentum);
+        fixups_.filled += V[c] * change[c];
     }
 
     const scalar mass0 = mass(), energy0 = energy();
@@ -393,13 +352,13 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
     for (const column& of : columns())
     {
         // All changes before any
-        scalarField behind(of.n*nBehind, 0), add(of.n*cells.size(), 0);
+        scalarField behind(of.n * nBehind, 0), add(of.n * cells.size(), 0);
         for (const label f : faces_.coupled)
         {
             const label P = mesh_.faceOwner()[f];
             for (label k = 0; k < of.n; ++k)
             {
-                behind[of.n*(f - nInternal) + k] = V[P]*of.values[of.n*P + k];
+                behind[of.n * (f - nInternal) + k] = V[P] * of.values[of.n * P + k];
             }
         }
         coupled_.swap(behind, of.n);
@@ -409,20 +368,18 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
             for (label k = 0; k < of.n; ++k)
             {
                 scalar sum = 0;
-                around
-                (
+                around(
                     mesh_, c, change[c] > 0, other,
-                    [&](const label n) { sum += V[n]*of.values[of.n*n + k]; },
-                    [&](const label b) { sum += behind[of.n*b + k]; }
-                );
-                add[of.n*i + k] = factor[i]*sum;
+                    [&](const label n) { sum += V[n] * of.values[of.n * n + k]; },
+                    [&](const label b) { sum += behind[of.n * b + k]; });
+                add[of.n * i + k] = factor[i] * sum;
             }
         }
         forAll(cells, i)
         {
             for (label k = 0; k < of.n; ++k)
             {
-                of.values[of.n*cells[i] + k] += add[of.n*i + k];
+                of.values[of.n * cells[i] + k] += add[of.n * i + k];
             }
         }
     }
@@ -431,7 +388,7 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
     forAll(cells, i)
     {
         rhoU_[cells[i]] += rhoU[i];
-        impulse += V[cells[i]]*rhoU[i];
+        impulse += V[cells[i]] * rhoU[i];
     }
     fixups_.filledMass += mass() - mass0;
     if (flows_)
@@ -450,5 +407,3 @@ void Foam::mpm::eulerianFlow::fill(const UList<scalar>& change)
         }
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
 #include "dictionaryTools.H"
@@ -13,11 +7,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFluids::oneFluid
-(
-    const label k,
-    const labelUList& cells
-)
+void Foam::mpm::eulerianFluids::oneFluid(const label k, const labelUList& cells)
 {
     constexpr label room = gasThermo::room;
     scalar rho[room], e[room], p[room], c2[room], strength[room], F[room];
@@ -28,55 +18,48 @@ void Foam::mpm::eulerianFluids::oneFluid
         for (label i = 0; i < n; ++i)
         {
             const label c = cells[first + i];
-            const scalar m = mass_[n_*c + k];
+            const scalar m = mass_[n_ * c + k];
             gasState& w = W_[c];
-            w.u = rhoU_[c]/m;
-            w.rho = m/theta_[c];
+            w.u = rhoU_[c] / m;
+            w.rho = m / theta_[c];
             rho[i] = w.rho;
-            e[i] = (rhoE_[c] - 0.5*(rhoU_[c] & w.u))/m;
-            F[i] = burns ? burnt_[n_*c + k] : 1;
+            e[i] = (rhoE_[c] - 0.5 * (rhoU_[c] & w.u)) / m;
+            F[i] = burns ? burnt_[n_ * c + k] : 1;
         }
-        mixture_.pressures
-        (
-            k, n, rho, e, p, c2, strength, burns ? F : nullptr
-        );
+        mixture_.pressures(k, n, rho, e, p, c2, strength, burns ? F : nullptr);
         for (label i = 0; i < n; ++i)
         {
             const label c = cells[first + i];
             W_[c].p = p[i];
-            t_[c].K = rho[i]*c2[i];
-            t_[c].rhoE = rho[i]*e[i];
+            t_[c].K = rho[i] * c2[i];
+            t_[c].rhoE = rho[i] * e[i];
             t_[c].strength = strength[i];
-            z_[c] = rho[i]*std::sqrt(max(c2[i], scalar(0)));
+            z_[c] = rho[i] * std::sqrt(max(c2[i], scalar(0)));
         }
     }
 }
 
-
 void Foam::mpm::eulerianFluids::severalFluids(const label c)
 {
-    const scalar* theta = part_.cdata() + n_*c;
-    const scalar* m = mass_.cdata() + n_*c;
+    const scalar* theta = part_.cdata() + n_ * c;
+    const scalar* m = mass_.cdata() + n_ * c;
     scalar total = 0;
     for (label k = 0; k < n_; ++k)
     {
         total += m[k];
     }
     gasState& w = W_[c];
-    w.rho = total/theta_[c];
-    w.u = rhoU_[c]/total;
-    const scalar energy = rhoE_[c] - 0.5*(rhoU_[c] & w.u);
+    w.rho = total / theta_[c];
+    w.u = rhoU_[c] / total;
+    const scalar energy = rhoE_[c] - 0.5 * (rhoU_[c] & w.u);
     const scalar* F = burntOf(c);
-    w.p =
-        relaxedP_[c] > 0
-      ? relaxedP_[c] : mixture_.pressure(theta, m, energy, F);
+    w.p = relaxedP_[c] > 0 ? relaxedP_[c] : mixture_.pressure(theta, m, energy, F);
     const fluidMixture::moduli all(mixture_.at(theta, m, w.p, F));
     t_[c].K = all.wood;
-    t_[c].rhoE = energy/theta_[c];
+    t_[c].rhoE = energy / theta_[c];
     t_[c].strength = all.strength;
-    z_[c] = std::sqrt(max(w.rho*all.frozen, scalar(0)));
+    z_[c] = std::sqrt(max(w.rho * all.frozen, scalar(0)));
 }
-
 
 void Foam::mpm::eulerianFluids::primitives()
 {
@@ -90,7 +73,7 @@ void Foam::mpm::eulerianFluids::primitives()
             label only = -1, several = 0;
             for (label k = 0; k < n_; ++k)
             {
-                if (mass_[n_*c + k] > 0)
+                if (mass_[n_ * c + k] > 0)
                 {
                     only = k;
                     ++several;
@@ -116,8 +99,7 @@ void Foam::mpm::eulerianFluids::primitives()
             U_[c] = w.u;
             rho0_[c] = w.rho;
             const scalar r =
-                (cmptMag(w.u) & faceRates_.directions[c])
-              + z_[c]/w.rho*faceRates_.all[c];
+                (cmptMag(w.u) & faceRates_.directions[c]) + z_[c] / w.rho * faceRates_.all[c];
             if (!(w.rho > 0 && t_[c].K > 0 && r < GREAT))
             {
                 bad = bad < 0 ? c : bad;
@@ -130,9 +112,9 @@ void Foam::mpm::eulerianFluids::primitives()
             const scalar D = mixture_.detonates(k)->speed();
             forAll(W_, c)
             {
-                if (mass_[n_*c + k] > 0 && burnt_[n_*c + k] < 1)
+                if (mass_[n_ * c + k] > 0 && burnt_[n_ * c + k] < 1)
                 {
-                    rate = max(rate, D*faceRates_.all[c]);
+                    rate = max(rate, D * faceRates_.all[c]);
                 }
             }
         }
@@ -144,41 +126,24 @@ void Foam::mpm::eulerianFluids::primitives()
     setRate(rate, bad);
 }
 
-
-Foam::mpm::farField::medium::part Foam::mpm::eulerianFluids::partOf
-(
-    const label k,
-    const scalar Y,
-    const scalar rho,
-    const scalar p,
-    const scalar F
-) const
+Foam::mpm::farField::medium::part Foam::mpm::eulerianFluids::partOf(
+    const label k, const scalar Y, const scalar rho, const scalar p, const scalar F) const
 {
-    return farField::medium::isentrope
-    (
+    return farField::medium::isentrope(
         Y, rho, p,
         [&](const scalar rho, const scalar p)
-        {
-            return rho*fluidMixture::c2(mixture_.at(k, rho, F), rho, p);
-        }
-    );
+        { return rho * fluidMixture::c2(mixture_.at(k, rho, F), rho, p); });
 }
 
-
-Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
-(
-    const label i,
-    const gasState& L,
-    const scalar z
-)
+Foam::mpm::farField::state
+Foam::mpm::eulerianFluids::farState(const label i, const gasState& L, const scalar z)
 {
     const farField::face& a = far_->faces()[i];
     const label c = mesh_.faceOwner()[a.f], b = a.f - mesh_.nInternalFaces();
     const scalar pFar = far_->p(i);
-    const bool ofCell = alphaB_[n_*b] < 0;
+    const bool ofCell = alphaB_[n_ * b] < 0;
     farField::medium of;
-    of.outside =
-        !ofCell && farField::fixes(alpha_[0].boundaryField()[a.patch]);
+    of.outside = !ofCell && farField::fixes(alpha_[0].boundaryField()[a.patch]);
 
     // The shares of the conditions at the pressure far away
     const auto given = [&]
@@ -189,16 +154,15 @@ Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
         scalar all = 0;
         for (label k = 0; k < n_; ++k)
         {
-            rho[k] =
-                density(k, state_[k].boundaryField()[a.patch][a.i], pFar);
-            all += alphaB_[n_*b + k]*rho[k];
+            rho[k] = density(k, state_[k].boundaryField()[a.patch][a.i], pFar);
+            all += alphaB_[n_ * b + k] * rho[k];
         }
         for (label k = 0; k < n_; ++k)
         {
-            const scalar m = alphaB_[n_*b + k]*rho[k];
+            const scalar m = alphaB_[n_ * b + k] * rho[k];
             if (m > 0)
             {
-                of.add(partOf(k, m/all, rho[k], pFar, burntBehind(b, k)));
+                of.add(partOf(k, m / all, rho[k], pFar, burntBehind(b, k)));
             }
         }
     };
@@ -211,11 +175,11 @@ Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
         of.p = W_[c].p;
         for (label k = 0; k < n_; ++k)
         {
-            const scalar m = mass_[n_*c + k];
+            const scalar m = mass_[n_ * c + k];
             if (m > 0)
             {
-                const scalar rho = m/part_[n_*c + k];
-                of.add(partOf(k, m/rho_[c], rho, of.p, burntOf(c, k)));
+                const scalar rho = m / part_[n_ * c + k];
+                of.add(partOf(k, m / rho_[c], rho, of.p, burntOf(c, k)));
             }
         }
     }
@@ -234,10 +198,10 @@ Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
         s.behind.rho = 0;
         for (label k = 0, j = 0; k < n_; ++k)
         {
-            if (alphaB_[n_*b + k] > 0)
+            if (alphaB_[n_ * b + k] > 0)
             {
-                rhoB_[n_*b + k] = of.rho(j++, s.p);
-                s.behind.rho += alphaB_[n_*b + k]*rhoB_[n_*b + k];
+                rhoB_[n_ * b + k] = of.rho(j++, s.p);
+                s.behind.rho += alphaB_[n_ * b + k] * rhoB_[n_ * b + k];
             }
         }
     }
@@ -246,28 +210,22 @@ Foam::mpm::farField::state Foam::mpm::eulerianFluids::farState
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::eulerianFluids::eulerianFluids
-(
-    const fvMesh& mesh,
-    const dictionary& properties,
-    const wordList& names,
-    const vector& g,
-    const fieldStates* states
-)
-:
+Foam::mpm::eulerianFluids::eulerianFluids(
+    const fvMesh& mesh, const dictionary& properties, const wordList& names, const vector& g,
+    const fieldStates* states) :
     eulerianFlow(mesh, "fluids", word::null, g, states),
     mixture_(properties, names),
     n_(names.size()),
     lowMach_(settings(properties).getOrDefault<bool>("lowMach", false)),
     chi_(boundedOrDefault(settings(properties), "drainage", 0.1, 0, 1)),
     porousFlux_(settings(properties), faces_),
-    part_(n_*mesh.nCells(), Zero),
-    mass_(n_*mesh.nCells(), Zero),
+    part_(n_ * mesh.nCells(), Zero),
+    mass_(n_ * mesh.nCells(), Zero),
     relaxedP_(mesh.nCells(), -1),
     z_(W_.size()),
     zB_(Wb_.size(), 1),
-    alphaB_(n_*Wb_.size(), Zero),
-    rhoB_(n_*Wb_.size(), Zero),
+    alphaB_(n_ * Wb_.size(), Zero),
+    rhoB_(n_ * Wb_.size(), Zero),
     rho0_(computed("rho")),
     first_(W_.size() + Wb_.size(), false),
     dropped_(0),
@@ -283,30 +241,19 @@ Foam::mpm::eulerianFluids::eulerianFluids
     {
         const dictionary& dict = requiredDict(properties, name);
         wordList valid(gasThermo::New(dict)->keywords());
-        valid.append
-        (
-            wordList({"type", "detonation", "nuclei", "mu", "kappa"})
-        );
+        valid.append(wordList({"type", "detonation", "nuclei", "mu", "kappa"}));
         checkKeywords(dict, valid);
     }
-    checkKeywords
-    (
+    checkKeywords(
         settings(properties),
-        {
-            "lowMach", "drainage", "mu", "Pr", "poreFloor", "faceDrag",
-            "solidFraction", "viscous"
-        }
-    );
+        {"lowMach", "drainage", "mu", "Pr", "poreFloor", "faceDrag", "solidFraction", "viscous"});
     setEnergy(true);
     t_.setSize(W_.size());
     tb_.setSize(Wb_.size(), stateTerms{1, 0, 1});
     makeFields(states);
     forAll(nuclei_, k)
     {
-        nuclei_[k] = boundedOrDefault
-        (
-            requiredDict(properties, names[k]), "nuclei", 0, 0, 0.01
-        );
+        nuclei_[k] = boundedOrDefault(requiredDict(properties, names[k]), "nuclei", 0, 0, 0.01);
     }
     makeBurnt(states);
     readViscosity(properties);
@@ -320,13 +267,11 @@ Foam::mpm::eulerianFluids::eulerianFluids
     start(states);
     startBurning();
 
-    Info<< "Fluids with one velocity and one pressure, "
-        << returnReduce(mesh.nCells(), sumOp<label>()) << " cells:" << nl;
+    Info << "Fluids with one velocity and one pressure, "
+         << returnReduce(mesh.nCells(), sumOp<label>()) << " cells:" << nl;
     tellStart(properties);
-    Info<< "    reconstruction: " << reconstruction_.description().c_str()
-        << nl << endl;
+    Info << "    reconstruction: " << reconstruction_.description().c_str() << nl << endl;
 }
-
 
 bool Foam::mpm::eulerianFluids::setTheta(const UList<scalar>& theta)
 {
@@ -355,7 +300,6 @@ bool Foam::mpm::eulerianFluids::setTheta(const UList<scalar>& theta)
     return false;
 }
 
-
 void Foam::mpm::eulerianFluids::velocityChanged()
 {
     if (coupled_.empty())
@@ -369,5 +313,3 @@ void Foam::mpm::eulerianFluids::velocityChanged()
     }
     coupled_.swap(Wb_);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
 #include "noTraps.H"
@@ -22,7 +16,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
 
     // Shares in the flux of faces between slots, and through coupled ones
     interfaces_->setTransverse(contents(), phi);
-    DynamicList<scalar> shares(8*n_*interfaces_->cells().size());
+    DynamicList<scalar> shares(8 * n_ * interfaces_->cells().size());
     faceStart_.setSize(mesh_.nFaces());
     DynamicList<scalar> receiver(n_);
     receiver.setSize(n_);
@@ -30,7 +24,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
     {
         for (label k = 0; k < n_; ++k)
         {
-            receiver[k] = part_[n_*c + k]/theta_[c];
+            receiver[k] = part_[n_ * c + k] / theta_[c];
         }
         return receiver.cdata();
     };
@@ -39,11 +33,8 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
         const label at = shares.size();
         faceStart_[f] = at;
         shares.setSize(at + n_);
-        interfaces_->shares
-        (
-            contents(), f, D, own[f] == D, dt, phi[f], outflow_[D], to,
-            shares.begin() + at
-        );
+        interfaces_->shares(
+            contents(), f, D, own[f] == D, dt, phi[f], outflow_[D], to, shares.begin() + at);
     };
     for (label f = 0; f < nInternal; ++f)
     {
@@ -59,7 +50,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
         const label P = own[f];
         if (slot[P] >= 0)
         {
-            const scalar* alpha = alphaB_.cdata() + n_*(f - nInternal);
+            const scalar* alpha = alphaB_.cdata() + n_ * (f - nInternal);
             if (phi[f] > 0)
             {
                 add(f, P, alpha[0] < 0 ? of(P) : alpha);
@@ -71,10 +62,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
                 shares.setSize(at + n_);
                 if (alpha[0] < 0)
                 {
-                    interfaces_->sharesOfCell
-                    (
-                        contents(), f, P, dt, shares.begin() + at
-                    );
+                    interfaces_->sharesOfCell(contents(), f, P, dt, shares.begin() + at);
                 }
                 else
                 {
@@ -105,7 +93,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
             }
             if (phi[f] > 0)
             {
-                add(f, P, alphaB_.cdata() + n_*i);
+                add(f, P, alphaB_.cdata() + n_ * i);
                 for (label k = 0; k < n_; ++k)
                 {
                     sent[k][i] = shares[faceStart_[f] + k];
@@ -131,14 +119,8 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
     faceShares_.transfer(shares);
 }
 
-
-void Foam::mpm::eulerianFluids::addFluids
-(
-    const label f,
-    const label P,
-    const label N,
-    const scalar dt
-)
+void Foam::mpm::eulerianFluids::addFluids(
+    const label f, const label P, const label N, const scalar dt)
 {
     const label nInternal = mesh_.nInternalFaces();
     const scalar phi = phiLimited()[f];
@@ -146,17 +128,16 @@ void Foam::mpm::eulerianFluids::addFluids
     const bool behind = f >= nInternal && !out;
     const label D = out ? P : N, i = f - nInternal;
     const bool first =
-        reconstruction_.upwind() || first_[P]
-     || first_[f < nInternal ? N : mesh_.nCells() + i];
+        reconstruction_.upwind() || first_[P] || first_[f < nInternal ? N : mesh_.nCells() + i];
     const gasState& w0 = behind ? Wb_[i] : W_[D];
-    const gasState& w =
-        first ? w0
-      : out ? reconstruction_.faces()[f].own : reconstruction_.faces()[f].nei;
+    const gasState& w = first ? w0
+        : out                 ? reconstruction_.faces()[f].own
+                              : reconstruction_.faces()[f].nei;
     const scalar* alpha = faceShares_.cdata() + faceStart_[f];
 
     // The largest fluid has the reconstructed state, of others there is no
     // more than in the cell
-    const scalar denser = w.rho/w0.rho;
+    const scalar denser = w.rho / w0.rho;
     sums& s = face_;
     s = sums{0, Zero, 0};
     const label a = interfaces_->slot()[P];
@@ -168,38 +149,32 @@ void Foam::mpm::eulerianFluids::addFluids
         {
             continue;
         }
-        const bool ofCell = behind && alphaB_[n_*i] < 0;
+        const bool ofCell = behind && alphaB_[n_ * i] < 0;
         const label c = ofCell ? P : D;
         const scalar share =
-            behind && !ofCell ? alphaB_[n_*i + k] : part_[n_*c + k]/theta_[c];
+            behind && !ofCell ? alphaB_[n_ * i + k] : part_[n_ * c + k] / theta_[c];
         const bool large = share > 0.5;
         const scalar p = large ? w.p : w0.p;
-        const scalar rho =
-            (large ? denser : 1)
-           *(
-                behind && !ofCell
-              ? rhoB_[n_*i + k] : mass_[n_*c + k]/part_[n_*c + k]
-            );
-        const scalar volume = phi*alpha[k];
-        const scalar m = volume*rho;
-        const scalar F =
-            behind && !ofCell ? burntBehind(i, k) : burntOf(c, k);
-        const scalar e =
-            volume*fluidMixture::energy(mixture_.at(k, rho, F), rho, p);
+        const scalar rho = (large ? denser : 1)
+            * (behind && !ofCell ? rhoB_[n_ * i + k] : mass_[n_ * c + k] / part_[n_ * c + k]);
+        const scalar volume = phi * alpha[k];
+        const scalar m = volume * rho;
+        const scalar F = behind && !ofCell ? burntBehind(i, k) : burntOf(c, k);
+        const scalar e = volume * fluidMixture::energy(mixture_.at(k, rho, F), rho, p);
         faceMass_[k] = m;
         if (mixture_.detonates(k))
         {
-            addBurnt(k, f, m*F);
+            addBurnt(k, f, m * F);
         }
         s.rho += m;
         s.rhoE += e;
         const auto add = [&](const label slot, const label c, const scalar sign)
         {
-            fluidMixture::share& to = shares_[n_*slot + k];
-            const scalar h = sign*dt/mesh_.V()[c];
-            to.A -= h*volume;
-            to.m -= h*m;
-            to.e0 -= h*e;
+            fluidMixture::share& to = shares_[n_ * slot + k];
+            const scalar h = sign * dt / mesh_.V()[c];
+            to.A -= h * volume;
+            to.m -= h * m;
+            to.e0 -= h * e;
         };
         if (a >= 0)
         {
@@ -210,34 +185,20 @@ void Foam::mpm::eulerianFluids::addFluids
             add(b, N, -1);
         }
     }
-    s.rhoU = s.rho*w.u;
-    s.rhoE += 0.5*s.rho*magSqr(w.u) + pStar_[f]*working()[f];
+    s.rhoU = s.rho * w.u;
+    s.rhoE += 0.5 * s.rho * magSqr(w.u) + pStar_[f] * working()[f];
 }
 
-
-void Foam::mpm::eulerianFluids::addAlone
-(
-    const label f,
-    const gasState& w,
-    const scalar rhoE
-)
+void Foam::mpm::eulerianFluids::addAlone(const label f, const gasState& w, const scalar rhoE)
 {
     const scalar phi = phiLimited()[f];
-    face_.rho = phi*w.rho;
-    face_.rhoU = face_.rho*w.u;
-    face_.rhoE =
-        phi*rhoE + 0.5*face_.rho*magSqr(w.u) + pStar_[f]*working()[f];
+    face_.rho = phi * w.rho;
+    face_.rhoU = face_.rho * w.u;
+    face_.rhoE = phi * rhoE + 0.5 * face_.rho * magSqr(w.u) + pStar_[f] * working()[f];
 }
 
-
-void Foam::mpm::eulerianFluids::addFace
-(
-    const label c,
-    const scalar sign,
-    const label f,
-    const scalar dt,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFluids::addFace(
+    const label c, const scalar sign, const label f, const scalar dt, const solidOnFaces* pores)
 {
     // The pressure acts on what the solid leaves of the face
     sums& to = sums_[c];
@@ -250,32 +211,27 @@ void Foam::mpm::eulerianFluids::addFace
             open -= pores->area0[f];
         }
         volumes& v = volumes_[c];
-        v.phi += sign*phi_[f];
-        v.limited += sign*phiLimited()[f];
-        v.solid += sign*pores->phiS[f];
+        v.phi += sign * phi_[f];
+        v.limited += sign * phiLimited()[f];
+        v.solid += sign * pores->phiS[f];
     }
-    to.rho += sign*face_.rho;
-    to.rhoU += sign*(face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f))*open);
-    to.rhoE += sign*face_.rhoE;
+    to.rho += sign * face_.rho;
+    to.rhoU += sign * (face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f)) * open);
+    to.rhoE += sign * face_.rhoE;
     if (jump_.size())
     {
         const vector d(mesh_.faceCentres()[f] - mesh_.cellCentres()[c]);
-        const scalar work = face_.rho*(g_ & d);
-        to.rhoE -= sign*work;
+        const scalar work = face_.rho * (g_ & d);
+        to.rhoE -= sign * work;
         if (flows_)
         {
-            flows_->gravityWork += sign*dt*work;
-            flows_->gravityImpulse += sign*dt*weight(c, f)*open;
+            flows_->gravityWork += sign * dt * work;
+            flows_->gravityImpulse += sign * dt * weight(c, f) * open;
         }
     }
 }
 
-
-void Foam::mpm::eulerianFluids::sumInside
-(
-    const scalar dt,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFluids::sumInside(const scalar dt, const solidOnFaces* pores)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -310,7 +266,7 @@ void Foam::mpm::eulerianFluids::sumInside
             const label k = interfaces_->single()[P];
             if (mixture_.detonates(k))
             {
-                addBurnt(k, f, face_.rho*burnt_[n_*(out ? P : N) + k]);
+                addBurnt(k, f, face_.rho * burnt_[n_ * (out ? P : N) + k]);
             }
         }
         addFace(P, 1, f, dt, pores);
@@ -318,12 +274,7 @@ void Foam::mpm::eulerianFluids::sumInside
     }
 }
 
-
-void Foam::mpm::eulerianFluids::sumBoundary
-(
-    const scalar dt,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFluids::sumBoundary(const scalar dt, const solidOnFaces* pores)
 {
     const vectorField& S = mesh_.faceAreas();
     const labelUList& own = mesh_.faceOwner();
@@ -336,88 +287,74 @@ void Foam::mpm::eulerianFluids::sumBoundary
         for (const label f : *list)
         {
             const label P = own[f], i = f - mesh_.nInternalFaces();
-            const bool first =
-                upwind || first_[P]
-             || (coupled && first_[mesh_.nCells() + i]);
+            const bool first = upwind || first_[P] || (coupled && first_[mesh_.nCells() + i]);
             if (slot[P] >= 0)
             {
                 addFluids(f, P, P, dt);
             }
             else
             {
-                const gasState& w =
-                    phiLimited()[f] > 0 ? (first ? W_[P] : sides[f].own)
-                  : first || !coupled ? Wb_[i] : sides[f].nei;
+                const gasState& w = phiLimited()[f] > 0 ? (first ? W_[P] : sides[f].own)
+                    : first || !coupled                 ? Wb_[i]
+                                                        : sides[f].nei;
                 const label k = interfaces_->single()[P];
-                const scalar F =
-                    phiLimited()[f] > 0 ? burntOf(P, k) : burntBehind(i, k);
+                const scalar F = phiLimited()[f] > 0 ? burntOf(P, k) : burntBehind(i, k);
                 addAlone(f, w, rhoEOf(k, w, F));
                 if (mixture_.detonates(k))
                 {
-                    addBurnt(k, f, face_.rho*F);
+                    addBurnt(k, f, face_.rho * F);
                 }
             }
             addFace(P, 1, f, dt, pores);
             if (flows_ && !coupled)
             {
                 const scalar theta = pores ? 1 - pores->thetaS0[f] : 1;
-                const scalar p = theta*pStar_[f] + (1 - theta)*W_[P].p;
-                flows_->mass -= dt*face_.rho;
+                const scalar p = theta * pStar_[f] + (1 - theta) * W_[P].p;
+                flows_->mass -= dt * face_.rho;
                 flows_->fluids.setSize(n_, 0);
                 for (label k = 0; k < n_; ++k)
                 {
-                    flows_->fluids[k] -=
-                        slot[P] >= 0 ? dt*faceMass_[k]
-                      : interfaces_->single()[P] == k ? dt*face_.rho : 0;
+                    flows_->fluids[k] -= slot[P] >= 0   ? dt * faceMass_[k]
+                        : interfaces_->single()[P] == k ? dt * face_.rho
+                                                        : 0;
                 }
-                flows_->impulse -= dt*(face_.rhoU + p*S[f]);
-                flows_->energy -= dt*face_.rhoE;
+                flows_->impulse -= dt * (face_.rhoU + p * S[f]);
+                flows_->energy -= dt * face_.rhoE;
             }
         }
     }
     addWedgeSides(&first_);
 }
 
-
-void Foam::mpm::eulerianFluids::keepIsentrope
-(
-    const label c,
-    const scalar rho,
-    const scalar p
-)
+void Foam::mpm::eulerianFluids::keepIsentrope(const label c, const scalar rho, const scalar p)
 {
     const label k = interfaces_->single()[c];
     const scalar gamma = mixture_.thermo(k).gamma();
-    const scalar kinetic = 0.5*magSqr(rhoU_[c])/rho_[c];
-    const scalar pNew = (gamma - 1)*(rhoE_[c] - kinetic)/theta_[c];
-    const scalar pIsentropic = p*std::pow(rho_[c]/(theta_[c]*rho), gamma);
-    if (!(pNew >= 0.3*pIsentropic))
+    const scalar kinetic = 0.5 * magSqr(rhoU_[c]) / rho_[c];
+    const scalar pNew = (gamma - 1) * (rhoE_[c] - kinetic) / theta_[c];
+    const scalar pIsentropic = p * std::pow(rho_[c] / (theta_[c] * rho), gamma);
+    if (!(pNew >= 0.3 * pIsentropic))
     {
-        const scalar E = theta_[c]*pIsentropic/(gamma - 1) + kinetic;
-        bookFixup(c, (E - rhoE_[c])*mesh_.V()[c]);
+        const scalar E = theta_[c] * pIsentropic / (gamma - 1) + kinetic;
+        bookFixup(c, (E - rhoE_[c]) * mesh_.V()[c]);
         rhoE_[c] = E;
         ++fixups_.isentropic;
     }
 }
 
-
-void Foam::mpm::eulerianFluids::newStates
-(
-    const scalar dt,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFluids::newStates(const scalar dt, const solidOnFaces* pores)
 {
     const scalarField& V = mesh_.V();
     const labelList& slot = interfaces_->slot();
     const labelList& single = interfaces_->single();
     forAll(sums_, c)
     {
-        const scalar h = dt/V[c];
+        const scalar h = dt / V[c];
         const sums& s = sums_[c];
         const scalar rho = W_[c].rho;
-        rho_[c] -= h*s.rho;
-        rhoU_[c] -= h*s.rhoU;
-        rhoE_[c] -= h*s.rhoE;
+        rho_[c] -= h * s.rho;
+        rhoU_[c] -= h * s.rhoU;
+        rhoE_[c] -= h * s.rhoE;
         if (pores)
         {
             changeTheta<true>(c, h, *pores);
@@ -425,8 +362,8 @@ void Foam::mpm::eulerianFluids::newStates
         if (slot[c] < 0)
         {
             const label k = single[c];
-            mass_[n_*c + k] = rho_[c];
-            part_[n_*c + k] = theta_[c];
+            mass_[n_ * c + k] = rho_[c];
+            part_[n_ * c + k] = theta_[c];
             if (pores && near_[c] && isGas(k))
             {
                 keepIsentrope(c, rho, W_[c].p);
@@ -441,11 +378,7 @@ void Foam::mpm::eulerianFluids::newStates
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFluids::advance
-(
-    const scalar dt,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* pores)
 {
     const noTraps guard;
     beside_ = pores;
@@ -463,5 +396,3 @@ void Foam::mpm::eulerianFluids::advance
     newStates(dt, pores);
     addViscosity(dt);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
 #include "noTraps.H"
@@ -19,16 +13,15 @@ void Foam::mpm::eulerianFluids::updateFields()
 {
     forAll(theta_, c)
     {
-        psi_[c] = W_[c].rho/t_[c].K;
+        psi_[c] = W_[c].rho / t_[c].K;
         for (label k = 0; k < n_; ++k)
         {
-            const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
+            const scalar theta = part_[n_ * c + k], m = mass_[n_ * c + k];
             alpha_[k][c] = theta;
             if (m > 0)
             {
-                const scalar rho = m/theta;
-                state_[k][c] =
-                    isGas(k) ? mixture_.thermo(k).T(rho, W_[c].p) : rho;
+                const scalar rho = m / theta;
+                state_[k][c] = isGas(k) ? mixture_.thermo(k).T(rho, W_[c].p) : rho;
             }
         }
     }
@@ -49,7 +42,6 @@ void Foam::mpm::eulerianFluids::updateFields()
     updateBurntFields();
 }
 
-
 void Foam::mpm::eulerianFluids::updateBoundaryStates()
 {
     const noTraps guard;
@@ -67,11 +59,7 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
         }
         const fvPatchScalarField& p = p_.boundaryField()[patchi];
         const fvPatchVectorField& U = U_.boundaryField()[patchi];
-        const bool ofCell =
-            isA<zeroGradientFvPatchScalarField>
-            (
-                alpha_[0].boundaryField()[patchi]
-            );
+        const bool ofCell = isA<zeroGradientFvPatchScalarField>(alpha_[0].boundaryField()[patchi]);
         for (label i = 0; i < pp.size(); ++i)
         {
             const label b = start + i, P = own[pp.start() + i];
@@ -80,13 +68,13 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
             tb_[b] = t_[P];
             zB_[b] = z_[P];
             thetaB_[b] = theta_[P];
-            scalar* alpha = alphaB_.begin() + n_*b;
-            scalar* rho = rhoB_.begin() + n_*b;
+            scalar* alpha = alphaB_.begin() + n_ * b;
+            scalar* rho = rhoB_.begin() + n_ * b;
             for (label k = 0; k < n_; ++k)
             {
-                const scalar theta = part_[n_*P + k];
-                alpha[k] = theta/theta_[P];
-                rho[k] = theta > 0 ? mass_[n_*P + k]/theta : 0;
+                const scalar theta = part_[n_ * P + k];
+                alpha[k] = theta / theta_[P];
+                rho[k] = theta > 0 ? mass_[n_ * P + k] / theta : 0;
             }
             if (pp.coupled() || isA<wedgePolyPatch>(pp))
             {
@@ -94,8 +82,7 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
             }
             w.p = p[i];
             w.u = U[i];
-            const bool closed =
-                faces_.wall[b] && (w.u & mesh_.faceAreas()[pp.start() + i]) >= 0;
+            const bool closed = faces_.wall[b] && (w.u & mesh_.faceAreas()[pp.start() + i]) >= 0;
             if (ofCell || closed)
             {
                 alpha[0] = -1;
@@ -111,9 +98,8 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
             for (label k = 0; k < n_; ++k)
             {
                 alpha[k] /= max(sum, VSMALL);
-                rho[k] =
-                    density(k, state_[k].boundaryField()[patchi][i], p[i]);
-                w.rho += alpha[k]*rho[k];
+                rho[k] = density(k, state_[k].boundaryField()[patchi][i], p[i]);
+                w.rho += alpha[k] * rho[k];
             }
         }
     }
@@ -130,21 +116,20 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
     }
     coupled_.swap(alphaB_, n_);
     coupled_.swap(rhoB_, n_);
-    scalarField terms(3*tb_.size());
+    scalarField terms(3 * tb_.size());
     forAll(tb_, i)
     {
-        terms[3*i] = tb_[i].K;
-        terms[3*i + 1] = tb_[i].rhoE;
-        terms[3*i + 2] = tb_[i].strength;
+        terms[3 * i] = tb_[i].K;
+        terms[3 * i + 1] = tb_[i].rhoE;
+        terms[3 * i + 2] = tb_[i].strength;
     }
     coupled_.swap(terms, 3);
     for (const label f : faces_.coupled)
     {
         const label i = f - nInternal;
-        tb_[i] = stateTerms{terms[3*i], terms[3*i + 1], terms[3*i + 2]};
+        tb_[i] = stateTerms{terms[3 * i], terms[3 * i + 1], terms[3 * i + 2]};
     }
 }
-
 
 void Foam::mpm::eulerianFluids::setJumps()
 {
@@ -177,15 +162,11 @@ void Foam::mpm::eulerianFluids::setJumps()
         forAll(delta, i)
         {
             const label f = patch.start() + i, P = own[f];
-            const vector d
-            (
-                mesh_.faceCentres()[f] - mesh_.cellCentres()[P] - delta[i]
-            );
-            jump_[f] = weight_[f] - Wb_[f - nInternal].rho*(g_ & d);
+            const vector d(mesh_.faceCentres()[f] - mesh_.cellCentres()[P] - delta[i]);
+            jump_[f] = weight_[f] - Wb_[f - nInternal].rho * (g_ & d);
         }
     }
 }
-
 
 void Foam::mpm::eulerianFluids::sideTerms()
 {
@@ -217,15 +198,12 @@ void Foam::mpm::eulerianFluids::sideTerms()
         {
             rho[i] = r.w[i]->rho;
             p[i] = r.w[i]->p;
-            F[i] = burns ? burnt_[n_*r.cell[i] + k] : 1;
+            F[i] = burns ? burnt_[n_ * r.cell[i] + k] : 1;
         }
-        mixture_.states
-        (
-            k, r.n, rho, p, K, rhoE, strength, burns ? F : nullptr
-        );
+        mixture_.states(k, r.n, rho, p, K, rhoE, strength, burns ? F : nullptr);
         for (label i = 0; i < r.n; ++i)
         {
-            if (K[i] > 0.01*t_[r.cell[i]].K)
+            if (K[i] > 0.01 * t_[r.cell[i]].K)
             {
                 *r.to[i] = stateTerms{K[i], rhoE[i], strength[i]};
             }
@@ -281,16 +259,13 @@ void Foam::mpm::eulerianFluids::sideTerms()
         if (k >= 0)
         {
             const scalar F = burntBehind(i, k);
-            mixture_.states
-            (
-                k, 1, &w.rho, &w.p, &to.K, &to.rhoE, &to.strength, &F
-            );
+            mixture_.states(k, 1, &w.rho, &w.p, &to.K, &to.rhoE, &to.strength, &F);
         }
         else
         {
             to = tb_[i];
         }
-        if (k >= 0 && !(to.K > 0.01*tb_[i].K))
+        if (k >= 0 && !(to.K > 0.01 * tb_[i].K))
         {
             w = Wb_[i];
             to = tb_[i];
@@ -298,39 +273,23 @@ void Foam::mpm::eulerianFluids::sideTerms()
     }
 }
 
-
-inline void Foam::mpm::eulerianFluids::face
-(
-    const label f,
-    const gasState& L,
-    const gasState& R,
-    const scalar zL,
-    const scalar zR
-)
+inline void Foam::mpm::eulerianFluids::face(
+    const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR)
 {
     const vector& S = mesh_.faceAreas()[f];
     const scalar magS = faces_.magS[f];
-    const scalar uL = (L.u & S)/magS, uR = (R.u & S)/magS;
+    const scalar uL = (L.u & S) / magS, uR = (R.u & S) / magS;
     const scalar sum = zL + zR;
-    scalar mu = zL*zR/sum;
+    scalar mu = zL * zR / sum;
     if (lowMach_)
     {
-        mu *= min
-        (
-            scalar(1),
-            max(mag(L.u)*L.rho/zL, mag(R.u)*R.rho/zR)
-        );
+        mu *= min(scalar(1), max(mag(L.u) * L.rho / zL, mag(R.u) * R.rho / zR));
     }
-    phi_[f] = magS*(zL*uL + zR*uR + (L.p - R.p))/sum;
-    pStar_[f] = (zR*L.p + zL*R.p)/sum + mu*(uL - uR);
+    phi_[f] = magS * (zL * uL + zR * uR + (L.p - R.p)) / sum;
+    pStar_[f] = (zR * L.p + zL * R.p) / sum + mu * (uL - uR);
 }
 
-
-void Foam::mpm::eulerianFluids::insideFaces
-(
-    const scalar dt,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces* pores)
 {
     const label nInternal = mesh_.nInternalFaces(), nCells = mesh_.nCells();
     const labelUList& own = mesh_.faceOwner();
@@ -356,17 +315,15 @@ void Foam::mpm::eulerianFluids::insideFaces
             const bool same = major[P] >= 0 && major[P] == major[N];
             const scalar z = max(z_[P], zN);
             const scalar KN = i < 0 ? t_[N].K : tb_[i].K;
-            const impedanceFlux::porousSide L
-            {
-                W_[P], t_[P].K, same ? z : z_[P], W_[P].p + wP, theta_[P], V[P]
-            };
-            const impedanceFlux::porousSide R
-            {
-                WN, KN, same ? z : zN, WN.p + wN,
-                i < 0 ? theta_[N] : thetaB_[i], i < 0 ? V[N] : faces_.Vb[i]
-            };
-            const scalar chi =
-                chi_*max(liquid(z_[P], W_[P]), liquid(zN, WN));
+            const impedanceFlux::porousSide L{W_[P],        t_[P].K,   same ? z : z_[P],
+                                              W_[P].p + wP, theta_[P], V[P]};
+            const impedanceFlux::porousSide R{WN,
+                                              KN,
+                                              same ? z : zN,
+                                              WN.p + wN,
+                                              i < 0 ? theta_[N] : thetaB_[i],
+                                              i < 0 ? V[N] : faces_.Vb[i]};
+            const scalar chi = chi_ * max(liquid(z_[P], W_[P]), liquid(zN, WN));
             if (pores->area)
             {
                 porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi, to);
@@ -383,11 +340,11 @@ void Foam::mpm::eulerianFluids::insideFaces
         scalar zL = z_[P], zR = zN;
         if (!first && major[P] >= 0)
         {
-            zL = std::sqrt(L.rho*terms[f].own.K);
+            zL = std::sqrt(L.rho * terms[f].own.K);
         }
         if (!first && major[N] >= 0)
         {
-            zR = std::sqrt(R.rho*terms[f].nei.K);
+            zR = std::sqrt(R.rho * terms[f].nei.K);
         }
         if (major[P] >= 0 && major[P] == major[N])
         {
@@ -410,7 +367,6 @@ void Foam::mpm::eulerianFluids::insideFaces
     }
 }
 
-
 void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
 {
     const label nInternal = mesh_.nInternalFaces();
@@ -432,22 +388,20 @@ void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
             phi_[f] *= 1 - pores->thetaS[f];
             if (pores->area)
             {
-                phi_[f] += pores->thetaS[f]*pores->uS[f]*faces_.magS[f];
+                phi_[f] += pores->thetaS[f] * pores->uS[f] * faces_.magS[f];
             }
         }
         if (faces_.wall[i])
         {
-            scalar z =
-                first || interfaces_->major()[P] < 0
-              ? z_[P]
-              : std::sqrt(L.rho*reconstruction_.terms()[f].own.K);
+            scalar z = first || interfaces_->major()[P] < 0
+                ? z_[P]
+                : std::sqrt(L.rho * reconstruction_.terms()[f].own.K);
             if (close)
             {
-                z *= theta_[P]/max(theta_[P], 1 - pores->thetaS[f]);
+                z *= theta_[P] / max(theta_[P], 1 - pores->thetaS[f]);
             }
-            pStar_[f] =
-                L.p + (jump_.size() ? weight_[f] : scalar(0))
-              + z*((L.u & S) - u)/faces_.magS[f];
+            pStar_[f] = L.p + (jump_.size() ? weight_[f] : scalar(0))
+                + z * ((L.u & S) - u) / faces_.magS[f];
         }
         out_[P] += max(phi_[f], scalar(0));
     }
@@ -492,11 +446,7 @@ void Foam::mpm::eulerianFluids::widenFirst()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFluids::faceFlux
-(
-    const scalar dt,
-    const solidOnFaces* pores
-)
+void Foam::mpm::eulerianFluids::faceFlux(const scalar dt, const solidOnFaces* pores)
 {
     const noTraps guard;
     interfaces_->update(contents());
@@ -517,12 +467,9 @@ void Foam::mpm::eulerianFluids::faceFlux
     }
     if (!reconstruction_.upwind())
     {
-        reconstruction_.update
-        (
-            dt,
-            {nullptr, W_, Wb_, t_, tb_, jump_.size() ? &jump_ : nullptr, g_},
-            rho0_, U_, p_, n_ > 1 || pores ? &first_ : nullptr
-        );
+        reconstruction_.update(
+            dt, {nullptr, W_, Wb_, t_, tb_, jump_.size() ? &jump_ : nullptr, g_}, rho0_, U_, p_,
+            n_ > 1 || pores ? &first_ : nullptr);
         sideTerms();
     }
     out_ = 0;
@@ -536,5 +483,3 @@ void Foam::mpm::eulerianFluids::faceFlux
         outflow_ *= out_;
     }
 }
-
-// ************************************************************************* //

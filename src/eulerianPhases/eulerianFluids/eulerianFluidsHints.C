@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
 #include "dictionaryTools.H"
@@ -24,10 +18,9 @@ std::string text(const scalar x)
 {
     OStringStream os;
     os.precision(5);
-    os  << x;
+    os << x;
     return os.str();
 }
-
 
 //- Least and largest value
 struct range
@@ -47,17 +40,15 @@ struct range
     }
 };
 
-
 Ostream& operator<<(Ostream& os, const range& r)
 {
-    os  << text(r.low).c_str();
-    if (r.high - r.low > 1e-3*mag(r.low))
+    os << text(r.low).c_str();
+    if (r.high - r.low > 1e-3 * mag(r.low))
     {
-        os  << " to " << text(r.high).c_str();
+        os << " to " << text(r.high).c_str();
     }
     return os;
 }
-
 
 //- The first stiffness of an equation of state: "pInf 6e8"
 std::string stiffness(const dictionary& dict)
@@ -74,57 +65,39 @@ std::string stiffness(const dictionary& dict)
     return "";
 }
 
-
 //- Neither a gas nor products, nor softened
 bool isLiquid(const mpm::equationOfState& equation)
 {
     scalar gamma, pInf = 1;
     const bool gas = equation.isStiffened(gamma, pInf) && !(pInf > 0);
-    return
-        !gas
-     && !equation.ofReaction()
-     && !(equation.softened() > 0)
-     && equation.type() != "vanDerWaals"
-     && equation.type() != "perfectGas";
+    return !gas && !equation.ofReaction() && !(equation.softened() > 0)
+        && equation.type() != "vanDerWaals" && equation.type() != "perfectGas";
 }
-
 
 //- What is wrong with density, speed of sound and p over the strength (p +
 //  pInf) of the start; empty: nothing
-std::string doubts
-(
-    const range& rho,
-    const range& c,
-    const range& ofStrength,
-    const bool gas,
-    const bool liquid
-)
+std::string
+doubts(const range& rho, const range& c, const range& ofStrength, const bool gas, const bool liquid)
 {
     OStringStream os;
     if (!gas && (c.high > 2e4 || (liquid && rho.high < 23 && c.low > 300)))
     {
-        os  << "No matter is that light and fast: " << text(rho.low).c_str()
-            << " g/cm3 are " << text(1000*rho.low).c_str() << " kg/m3.";
+        os << "No matter is that light and fast: " << text(rho.low).c_str() << " g/cm3 are "
+           << text(1000 * rho.low).c_str() << " kg/m3.";
     }
     else if (rho.high > 25000)
     {
-        os  << "No matter is that dense (osmium 22600 kg/m3).";
+        os << "No matter is that dense (osmium 22600 kg/m3).";
     }
     else if (gas && rho.high > 500)
     {
-        os  << "No gas is that dense: p is in Pa, T in K, molWeight in kg/kmol.";
+        os << "No gas is that dense: p is in Pa, T in K, molWeight in kg/kmol.";
     }
-    else if
-    (
-        liquid
-     && rho.high > 100
-     && c.high < 300
-     && ofStrength.low > 0.5
-    )
+    else if (liquid && rho.high > 100 && c.high < 300 && ofStrength.low > 0.5)
     {
-        os  << "No liquid is that slow: pressures are in Pa, 6e8 for 0.6 GPa,"
-            << " 600 MPa or 6000 bar. A liquid that is soft on purpose has"
-            << " soundSpeed in place of pInf.";
+        os << "No liquid is that slow: pressures are in Pa, 6e8 for 0.6 GPa,"
+           << " 600 MPa or 6000 bar. A liquid that is soft on purpose has"
+           << " soundSpeed in place of pInf.";
     }
     return os.str();
 }
@@ -143,23 +116,23 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
         scalar largest = 0;
         forAll(theta_, i)
         {
-            largest = max(largest, part_[n_*i + k]/theta_[i]);
+            largest = max(largest, part_[n_ * i + k] / theta_[i]);
         }
         reduce(largest, maxOp<scalar>());
         forAll(theta_, i)
         {
             // Not traces (nuclei in a charge), unless there is no more
-            const scalar m = mass_[n_*i + k];
-            if (m > 0 && part_[n_*i + k] > min(0.01, 0.5*largest)*theta_[i])
+            const scalar m = mass_[n_ * i + k];
+            if (m > 0 && part_[n_ * i + k] > min(0.01, 0.5 * largest) * theta_[i])
             {
                 pOf.add(W_[i].p);
-                const scalar r = m/part_[n_*i + k];
+                const scalar r = m / part_[n_ * i + k];
                 const fluidMixture::terms t(mixture_.at(k, r, burntOf(i, k)));
                 const scalar p = W_[i].p;
                 const scalar c2 = max(fluidMixture::c2(t, r, p), VSMALL);
                 rho.add(r);
                 c.add(std::sqrt(c2));
-                ofStrength.add(p*(1 + t.B/r)/(r*c2));
+                ofStrength.add(p * (1 + t.B / r) / (r * c2));
                 T.add(thermo.hasTemperature() ? thermo.T(r, p) : scalar(0));
             }
         }
@@ -168,55 +141,45 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
         T.gather();
         ofStrength.gather();
         pOf.gather();
-        Info<< "    " << mixture_.name(k) << ": "
-            << mixture_.description(k).c_str() << nl;
+        Info << "    " << mixture_.name(k) << ": " << mixture_.description(k).c_str() << nl;
         if (rho.high < 0)
         {
             continue;
         }
-        Info<< "        starts with rho " << rho << " kg/m3, ";
+        Info << "        starts with rho " << rho << " kg/m3, ";
         if (thermo.hasTemperature())
         {
-            Info<< "T " << T << " K, ";
+            Info << "T " << T << " K, ";
         }
-        Info<< "speed of sound " << c << " m/s" << nl;
+        Info << "speed of sound " << c << " m/s" << nl;
         if (restarted_)
         {
             continue;
         }
-        if
-        (
-            !thermo.isGammaLaw() && thermo.equation().ofReaction()
-         && !mixture_.detonates(k) && pOf.high < 1e7
-        )
+        if (!thermo.isGammaLaw() && thermo.equation().ofReaction() && !mixture_.detonates(k)
+            && pOf.high < 1e7)
         {
-            WarningInFunction
-                << "Fluid " << mixture_.name(k) << " has the equation of state"
-                << " of reaction products, no detonation, and starts with "
-                << text(pOf.high).c_str() << " Pa: it will not explode." << nl
-                << "    Give its region of setFluidsDict the pressure of the"
-                << " products (p 8.4e9 for TNT), or the fluid a detonation in"
-                << " constant/phaseProperties." << nl << endl;
+            WarningInFunction << "Fluid " << mixture_.name(k) << " has the equation of state"
+                              << " of reaction products, no detonation, and starts with "
+                              << text(pOf.high).c_str() << " Pa: it will not explode." << nl
+                              << "    Give its region of setFluidsDict the pressure of the"
+                              << " products (p 8.4e9 for TNT), or the fluid a detonation in"
+                              << " constant/phaseProperties." << nl << endl;
         }
         const bool liquid = !isGas(k) && isLiquid(thermo.equation());
-        const std::string wrong
-        (
-            doubts(rho, c, ofStrength, isGas(k), liquid)
-        );
+        const std::string wrong(doubts(rho, c, ofStrength, isGas(k), liquid));
         if (wrong.size())
         {
             const dictionary& dict = requiredDict(properties, mixture_.name(k));
             IOWarningInFunction(dict)
-                << "Fluid " << mixture_.name(k) << " starts with rho " << rho
-                << " kg/m3 (" << state_[k].name() << " of the start"
-                << (isGas(k) ? "" : ", or the entry rho")
-                << stiffness(dict).c_str() << ") and a speed of sound of " << c
-                << " m/s. " << wrong.c_str() << endl;
+                << "Fluid " << mixture_.name(k) << " starts with rho " << rho << " kg/m3 ("
+                << state_[k].name() << " of the start" << (isGas(k) ? "" : ", or the entry rho")
+                << stiffness(dict).c_str() << ") and a speed of sound of " << c << " m/s. "
+                << wrong.c_str() << endl;
         }
         warnOfTemperature(k);
     }
 }
-
 
 void Foam::mpm::eulerianFluids::warnOfTemperature(const label k) const
 {
@@ -228,7 +191,7 @@ void Foam::mpm::eulerianFluids::warnOfTemperature(const label k) const
     label cold = 0;
     forAll(theta_, c)
     {
-        if (mass_[n_*c + k] > 0)
+        if (mass_[n_ * c + k] > 0)
         {
             const scalar T0 = state_[k][c];
             T.add(T0);
@@ -241,23 +204,18 @@ void Foam::mpm::eulerianFluids::warnOfTemperature(const label k) const
     reduce(cold, sumOp<label>());
     if (cold)
     {
-        WarningInFunction
-            << state_[k].name() << " starts with " << text(T.low).c_str()
-            << " K; " << cold
-            << " cells have 10 to 60 K (" << state_[k].objectPath()
-            << "): it is in K. " << text(T.low).c_str()
-            << " degrees Celsius are " << text(T.low + 273.15).c_str()
-            << " K." << endl;
+        WarningInFunction << state_[k].name() << " starts with " << text(T.low).c_str() << " K; "
+                          << cold << " cells have 10 to 60 K (" << state_[k].objectPath()
+                          << "): it is in K. " << text(T.low).c_str() << " degrees Celsius are "
+                          << text(T.low + 273.15).c_str() << " K." << endl;
     }
     if (p.high < 5 && T.low > 200)
     {
-        WarningInFunction
-            << "The fluids start with a pressure of " << p.high << " Pa ("
-            << p_.objectPath() << ") where " << mixture_.name(k) << " has "
-            << T.low << " K: that is a vacuum. 1 bar is 1e5 Pa." << endl;
+        WarningInFunction << "The fluids start with a pressure of " << p.high << " Pa ("
+                          << p_.objectPath() << ") where " << mixture_.name(k) << " has " << T.low
+                          << " K: that is a vacuum. 1 bar is 1e5 Pa." << endl;
     }
 }
-
 
 bool Foam::mpm::eulerianFluids::canTear() const
 {
@@ -270,7 +228,6 @@ bool Foam::mpm::eulerianFluids::canTear() const
     return !liquid || nuclei;
 }
 
-
 Foam::string Foam::mpm::eulerianFluids::aboutNuclei() const
 {
     OStringStream os;
@@ -279,20 +236,19 @@ Foam::string Foam::mpm::eulerianFluids::aboutNuclei() const
     {
         gas = isGas(k) ? mixture_.name(k) : gas;
     }
-    os  << "A liquid that shall tear needs a trace of gas in its cells:"
-        << "  nuclei 1e-6;  (where jumps of velocity tear it 1e-4) in ";
+    os << "A liquid that shall tear needs a trace of gas in its cells:"
+       << "  nuclei 1e-6;  (where jumps of velocity tear it 1e-4) in ";
     if (gas.empty())
     {
-        os  << "a perfectGas beside it, which has to be added to";
+        os << "a perfectGas beside it, which has to be added to";
     }
     else
     {
-        os  << gas << " of";
+        os << gas << " of";
     }
-    os  << " constant/phaseProperties.";
+    os << " constant/phaseProperties.";
     return os.str();
 }
-
 
 void Foam::mpm::eulerianFluids::checkTension() const
 {
@@ -312,18 +268,13 @@ void Foam::mpm::eulerianFluids::checkTension() const
         return;
     }
     tension_ = true;
-    WarningInFunction
-        << "The pressure of the fluids is down to " << text(least).c_str()
-        << " Pa at time "
-        << mesh_.time().timeName() << ": a liquid is in tension, as a solid."
-        << nl << "    " << aboutNuclei().c_str() << nl << endl;
+    WarningInFunction << "The pressure of the fluids is down to " << text(least).c_str()
+                      << " Pa at time " << mesh_.time().timeName()
+                      << ": a liquid is in tension, as a solid." << nl << "    "
+                      << aboutNuclei().c_str() << nl << endl;
 }
 
-
-void Foam::mpm::eulerianFluids::tellDisplaced
-(
-    const List<fluidSums>& before
-) const
+void Foam::mpm::eulerianFluids::tellDisplaced(const List<fluidSums>& before) const
 {
     const List<fluidSums> now(fluidContents());
     scalarField had(n_, Zero), share(n_, Zero);
@@ -332,38 +283,33 @@ void Foam::mpm::eulerianFluids::tellDisplaced
     {
         had[k] = returnReduce(before[k].mass, sumOp<scalar>());
         const scalar has = returnReduce(now[k].mass, sumOp<scalar>());
-        share[k] = had[k] > 0 ? 1 - has/had[k] : 0;
+        share[k] = had[k] > 0 ? 1 - has / had[k] : 0;
         most = max(most, share[k]);
     }
     if (!(most > 1e-12))
     {
         return;
     }
-    Info<< "Points displace";
+    Info << "Points displace";
     for (label k = 0; k < n_; ++k)
     {
-        Info<< (k ? ", " : " ") << mixture_.name(k) << ' '
-            << text(had[k]*share[k]).c_str() << " of " << text(had[k]).c_str()
-            << " kg (" << text(100*share[k]).c_str() << " %)";
+        Info << (k ? ", " : " ") << mixture_.name(k) << ' ' << text(had[k] * share[k]).c_str()
+             << " of " << text(had[k]).c_str() << " kg (" << text(100 * share[k]).c_str() << " %)";
     }
-    Info<< nl << endl;
+    Info << nl << endl;
     for (label k = 0; k < n_; ++k)
     {
-        const bool charge =
-            !isGas(k) && mixture_.thermo(k).equation().ofReaction();
+        const bool charge = !isGas(k) && mixture_.thermo(k).equation().ofReaction();
         if (charge && share[k] > 0.01)
         {
-            WarningInFunction
-                << "Points lie where " << mixture_.name(k) << " is: they"
-                << " displace " << text(100*share[k]).c_str() << " % of its"
-                << " mass, " << text((1 - share[k])*had[k]).c_str() << " of "
-                << text(had[k]).c_str() << " kg are left (alpha and rho of the"
-                << " start)." << nl
-                << "    Move the charge (setFluidsDict) or the points"
-                << " (setMaterialPointsDict), or give the charge as much more"
-                << " mass." << endl;
+            WarningInFunction << "Points lie where " << mixture_.name(k) << " is: they"
+                              << " displace " << text(100 * share[k]).c_str() << " % of its"
+                              << " mass, " << text((1 - share[k]) * had[k]).c_str() << " of "
+                              << text(had[k]).c_str() << " kg are left (alpha and rho of the"
+                              << " start)." << nl
+                              << "    Move the charge (setFluidsDict) or the points"
+                              << " (setMaterialPointsDict), or give the charge as much more"
+                              << " mass." << endl;
         }
     }
 }
-
-// ************************************************************************* //

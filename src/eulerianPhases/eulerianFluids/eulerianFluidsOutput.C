@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
 #include "dictionaryTools.H"
@@ -16,28 +10,25 @@ Foam::string Foam::mpm::eulerianFluids::stateOf(const label celli) const
 {
     const gasState& w = W_[celli];
     OStringStream os;
-    os  << "The fluids have density " << w.rho << " kg/m3, pressure " << w.p
-        << " Pa and rho c^2 " << t_[celli].K << " Pa; density and rho c^2 must"
-        << " be positive, in cell " << celli << " at "
-        << mesh_.cellCentres()[celli] << ", time " << mesh_.time().timeName()
-        << " (velocity " << w.u << "; shares";
+    os << "The fluids have density " << w.rho << " kg/m3, pressure " << w.p << " Pa and rho c^2 "
+       << t_[celli].K << " Pa; density and rho c^2 must"
+       << " be positive, in cell " << celli << " at " << mesh_.cellCentres()[celli] << ", time "
+       << mesh_.time().timeName() << " (velocity " << w.u << "; shares";
     for (label k = 0; k < n_; ++k)
     {
-        os  << ' ' << mixture_.name(k) << ' ' << part_[n_*celli + k];
+        os << ' ' << mixture_.name(k) << ' ' << part_[n_ * celli + k];
     }
-    os  << ")." << nl
-        << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.*, 0/rho.* and"
-        << " constant/phaseProperties. After a restart: into theta,"
-        << " thetaRho.*, thetaRhoU, thetaRhoE, alpha.*, F.* of its time. Later:"
-        << " a smaller maxCoGas in system/controlDict or upwind for"
-        << " reconstruct(...) in system/fvSchemes often helps.";
+    os << ")." << nl << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.*, 0/rho.* and"
+       << " constant/phaseProperties. After a restart: into theta,"
+       << " thetaRho.*, thetaRhoU, thetaRhoE, alpha.*, F.* of its time. Later:"
+       << " a smaller maxCoGas in system/controlDict or upwind for"
+       << " reconstruct(...) in system/fvSchemes often helps.";
     if (w.p < 0 && !canTear())
     {
-        os  << nl << aboutNuclei().c_str();
+        os << nl << aboutNuclei().c_str();
     }
     return os.str();
 }
-
 
 void Foam::mpm::eulerianFluids::forState(const fieldAction& f)
 {
@@ -50,13 +41,10 @@ void Foam::mpm::eulerianFluids::forState(const fieldAction& f)
         f(state_[k]);
         forAll(m, c)
         {
-            m[c] = mass_[n_*c + k];
+            m[c] = mass_[n_ * c + k];
         }
-        volScalarField::Internal mass
-        (
-            header("thetaRho", IOobject::NO_READ, mixture_.name(k)),
-            mesh_, dimDensity, m
-        );
+        volScalarField::Internal mass(
+            header("thetaRho", IOobject::NO_READ, mixture_.name(k)), mesh_, dimDensity, m);
         f(mass);
     }
     for (volScalarField& F : F_)
@@ -65,13 +53,11 @@ void Foam::mpm::eulerianFluids::forState(const fieldAction& f)
     }
 }
 
-
 void Foam::mpm::eulerianFluids::checkSoftened() const
 {
     for (label k = 0; k < n_; ++k)
     {
-        const scalar c =
-            isGas(k) ? scalar(0) : mixture_.thermo(k).equation().softened();
+        const scalar c = isGas(k) ? scalar(0) : mixture_.thermo(k).equation().softened();
         if (!(c > 0) || warned_[k])
         {
             continue;
@@ -79,63 +65,56 @@ void Foam::mpm::eulerianFluids::checkSoftened() const
         scalar fastest = 0;
         forAll(W_, i)
         {
-            if (part_[n_*i + k] > 0.5*theta_[i])
+            if (part_[n_ * i + k] > 0.5 * theta_[i])
             {
                 fastest = max(fastest, mag(W_[i].u));
             }
         }
         reduce(fastest, maxOp<scalar>());
-        if (fastest > 0.1*c)
+        if (fastest > 0.1 * c)
         {
             warned_[k] = true;
-            WarningInFunction
-                << "Fluid " << mixture_.name(k) << " flows with " << fastest
-                << " m/s at time " << mesh_.time().timeName() << ", "
-                << fastest/c << " of its soundSpeed " << c << " m/s: its"
-                << " density changes by " << 100*sqr(fastest/c) << " %." << nl
-                << "    Give it a soundSpeed of " << 10*fastest
-                << " m/s or more, or pInf of the real liquid." << nl << endl;
+            WarningInFunction << "Fluid " << mixture_.name(k) << " flows with " << fastest
+                              << " m/s at time " << mesh_.time().timeName() << ", " << fastest / c
+                              << " of its soundSpeed " << c << " m/s: its"
+                              << " density changes by " << 100 * sqr(fastest / c) << " %." << nl
+                              << "    Give it a soundSpeed of " << 10 * fastest
+                              << " m/s or more, or pInf of the real liquid." << nl << endl;
         }
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::mpm::eulerianFlow::waveState
-Foam::mpm::eulerianFluids::wave(const label c) const
+Foam::mpm::eulerianFlow::waveState Foam::mpm::eulerianFluids::wave(const label c) const
 {
-    return {t_[c].K, z_[c], chi_*liquid(z_[c], W_[c])};
+    return {t_[c].K, z_[c], chi_ * liquid(z_[c], W_[c])};
 }
 
-
-Foam::mpm::eulerianFlow::heatState
-Foam::mpm::eulerianFluids::heat(const label c) const
+Foam::mpm::eulerianFlow::heatState Foam::mpm::eulerianFluids::heat(const label c) const
 {
-    const scalar* theta = part_.cdata() + n_*c;
-    const scalar* m = mass_.cdata() + n_*c;
-    const scalar p = mixture_.pressure
-    (
-        theta, m, rhoE_[c] - 0.5*magSqr(rhoU_[c])/rho_[c], burntOf(c)
-    );
+    const scalar* theta = part_.cdata() + n_ * c;
+    const scalar* m = mass_.cdata() + n_ * c;
+    const scalar p =
+        mixture_.pressure(theta, m, rhoE_[c] - 0.5 * magSqr(rhoU_[c]) / rho_[c], burntOf(c));
     scalar rhoCv = 0, rhoCvT = 0;
     for (label k = 0; k < n_; ++k)
     {
         if (m[k] > 0)
         {
             const gasThermo& thermo = mixture_.thermo(k);
-            rhoCv += m[k]*thermo.Cv();
-            rhoCvT += m[k]*thermo.Cv()*thermo.T(m[k]/theta[k], p);
+            rhoCv += m[k] * thermo.Cv();
+            rhoCvT += m[k] * thermo.Cv() * thermo.T(m[k] / theta[k], p);
         }
     }
 
     scalar rhoCp = 0;
     for (label k = 0; k < n_; ++k)
     {
-        rhoCp += m[k]*(isGas(k) ? mixture_.thermo(k).Cp() : mixture_.thermo(k).Cv());
+        rhoCp += m[k] * (isGas(k) ? mixture_.thermo(k).Cp() : mixture_.thermo(k).Cv());
     }
-    return {rhoCvT/rhoCv, rhoCv, rhoCp/rho_[c]};
+    return {rhoCvT / rhoCv, rhoCv, rhoCp / rho_[c]};
 }
-
 
 void Foam::mpm::eulerianFluids::needTemperature(const dictionary& dict) const
 {
@@ -144,14 +123,13 @@ void Foam::mpm::eulerianFluids::needTemperature(const dictionary& dict) const
         if (!mixture_.thermo(k).hasTemperature())
         {
             FatalIOErrorInFunction(dict)
-                << "Fluid " << mixture_.name(k) << " ("
-                << mixture_.description(k).c_str() << ") has no temperature and"
+                << "Fluid " << mixture_.name(k) << " (" << mixture_.description(k).c_str()
+                << ") has no temperature and"
                 << " exchanges no heat. Add its Cv [J/kg/K], or remove this"
                 << " dictionary." << exit(FatalIOError);
         }
     }
 }
-
 
 Foam::wordList Foam::mpm::eulerianFluids::fluidNames() const
 {
@@ -163,9 +141,7 @@ Foam::wordList Foam::mpm::eulerianFluids::fluidNames() const
     return names;
 }
 
-
-Foam::List<Foam::mpm::eulerianFlow::fluidSums>
-Foam::mpm::eulerianFluids::fluidContents() const
+Foam::List<Foam::mpm::eulerianFlow::fluidSums> Foam::mpm::eulerianFluids::fluidContents() const
 {
     // Their energies by the common pressure, the sum is that of the cell
     const scalarField& V = mesh_.V();
@@ -174,28 +150,23 @@ Foam::mpm::eulerianFluids::fluidContents() const
     {
         for (label k = 0; k < n_; ++k)
         {
-            const scalar m = mass_[n_*c + k], theta = part_[n_*c + k];
+            const scalar m = mass_[n_ * c + k], theta = part_[n_ * c + k];
             if (!(m > 0))
             {
                 continue;
             }
             fluidSums& s = all[k];
-            const scalar rho = m/theta;
-            s.mass += V[c]*m;
-            s.momentum += V[c]*m*W_[c].u;
-            s.kinetic += 0.5*V[c]*m*magSqr(W_[c].u);
-            s.internal +=
-                V[c]*theta
-               *fluidMixture::energy
-                (
-                    mixture_.at(k, rho, burntOf(c, k)), rho, W_[c].p
-                );
-            s.volume += V[c]*theta;
+            const scalar rho = m / theta;
+            s.mass += V[c] * m;
+            s.momentum += V[c] * m * W_[c].u;
+            s.kinetic += 0.5 * V[c] * m * magSqr(W_[c].u);
+            s.internal += V[c] * theta
+                * fluidMixture::energy(mixture_.at(k, rho, burntOf(c, k)), rho, W_[c].p);
+            s.volume += V[c] * theta;
         }
     }
     return all;
 }
-
 
 void Foam::mpm::eulerianFluids::report() const
 {
@@ -207,36 +178,31 @@ void Foam::mpm::eulerianFluids::report() const
         scalar largest = 0;
         for (label k = 0; k < n_; ++k)
         {
-            mass[k] += V[c]*mass_[n_*c + k];
-            largest = max(largest, part_[n_*c + k]);
+            mass[k] += V[c] * mass_[n_ * c + k];
+            largest = max(largest, part_[n_ * c + k]);
         }
-        shared += largest < (1 - fluidInterfaces::foreign)*theta_[c];
+        shared += largest < (1 - fluidInterfaces::foreign) * theta_[c];
     }
-    Info<< "Fluids: mass";
+    Info << "Fluids: mass";
     for (label k = 0; k < n_; ++k)
     {
-        Info<< ' ' << mixture_.name(k) << ' ' << total(mass[k]);
+        Info << ' ' << mixture_.name(k) << ' ' << total(mass[k]);
     }
-    Info<< ", momentum " << total(momentum())
-        << ", energy " << total(energy()) << nl
-        << "    p " << pressures().c_str() << ", cells at interfaces "
-        << total(shared) << " (mixed " << total(interfaces_->cells().size())
-        << "), outflow limited " << total(fixups_.limited) << ", theta kept "
-        << total(fixups_.theta) << ", pressure of relaxation kept "
-        << total(relaxed_) << ", isentropic " << total(fixups_.isentropic)
-        << ", voids " << total(voids_) << " (energy " << total(fixups_.energy)
-        << " added, mass " << total(fixups_.heldBack) << " held back, "
-        << total(dropped_) << " dropped)" << endl;
+    Info << ", momentum " << total(momentum()) << ", energy " << total(energy()) << nl << "    p "
+         << pressures().c_str() << ", cells at interfaces " << total(shared) << " (mixed "
+         << total(interfaces_->cells().size()) << "), outflow limited " << total(fixups_.limited)
+         << ", theta kept " << total(fixups_.theta) << ", pressure of relaxation kept "
+         << total(relaxed_) << ", isentropic " << total(fixups_.isentropic) << ", voids "
+         << total(voids_) << " (energy " << total(fixups_.energy) << " added, mass "
+         << total(fixups_.heldBack) << " held back, " << total(dropped_) << " dropped)" << endl;
     for (const label k : burning_)
     {
-        Info<< "    burnt of " << mixture_.name(k) << ": "
-            << burntShare(k) << endl;
+        Info << "    burnt of " << mixture_.name(k) << ": " << burntShare(k) << endl;
     }
     reportFilled();
     checkSoftened();
     checkTension();
 }
-
 
 Foam::dictionary Foam::mpm::eulerianFluids::state() const
 {
@@ -247,7 +213,6 @@ Foam::dictionary Foam::mpm::eulerianFluids::state() const
     return state;
 }
 
-
 void Foam::mpm::eulerianFluids::setState(const dictionary& state)
 {
     eulerianFlow::setState(state);
@@ -256,5 +221,3 @@ void Foam::mpm::eulerianFluids::setState(const dictionary& state)
     voids_ = keeps ? required<label>(state, "voids") : 0;
     dropped_ = keeps ? required<scalar>(state, "dropped") : 0;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
 #include "noTraps.H"
@@ -28,62 +22,51 @@ constexpr Foam::scalar leastOfVoid = 1e-7;
 void Foam::mpm::eulerianFluids::startShares()
 {
     const DynamicList<label>& cells = interfaces_->cells();
-    shares_.setSize(n_*cells.size());
+    shares_.setSize(n_ * cells.size());
     forAll(cells, s)
     {
         const label c = cells[s];
         for (label k = 0; k < n_; ++k)
         {
-            const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
-            const scalar rho = m > 0 ? m/theta : 0;
+            const scalar theta = part_[n_ * c + k], m = mass_[n_ * c + k];
+            const scalar rho = m > 0 ? m / theta : 0;
             const scalar F = burntOf(c, k);
-            shares_[n_*s + k] =
-            {
-                theta,
-                m,
-                m > 0
-              ? theta
-               *fluidMixture::energy(mixture_.at(k, rho, F), rho, W_[c].p)
-              : 0,
-                F
-            };
+            shares_[n_ * s + k] = {
+                theta, m,
+                m > 0 ? theta * fluidMixture::energy(mixture_.at(k, rho, F), rho, W_[c].p) : 0, F};
         }
     }
 }
 
-
 void Foam::mpm::eulerianFluids::relaxCell(const label s)
 {
     const label c = interfaces_->cells()[s];
-    fluidMixture::share* share = shares_.begin() + n_*s;
-    scalar* part = part_.begin() + n_*c;
-    scalar* mass = mass_.begin() + n_*c;
+    fluidMixture::share* share = shares_.begin() + n_ * s;
+    scalar* part = part_.begin() + n_ * c;
+    scalar* mass = mass_.begin() + n_ * c;
     label only = -1, several = 0;
     bool gas = false, other = false;
     FixedList<scalar, fluidMixture::most> theta;
     for (label k = 0; k < n_; ++k)
     {
         fluidMixture::share& of = share[k];
-        const scalar before = mass[k] > 0 ? mass[k]/part[k] : 0;
-        const bool rounding =
-            of.A < 1e-20 || of.m <= 0
-         || (
-                of.A < 1e-12 && before > 0
-             && (of.m > 10*before*of.A || of.m < 0.1*before*of.A)
-            );
+        const scalar before = mass[k] > 0 ? mass[k] / part[k] : 0;
+        const bool rounding = of.A < 1e-20 || of.m <= 0
+            || (of.A < 1e-12 && before > 0
+                && (of.m > 10 * before * of.A || of.m < 0.1 * before * of.A));
         if (rounding)
         {
-            if (of.A < -1e-10*theta_[c] && badCell_ < 0)
+            if (of.A < -1e-10 * theta_[c] && badCell_ < 0)
             {
                 badCell_ = c;
                 OStringStream os;
-                os  << "Fluid " << mixture_.name(k) << " has flown out of cell "
-                    << c << " at " << mesh_.cellCentres()[c] << ", which has"
-                    << " none left, time " << mesh_.time().value() << "." << nl
-                    << "A smaller maxCoGas in system/controlDict helps.";
+                os << "Fluid " << mixture_.name(k) << " has flown out of cell " << c << " at "
+                   << mesh_.cellCentres()[c] << ", which has"
+                   << " none left, time " << mesh_.time().value() << "." << nl
+                   << "A smaller maxCoGas in system/controlDict helps.";
                 whyBad_ = os.str();
             }
-            dropped_ += of.m*mesh_.V()[c];
+            dropped_ += of.m * mesh_.V()[c];
             of = {0, 0, 0};
         }
         else
@@ -105,24 +88,22 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         return;
     }
     bool common = true;
-    const scalar P =
-        mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common);
+    const scalar P = mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common);
     if (!common && badCell_ < 0)
     {
         badCell_ = c;
         OStringStream os;
-        os  << "The fluids of cell " << c << " at " << mesh_.cellCentres()[c]
-            << " have no pressure in common at which all have a speed of"
-            << " sound (a fluid in tension, or a share that has expanded far),"
-            << " time " << mesh_.time().value() << ":";
+        os << "The fluids of cell " << c << " at " << mesh_.cellCentres()[c]
+           << " have no pressure in common at which all have a speed of"
+           << " sound (a fluid in tension, or a share that has expanded far),"
+           << " time " << mesh_.time().value() << ":";
         for (label k = 0; k < n_; ++k)
         {
-            os  << ' ' << mixture_.name(k) << " volume " << share[k].A
-                << ", mass " << share[k].m << ", energy " << share[k].e0
-                << (k + 1 < n_ ? ";" : ".");
+            os << ' ' << mixture_.name(k) << " volume " << share[k].A << ", mass " << share[k].m
+               << ", energy " << share[k].e0 << (k + 1 < n_ ? ";" : ".");
         }
-        os  << nl << "A smaller maxCoGas in system/controlDict or upwind for"
-            << " reconstruct(...) in system/fvSchemes often helps.";
+        os << nl << "A smaller maxCoGas in system/controlDict or upwind for"
+           << " reconstruct(...) in system/fvSchemes often helps.";
         whyBad_ = os.str();
     }
     scalar total = 0;
@@ -136,19 +117,12 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
     heatCell(c, share, P, gas, other);
 }
 
-
-void Foam::mpm::eulerianFluids::heatCell
-(
-    const label c,
-    const fluidMixture::share* share,
-    scalar P,
-    const bool gas,
-    const bool other
-)
+void Foam::mpm::eulerianFluids::heatCell(
+    const label c, const fluidMixture::share* share, scalar P, const bool gas, const bool other)
 {
-    scalar* part = part_.begin() + n_*c;
-    const scalar* mass = mass_.cdata() + n_*c;
-    const scalar kinetic = 0.5*magSqr(rhoU_[c])/rho_[c];
+    scalar* part = part_.begin() + n_ * c;
+    const scalar* mass = mass_.cdata() + n_ * c;
+    const scalar kinetic = 0.5 * magSqr(rhoU_[c]) / rho_[c];
     const scalar* F = burntOf(c);
     const scalar energy = rhoE_[c] - kinetic;
     scalar wet = 0, least = 0, p = -1;
@@ -156,11 +130,11 @@ void Foam::mpm::eulerianFluids::heatCell
     {
         const fluidMixture::moduli at = mixture_.at(part, mass, P, F);
         const scalar Q = energy - at.energy;
-        wet = min(at.liquid/0.8, scalar(1));
-        least = leastOfVoid*at.stiffest;
-        if (wet > 0 && Q > -1e-3*at.store)
+        wet = min(at.liquid / 0.8, scalar(1));
+        least = leastOfVoid * at.stiffest;
+        if (wet > 0 && Q > -1e-3 * at.store)
         {
-            P = mixture_.heat(share, P, wet*Q, wet, part);
+            P = mixture_.heat(share, P, wet * Q, wet, part);
             p = wet == 1 ? P : -1;
         }
     }
@@ -168,10 +142,10 @@ void Foam::mpm::eulerianFluids::heatCell
     {
         p = mixture_.pressure(part, mass, energy, F);
     }
-    if (gas && !(p >= 0.3*P))
+    if (gas && !(p >= 0.3 * P))
     {
         const scalar E = mixture_.at(part, mass, P, F).energy + kinetic;
-        bookFixup(c, (E - rhoE_[c])*mesh_.V()[c]);
+        bookFixup(c, (E - rhoE_[c]) * mesh_.V()[c]);
         rhoE_[c] = E;
         p = P;
         ++relaxed_;
@@ -179,13 +153,12 @@ void Foam::mpm::eulerianFluids::heatCell
     if (gas && wet == 1 && p < least)
     {
         const scalar E = mixture_.raise(share, p, least, part);
-        bookFixup(c, E*mesh_.V()[c]);
+        bookFixup(c, E * mesh_.V()[c]);
         rhoE_[c] += E;
         ++voids_;
     }
     relaxedP_[c] = wet > 0 ? p : -1;
 }
-
 
 void Foam::mpm::eulerianFluids::makeBurnt(const fieldStates* states)
 {
@@ -202,8 +175,8 @@ void Foam::mpm::eulerianFluids::makeBurnt(const fieldStates* states)
     {
         return;
     }
-    burnt_.setSize(n_*mesh_.nCells(), 1);
-    burntB_.setSize(n_*Wb_.size(), 1);
+    burnt_.setSize(n_ * mesh_.nCells(), 1);
+    burntB_.setSize(n_ * Wb_.size(), 1);
     burntOut_.setSize(burning_.size());
     F_.setSize(burning_.size());
     forAll(burning_, j)
@@ -217,17 +190,15 @@ void Foam::mpm::eulerianFluids::makeBurnt(const fieldStates* states)
             const scalar F = F_[j][c];
             if (!(F >= 0 && F <= 1))
             {
-                FatalErrorInFunction
-                    << "Field " << F_[j].name() << " in " << F_[j].objectPath()
-                    << " has the value " << F << " in cell " << c << " at "
-                    << mesh_.cellCentres()[c]
-                    << "; a burn fraction is in [0, 1]." << exit(FatalError);
+                FatalErrorInFunction << "Field " << F_[j].name() << " in " << F_[j].objectPath()
+                                     << " has the value " << F << " in cell " << c << " at "
+                                     << mesh_.cellCentres()[c] << "; a burn fraction is in [0, 1]."
+                                     << exit(FatalError);
             }
-            burnt_[n_*c + k] = F;
+            burnt_[n_ * c + k] = F;
         }
     }
 }
-
 
 void Foam::mpm::eulerianFluids::startBurning()
 {
@@ -236,12 +207,11 @@ void Foam::mpm::eulerianFluids::startBurning()
     {
         forAll(charge, c)
         {
-            charge[c] = mass_[n_*c + k] > 0;
+            charge[c] = mass_[n_ * c + k] > 0;
         }
         mixture_.detonates(k)->start(mesh_, charge, !restarted_);
     }
 }
-
 
 void Foam::mpm::eulerianFluids::updateBurntFields()
 {
@@ -250,12 +220,11 @@ void Foam::mpm::eulerianFluids::updateBurntFields()
         volScalarField& F = F_[j];
         forAll(F, c)
         {
-            F[c] = burnt_[n_*c + burning_[j]];
+            F[c] = burnt_[n_ * c + burning_[j]];
         }
         F.correctBoundaryConditions();
     }
 }
-
 
 void Foam::mpm::eulerianFluids::updateBurntBehind()
 {
@@ -266,7 +235,7 @@ void Foam::mpm::eulerianFluids::updateBurntBehind()
         forAll(F, i)
         {
             const label P = mesh_.faceOwner()[nInternal + i];
-            F[i] = burnt_[n_*P + burning_[j]];
+            F[i] = burnt_[n_ * P + burning_[j]];
         }
         for (const fvPatchScalarField& b : F_[j].boundaryField())
         {
@@ -285,18 +254,12 @@ void Foam::mpm::eulerianFluids::updateBurntBehind()
         }
         forAll(F, i)
         {
-            burntB_[n_*i + burning_[j]] = F[i];
+            burntB_[n_ * i + burning_[j]] = F[i];
         }
     }
 }
 
-
-void Foam::mpm::eulerianFluids::addBurnt
-(
-    const label k,
-    const label f,
-    const scalar flux
-)
+void Foam::mpm::eulerianFluids::addBurnt(const label k, const label f, const scalar flux)
 {
     forAll(burning_, j)
     {
@@ -310,7 +273,6 @@ void Foam::mpm::eulerianFluids::addBurnt
         }
     }
 }
-
 
 void Foam::mpm::eulerianFluids::burn(const scalar dt)
 {
@@ -331,32 +293,30 @@ void Foam::mpm::eulerianFluids::burn(const scalar dt)
             {
                 continue;
             }
-            const scalar h = dt/mesh_.V()[c];
-            const scalar m =
-                s < 0 ? rho_[c] - h*sums_[c].rho : shares_[n_*s + k].m;
-            const scalar was = burnt_[n_*c + k];
-            const scalar mF = mass_[n_*c + k]*was - h*burntOut_[j][c];
+            const scalar h = dt / mesh_.V()[c];
+            const scalar m = s < 0 ? rho_[c] - h * sums_[c].rho : shares_[n_ * s + k].m;
+            const scalar was = burnt_[n_ * c + k];
+            const scalar mF = mass_[n_ * c + k] * was - h * burntOut_[j][c];
             if (m > 0)
             {
                 cells.append(c);
                 p.append(W_[c].p);
-                F.append(mF < (1 - 1e-9)*m ? max(mF/m, scalar(0)) : 1);
+                F.append(mF < (1 - 1e-9) * m ? max(mF / m, scalar(0)) : 1);
             }
         }
         mixture_.detonates(k)->burn(cells, p, mesh_.time().value(), dt, F);
         forAll(cells, i)
         {
             const label c = cells[i];
-            burnt_[n_*c + k] = F[i];
+            burnt_[n_ * c + k] = F[i];
             if (slot[c] >= 0)
             {
-                shares_[n_*slot[c] + k].F = F[i];
+                shares_[n_ * slot[c] + k].F = F[i];
             }
         }
         burntOut_[j] = 0;
     }
 }
-
 
 void Foam::mpm::eulerianFluids::columnsFilled(const labelUList& cells)
 {
@@ -368,28 +328,25 @@ void Foam::mpm::eulerianFluids::columnsFilled(const labelUList& cells)
     {
         for (const label c : cells)
         {
-            const label i = n_*c + k;
+            const label i = n_ * c + k;
             if (mass_[i] > 0)
             {
-                burnt_[i] = min(max(burntMass_[i]/mass_[i], 0.0), 1.0);
+                burnt_[i] = min(max(burntMass_[i] / mass_[i], 0.0), 1.0);
             }
         }
     }
 }
-
 
 Foam::scalar Foam::mpm::eulerianFluids::burntShare(const label k) const
 {
     scalar all = 0, burnt = 0;
     forAll(W_, c)
     {
-        const scalar m = mesh_.V()[c]*mass_[n_*c + k];
+        const scalar m = mesh_.V()[c] * mass_[n_ * c + k];
         all += m;
-        burnt += m*burnt_[n_*c + k];
+        burnt += m * burnt_[n_ * c + k];
     }
     reduce(all, sumOp<scalar>());
     reduce(burnt, sumOp<scalar>());
-    return all > 0 ? burnt/all : 0;
+    return all > 0 ? burnt / all : 0;
 }
-
-// ************************************************************************* //

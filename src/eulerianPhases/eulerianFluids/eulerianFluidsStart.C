@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
 #include "dictionaryTools.H"
@@ -13,40 +7,24 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::dictionary& Foam::mpm::eulerianFluids::settings
-(
-    const dictionary& properties
-)
+const Foam::dictionary& Foam::mpm::eulerianFluids::settings(const dictionary& properties)
 {
-    return
-        properties.found("fluids")
-      ? requiredDict(properties, "fluids") : dictionary::null;
+    return properties.found("fluids") ? requiredDict(properties, "fluids") : dictionary::null;
 }
 
-
-Foam::volScalarField* Foam::mpm::eulerianFluids::newField
-(
-    const word& name,
-    const label k,
-    const fieldStates* states,
-    const bool there,
-    const scalar value
-) const
+Foam::volScalarField* Foam::mpm::eulerianFluids::newField(
+    const word& name, const label k, const fieldStates* states, const bool there,
+    const scalar value) const
 {
     const word& of = mixture_.name(k);
     if (there)
     {
         return new volScalarField(startField<volScalarField>(name, states, of));
     }
-    return new volScalarField
-    (
-        header(name, IOobject::NO_READ, of),
-        mesh_,
-        dimensionedScalar(name, dimensionsOf(name), value),
-        "zeroGradient"
-    );
+    return new volScalarField(
+        header(name, IOobject::NO_READ, of), mesh_,
+        dimensionedScalar(name, dimensionsOf(name), value), "zeroGradient");
 }
-
 
 bool Foam::mpm::eulerianFluids::hasState(const fieldStates* states) const
 {
@@ -82,18 +60,16 @@ bool Foam::mpm::eulerianFluids::hasState(const fieldStates* states) const
     }
     if (tells(missing.size()))
     {
-        FatalErrorInFunction
-            << "Time " << mesh_.time().timeName() << " has not all of the state"
-            << " of the fluids: there are " << flatOutput(found)
-            << ", but no " << flatOutput(missing) << " in "
-            << mesh_.time().timePath() << "." << nl
-            << "Start from another time. Without any of the files thetaRho.*,"
-            << " thetaRhoU, thetaRhoE the run starts from p, U, alpha.*, T.*"
-            << " and rho.*." << exit(FatalError);
+        FatalErrorInFunction << "Time " << mesh_.time().timeName() << " has not all of the state"
+                             << " of the fluids: there are " << flatOutput(found) << ", but no "
+                             << flatOutput(missing) << " in " << mesh_.time().timePath() << "."
+                             << nl
+                             << "Start from another time. Without any of the files thetaRho.*,"
+                             << " thetaRhoU, thetaRhoE the run starts from p, U, alpha.*, T.*"
+                             << " and rho.*." << exit(FatalError);
     }
     return true;
 }
-
 
 void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
 {
@@ -122,15 +98,10 @@ void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
         {
             // With the conditions of another, whose values it complements
             const volScalarField& other = alpha_[missing ? 0 : 1];
-            alpha_.set
-            (
+            alpha_.set(
                 missing,
-                new volScalarField
-                (
-                    header("alpha", IOobject::NO_READ, mixture_.name(missing)),
-                    other
-                )
-            );
+                new volScalarField(
+                    header("alpha", IOobject::NO_READ, mixture_.name(missing)), other));
             volScalarField& left = alpha_[missing];
             left.primitiveFieldRef() = 1;
             for (fvPatchScalarField& b : left.boundaryFieldRef())
@@ -152,8 +123,7 @@ void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
                     fvPatchScalarField& b = left.boundaryFieldRef()[patchi];
                     if (b.fixesValue() && !b.coupled())
                     {
-                        static_cast<scalarField&>(b) -=
-                            alpha_[k].boundaryField()[patchi];
+                        static_cast<scalarField&>(b) -= alpha_[k].boundaryField()[patchi];
                     }
                 }
             }
@@ -167,7 +137,6 @@ void Foam::mpm::eulerianFluids::makeFields(const fieldStates* states)
     }
 }
 
-
 void Foam::mpm::eulerianFluids::checkShares()
 {
     const noTraps guard;
@@ -179,12 +148,10 @@ void Foam::mpm::eulerianFluids::checkShares()
         {
             if (!(a[c] > -1e-9 && a[c] < 1 + 1e-9))
             {
-                FatalErrorInFunction
-                    << "Field " << alpha_[k].name() << " in "
-                    << alpha_[k].objectPath() << " has the value " << a[c]
-                    << " in cell " << c << " at " << mesh_.cellCentres()[c]
-                    << "; a share of the volume is in [0, 1]."
-                    << exit(FatalError);
+                FatalErrorInFunction << "Field " << alpha_[k].name() << " in "
+                                     << alpha_[k].objectPath() << " has the value " << a[c]
+                                     << " in cell " << c << " at " << mesh_.cellCentres()[c]
+                                     << "; a share of the volume is in [0, 1]." << exit(FatalError);
             }
             a[c] = min(max(a[c], scalar(0)), scalar(1));
             sum[c] += a[c];
@@ -194,11 +161,10 @@ void Foam::mpm::eulerianFluids::checkShares()
     {
         if (mag(sum[c] - 1) > 1e-6)
         {
-            FatalErrorInFunction
-                << "The shares alpha of the fluids add up to " << sum[c]
-                << " in cell " << c << " at " << mesh_.cellCentres()[c]
-                << "; that must be 1. The file of one fluid may be left out: it"
-                << " has the rest." << exit(FatalError);
+            FatalErrorInFunction << "The shares alpha of the fluids add up to " << sum[c]
+                                 << " in cell " << c << " at " << mesh_.cellCentres()[c]
+                                 << "; that must be 1. The file of one fluid may be left out: it"
+                                 << " has the rest." << exit(FatalError);
         }
         scalar missing = 0, others = 0;
         forAll(alpha_, k)
@@ -212,11 +178,10 @@ void Foam::mpm::eulerianFluids::checkShares()
         forAll(alpha_, k)
         {
             scalar& a = alpha_[k].primitiveFieldRef()[c];
-            a = a < nuclei_[k] ? nuclei_[k] : a*(1 - missing/others);
+            a = a < nuclei_[k] ? nuclei_[k] : a * (1 - missing / others);
         }
     }
 }
-
 
 void Foam::mpm::eulerianFluids::checkDensities() const
 {
@@ -229,18 +194,16 @@ void Foam::mpm::eulerianFluids::checkDensities() const
             if (alpha_[k][c] > 0 && !(rho > 0 && rho < GREAT))
             {
                 FatalErrorInFunction
-                    << "Field " << state_[k].name() << " in "
-                    << state_[k].objectPath() << " has the value "
-                    << state_[k][c] << " in cell " << c << " at "
-                    << mesh_.cellCentres()[c] << ", where " << mixture_.name(k)
-                    << " has the share " << alpha_[k][c] << " and p is "
-                    << p_[c] << " Pa: the density " << rho << " kg/m3 must be"
+                    << "Field " << state_[k].name() << " in " << state_[k].objectPath()
+                    << " has the value " << state_[k][c] << " in cell " << c << " at "
+                    << mesh_.cellCentres()[c] << ", where " << mixture_.name(k) << " has the share "
+                    << alpha_[k][c] << " and p is " << p_[c] << " Pa: the density " << rho
+                    << " kg/m3 must be"
                     << " greater than 0." << exit(FatalError);
             }
         }
     }
 }
-
 
 void Foam::mpm::eulerianFluids::checkState(const scalarField& p) const
 {
@@ -250,11 +213,11 @@ void Foam::mpm::eulerianFluids::checkState(const scalarField& p) const
         scalar sum = 0, least = 0;
         for (label k = 0; k < n_; ++k)
         {
-            sum += part_[n_*c + k];
-            least = min(least, min(part_[n_*c + k], mass_[n_*c + k]));
+            sum += part_[n_ * c + k];
+            least = min(least, min(part_[n_ * c + k], mass_[n_ * c + k]));
         }
-        const bool shares = mag(sum - theta_[c]) <= 1e-6*theta_[c] && least >= 0;
-        if (shares && mag(p[c] - p_[c]) <= 1e-5*t_[c].K)
+        const bool shares = mag(sum - theta_[c]) <= 1e-6 * theta_[c] && least >= 0;
+        if (shares && mag(p[c] - p_[c]) <= 1e-5 * t_[c].K)
         {
             continue;
         }
@@ -269,29 +232,22 @@ void Foam::mpm::eulerianFluids::checkState(const scalarField& p) const
             why << "alpha.* add up to " << sum << ", theta is " << theta_[c]
                 << (least < 0 ? ", and a share or mass is negative." : ".");
         }
-        FatalErrorInFunction
-            << "The fields p, theta, alpha.* and F.* of time "
-            << mesh_.time().timeName() << " do not belong to the state"
-            << " thetaRho.*, thetaRhoU, thetaRhoE of the fluids in that time: "
-            << why.str().c_str() << " That is in cell " << c << " at "
-            << mesh_.cellCentres()[c] << "." << nl
-            << "If some were changed on purpose, remove the files thetaRho.*,"
-            << " thetaRhoU, thetaRhoE and the run starts from p, U, alpha.*,"
-            << " T.*, rho.*, F.*." << exit(FatalError);
+        FatalErrorInFunction << "The fields p, theta, alpha.* and F.* of time "
+                             << mesh_.time().timeName() << " do not belong to the state"
+                             << " thetaRho.*, thetaRhoU, thetaRhoE of the fluids in that time: "
+                             << why.str().c_str() << " That is in cell " << c << " at "
+                             << mesh_.cellCentres()[c] << "." << nl
+                             << "If some were changed on purpose, remove the files thetaRho.*,"
+                             << " thetaRhoU, thetaRhoE and the run starts from p, U, alpha.*,"
+                             << " T.*, rho.*, F.*." << exit(FatalError);
     }
 }
 
-
-Foam::scalar Foam::mpm::eulerianFluids::density
-(
-    const label k,
-    const scalar state,
-    const scalar p
-) const
+Foam::scalar
+Foam::mpm::eulerianFluids::density(const label k, const scalar state, const scalar p) const
 {
     return isGas(k) ? mixture_.thermo(k).rho(p, state) : state;
 }
-
 
 void Foam::mpm::eulerianFluids::conserve()
 {
@@ -301,28 +257,23 @@ void Foam::mpm::eulerianFluids::conserve()
         scalar rho = 0, energy = 0;
         for (label k = 0; k < n_; ++k)
         {
-            const scalar theta = theta_[c]*alpha_[k][c];
-            part_[n_*c + k] = theta;
-            mass_[n_*c + k] = 0;
+            const scalar theta = theta_[c] * alpha_[k][c];
+            part_[n_ * c + k] = theta;
+            mass_[n_ * c + k] = 0;
             if (theta > 0)
             {
                 const scalar rhoK = density(k, state_[k][c], p_[c]);
-                mass_[n_*c + k] = theta*rhoK;
-                rho += theta*rhoK;
+                mass_[n_ * c + k] = theta * rhoK;
+                rho += theta * rhoK;
                 energy +=
-                    theta
-                   *fluidMixture::energy
-                    (
-                        mixture_.at(k, rhoK, burntOf(c, k)), rhoK, p_[c]
-                    );
+                    theta * fluidMixture::energy(mixture_.at(k, rhoK, burntOf(c, k)), rhoK, p_[c]);
             }
         }
         rho_[c] = rho;
-        rhoU_[c] = rho*U_[c];
-        rhoE_[c] = energy + 0.5*rho*magSqr(U_[c]);
+        rhoU_[c] = rho * U_[c];
+        rhoE_[c] = energy + 0.5 * rho * magSqr(U_[c]);
     }
 }
-
 
 void Foam::mpm::eulerianFluids::start(const fieldStates* states)
 {
@@ -337,17 +288,12 @@ void Foam::mpm::eulerianFluids::start(const fieldStates* states)
     rho_ = 0;
     for (label k = 0; k < n_; ++k)
     {
-        const scalarField m
-        (
-            startField<volScalarField::Internal>
-            (
-                "thetaRho", states, mixture_.name(k)
-            ).field()
-        );
+        const scalarField m(
+            startField<volScalarField::Internal>("thetaRho", states, mixture_.name(k)).field());
         forAll(theta_, c)
         {
-            part_[n_*c + k] = alpha_[k][c];
-            mass_[n_*c + k] = m[c];
+            part_[n_ * c + k] = alpha_[k][c];
+            mass_[n_ * c + k] = m[c];
             rho_[c] += m[c];
         }
     }
@@ -359,11 +305,9 @@ void Foam::mpm::eulerianFluids::start(const fieldStates* states)
     updateBoundaryStates();
 }
 
-
 void Foam::mpm::eulerianFluids::readViscosity(const dictionary& properties)
 {
-    const bool viscous =
-        settings(properties).getOrDefault<bool>("viscous", false);
+    const bool viscous = settings(properties).getOrDefault<bool>("viscous", false);
     mu_.setSize(n_, 0);
     kappa_.setSize(n_, 0);
     bool conducts = false;
@@ -392,24 +336,13 @@ void Foam::mpm::eulerianFluids::readViscosity(const dictionary& properties)
     if (conducts)
     {
         needTemperature(settings(properties));
-        T_.reset
-        (
-            new volScalarField
-            (
-                header("T", IOobject::NO_READ, group_),
-                mesh_,
-                dimensionedScalar(dimTemperature, Zero),
-                "zeroGradient"
-            )
-        );
+        T_.reset(new volScalarField(
+            header("T", IOobject::NO_READ, group_), mesh_, dimensionedScalar(dimTemperature, Zero),
+            "zeroGradient"));
     }
 }
 
-
-const Foam::volScalarField* Foam::mpm::eulerianFluids::transport
-(
-    scalarField& rhoCv
-)
+const Foam::volScalarField* Foam::mpm::eulerianFluids::transport(scalarField& rhoCv)
 {
     const noTraps guard;
     forAll(theta_, c)
@@ -417,21 +350,21 @@ const Foam::volScalarField* Foam::mpm::eulerianFluids::transport
         scalar mu = 0, kappa = 0, sumT = 0;
         for (label k = 0; k < n_; ++k)
         {
-            const scalar theta = part_[n_*c + k], m = mass_[n_*c + k];
-            mu += theta*mu_[k];
-            kappa += theta*kappa_[k];
+            const scalar theta = part_[n_ * c + k], m = mass_[n_ * c + k];
+            mu += theta * mu_[k];
+            kappa += theta * kappa_[k];
             if (T_ && m > 0)
             {
                 const gasThermo& thermo = mixture_.thermo(k);
-                rhoCv[c] += m*thermo.Cv();
-                sumT += m*thermo.Cv()*thermo.T(m/theta, W_[c].p);
+                rhoCv[c] += m * thermo.Cv();
+                sumT += m * thermo.Cv() * thermo.T(m / theta, W_[c].p);
             }
         }
-        viscous_->mu[c] = mu/theta_[c];
-        viscous_->kappa[c] = kappa/theta_[c];
+        viscous_->mu[c] = mu / theta_[c];
+        viscous_->kappa[c] = kappa / theta_[c];
         if (T_)
         {
-            (*T_)[c] = sumT/rhoCv[c];
+            (*T_)[c] = sumT / rhoCv[c];
         }
     }
     if (T_)
@@ -440,5 +373,3 @@ const Foam::volScalarField* Foam::mpm::eulerianFluids::transport
     }
     return T_.get();
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianGas.H"
 #include "dictionaryTools.H"
@@ -24,16 +18,14 @@ using namespace Foam;
 template<class Field>
 void checkNames(const Field& field, const word& gas)
 {
-    const HashTable<wordList> asks
-    ({
-        {"waveTransmissive", {"phi", "psi"}},
-        {"advective", {"phi"}},
-        {"inletOutlet", {"phi"}},
-        {"outletInlet", {"phi"}},
-        {"pressureInletOutletVelocity", {"phi"}},
-        {"totalPressure", {"phi", "U"}},
-        {"totalTemperature", {"phi", "U"}}
-    });
+    const HashTable<wordList> asks(
+        {{"waveTransmissive", {"phi", "psi"}},
+         {"advective", {"phi"}},
+         {"inletOutlet", {"phi"}},
+         {"outletInlet", {"phi"}},
+         {"pressureInletOutletVelocity", {"phi"}},
+         {"totalPressure", {"phi", "U"}},
+         {"totalTemperature", {"phi", "U"}}});
     for (const auto& pf : field.boundaryField())
     {
         if (!asks.found(pf.type()))
@@ -46,8 +38,7 @@ void checkNames(const Field& field, const word& gas)
         const dictionary dict(is);
         const bool total = pf.type().compare(0, 5, "total") == 0;
         const bool byRho =
-            pf.type() == "totalPressure"
-         && dict.getOrDefault<word>("psi", "none") == "none";
+            pf.type() == "totalPressure" && dict.getOrDefault<word>("psi", "none") == "none";
 
         // The first asks for the density where it has no psi
         wordList keys(asks[pf.type()]);
@@ -67,41 +58,34 @@ void checkNames(const Field& field, const word& gas)
             {
                 if (!(total && (k == "psi" || k == "rho")))
                 {
-                    names
-                        << ' ' << k << ' ' << IOobject::groupName(k, gas)
-                        << ';';
+                    names << ' ' << k << ' ' << IOobject::groupName(k, gas) << ';';
                 }
             }
             if (total)
             {
-                names
-                    << " psi " << IOobject::groupName("psi", gas)
-                    << "; gamma <of the gas>;";
+                names << " psi " << IOobject::groupName("psi", gas) << "; gamma <of the gas>;";
             }
             if (pf.type() == "totalPressure")
             {
-                names
-                    << nl << "or, without compression by its speed, psi none;"
-                    << " rho " << IOobject::groupName("rho", gas)
-                    << "; in place of psi and gamma.";
+                names << nl << "or, without compression by its speed, psi none;"
+                      << " rho " << IOobject::groupName("rho", gas)
+                      << "; in place of psi and gamma.";
             }
             OStringStream fields;
             for (const char* own : {"phi", "U", "psi", "rho", "T"})
             {
                 fields << ' ' << IOobject::groupName(own, gas);
             }
-            FatalErrorInFunction
-                << "The condition " << pf.type() << " of patch "
-                << pf.patch().name() << " of " << field.name() << " ("
-                << field.objectPath() << ") looks for the field " << name
-                << ", which is called " << IOobject::groupName(key, gas)
-                << "." << nl << "Add the entries:" << names.str().c_str() << nl
-                << "Fields of the gas: p" << fields.str().c_str()
-                << exit(FatalError);
+            FatalErrorInFunction << "The condition " << pf.type() << " of patch "
+                                 << pf.patch().name() << " of " << field.name() << " ("
+                                 << field.objectPath() << ") looks for the field " << name
+                                 << ", which is called " << IOobject::groupName(key, gas) << "."
+                                 << nl << "Add the entries:" << names.str().c_str() << nl
+                                 << "Fields of the gas: p" << fields.str().c_str()
+                                 << exit(FatalError);
         }
     }
 }
-
 
 //- Warn of a temperature that is probably one in degrees Celsius: below 100 K
 //  everywhere, at a pressure of a scene in SI units
@@ -112,16 +96,15 @@ void warnOfCelsius(const volScalarField& T, const volScalarField& p)
     if (high < 100 && gMax(p.primitiveField()) > 1e3)
     {
         Ostream& os = WarningInFunction;
-        os  << T.name() << " starts with " << low;
+        os << T.name() << " starts with " << low;
         if (high > low)
         {
-            os  << " to " << high;
+            os << " to " << high;
         }
-        os  << " K (" << T.objectPath() << "): it is in K. " << high
-            << " degrees Celsius are " << high + 273.15 << " K." << endl;
+        os << " K (" << T.objectPath() << "): it is in K. " << high << " degrees Celsius are "
+           << high + 273.15 << " K." << endl;
     }
 }
-
 
 //- Warn of a pressure that is probably one in bar: below 100 Pa everywhere, at
 //  the temperature of a scene in SI units
@@ -131,13 +114,11 @@ void warnOfBar(const volScalarField& T, const volScalarField& p)
     const scalar low = gMin(T.primitiveField());
     if (high < 100 && low > 200)
     {
-        WarningInFunction
-            << "The gas starts with a pressure of " << high << " Pa ("
-            << p.objectPath() << ") at " << low << " K: that is a vacuum."
-            << " 1 bar is 1e5 Pa." << endl;
+        WarningInFunction << "The gas starts with a pressure of " << high << " Pa ("
+                          << p.objectPath() << ") at " << low << " K: that is a vacuum."
+                          << " 1 bar is 1e5 Pa." << endl;
     }
 }
-
 
 }
 
@@ -157,20 +138,14 @@ void Foam::mpm::eulerianGas::checkConditions() const
     }
 }
 
-
 void Foam::mpm::eulerianGas::conserve()
 {
     const noTraps guard;
-    closure_.conserve
-    (
-        conserved(),
-        p_.primitiveField(),
-        U_.primitiveField(),
+    closure_.conserve(
+        conserved(), p_.primitiveField(), U_.primitiveField(),
         T_ && thermo_.isGammaLaw() ? T_->primitiveField().cdata() : nullptr,
-        rho0_.primitiveField()
-    );
+        rho0_.primitiveField());
 }
-
 
 void Foam::mpm::eulerianGas::primitives()
 {
@@ -178,23 +153,13 @@ void Foam::mpm::eulerianGas::primitives()
     {
         const noTraps guard;
         const bool hasT = T_ && thermo_.isGammaLaw();
-        found = closure_.correct
-        (
-            conserved(),
-            faceRates_,
-            {
-                W_,
-                t_,
-                p_.primitiveFieldRef(),
-                U_.primitiveFieldRef(),
-                rho0_.primitiveFieldRef(),
-                hasT ? T_->primitiveFieldRef().data() : nullptr
-            }
-        );
+        found = closure_.correct(
+            conserved(), faceRates_,
+            {W_, t_, p_.primitiveFieldRef(), U_.primitiveFieldRef(), rho0_.primitiveFieldRef(),
+             hasT ? T_->primitiveFieldRef().data() : nullptr});
     }
     setRate(found.rate, found.bad);
 }
-
 
 void Foam::mpm::eulerianGas::readViscosity(const dictionary& dict)
 {
@@ -202,9 +167,8 @@ void Foam::mpm::eulerianGas::readViscosity(const dictionary& dict)
     {
         if (dict.found("kappa"))
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry kappa of " << name_ << " conducts heat only with"
-                << "  viscous yes;" << exit(FatalIOError);
+            FatalIOErrorInFunction(dict) << "Entry kappa of " << name_ << " conducts heat only with"
+                                         << "  viscous yes;" << exit(FatalIOError);
         }
         return;
     }
@@ -213,21 +177,16 @@ void Foam::mpm::eulerianGas::readViscosity(const dictionary& dict)
     if (kappa_ > 0 && !thermo_.hasTemperature())
     {
         FatalIOErrorInFunction(dict)
-            << "Entry kappa of " << name_ << " ("
-            << thermo_.description().c_str() << ") needs a temperature: thermo"
-            << " perfectGas, or Cv beside an equationOfState that has one."
-            << exit(FatalIOError);
+            << "Entry kappa of " << name_ << " (" << thermo_.description().c_str()
+            << ") needs a temperature: thermo"
+            << " perfectGas, or Cv beside an equationOfState that has one." << exit(FatalIOError);
     }
     viscous_.reset(new viscousFlux(mesh_, faces_, coupled_));
     viscous_->mu = mu_;
     viscous_->kappa = kappa_;
 }
 
-
-const Foam::volScalarField* Foam::mpm::eulerianGas::transport
-(
-    scalarField& rhoCv
-)
+const Foam::volScalarField* Foam::mpm::eulerianGas::transport(scalarField& rhoCv)
 {
     if (!(kappa_ > 0))
     {
@@ -237,51 +196,32 @@ const Foam::volScalarField* Foam::mpm::eulerianGas::transport
     {
         updateTemperature();
     }
-    rhoCv = thermo_.Cv()*rho_;
+    rhoCv = thermo_.Cv() * rho_;
     return &T_();
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::eulerianGas::eulerianGas
-(
-    const fvMesh& mesh,
-    const word& name,
-    const dictionary& dict,
-    const vector& g,
-    const fieldStates* states
-)
-:
+Foam::mpm::eulerianGas::eulerianGas(
+    const fvMesh& mesh, const word& name, const dictionary& dict, const vector& g,
+    const fieldStates* states) :
     eulerianFlow(mesh, name, name, g, states),
     thermoPtr_(gasThermo::New(dict)),
     thermo_(*thermoPtr_),
     faceFlux_(mpm::faceFlux::New(dict, faces_)),
     closure_(thermo_),
-    T_
-    (
-        !thermo_.hasTemperature() ? nullptr
-      : thermo_.isGammaLaw()
-      ? new volScalarField(startField<volScalarField>("T", states, name))
-      : new volScalarField(computed("T"))
-    ),
+    T_(!thermo_.hasTemperature() ? nullptr
+           : thermo_.isGammaLaw()
+           ? new volScalarField(startField<volScalarField>("T", states, name))
+           : new volScalarField(computed("T"))),
     mu_(0),
     kappa_(0),
-    rho0_
-    (
-        readsRho()
-      ? startField<volScalarField>("rho", states, name)
-      : computed("rho")
-    )
+    rho0_(readsRho() ? startField<volScalarField>("rho", states, name) : computed("rho"))
 {
     wordList valid(thermo_.keywords());
-    valid.append
-    (
-        wordList
-        ({
-            "type", "mu", "Pr", "kappa", "viscous", "poreFloor", "faceDrag",
-            "faceFlux", "solidFraction"
-        })
-    );
+    valid.append(wordList(
+        {"type", "mu", "Pr", "kappa", "viscous", "poreFloor", "faceDrag", "faceFlux",
+         "solidFraction"}));
     valid.append(faceFlux_->keywords());
     checkKeywords(dict, valid);
 
@@ -300,12 +240,10 @@ Foam::mpm::eulerianGas::eulerianGas
         warnOfBar(*T_, p_);
     }
 
-    Info<< "Gas " << name_ << ": " << thermo_.description().c_str();
-    Info<< ", " << returnReduce(mesh.nCells(), sumOp<label>()) << " cells"
-        << nl << "    reconstruction: " << reconstruction_.description().c_str()
-        << nl << endl;
+    Info << "Gas " << name_ << ": " << thermo_.description().c_str();
+    Info << ", " << returnReduce(mesh.nCells(), sumOp<label>()) << " cells" << nl
+         << "    reconstruction: " << reconstruction_.description().c_str() << nl << endl;
 }
-
 
 void Foam::mpm::eulerianGas::start(const fieldStates* states)
 {
@@ -325,20 +263,19 @@ void Foam::mpm::eulerianGas::start(const fieldStates* states)
     forAll(p, c)
     {
         const scalar size = t_.empty() ? p_[c] : t_[c].K;
-        const scalar d = mag(p[c] - p_[c])/size;
+        const scalar d = mag(p[c] - p_[c]) / size;
         change = d < GREAT ? max(change, d) : GREAT;
     }
     reduce(change, maxOp<scalar>());
     if (!(change < 1e-6))
     {
-        FatalErrorInFunction
-            << "Field p of time " << mesh_.time().timeName()
-            << " differs by up to " << change << " of its value from the"
-            << " pressure of the state thetaRho." << name_ << ", thetaRhoU."
-            << name_ << ", thetaRhoE." << name_ << " of that time." << nl
-            << "If p was changed on purpose, remove these three files and the"
-            << " run starts from p, T." << name_ << ", U." << name_ << "."
-            << exit(FatalError);
+        FatalErrorInFunction << "Field p of time " << mesh_.time().timeName()
+                             << " differs by up to " << change << " of its value from the"
+                             << " pressure of the state thetaRho." << name_ << ", thetaRhoU."
+                             << name_ << ", thetaRhoE." << name_ << " of that time." << nl
+                             << "If p was changed on purpose, remove these three files and the"
+                             << " run starts from p, T." << name_ << ", U." << name_ << "."
+                             << exit(FatalError);
     }
     far_->setValues(W_, g_, U_, p_);
     updateBoundaryStates();
@@ -359,5 +296,3 @@ bool Foam::mpm::eulerianGas::setTheta(const UList<scalar>& theta)
     updateBoundaryStates();
     return false;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianGas.H"
 #include "noTraps.H"
@@ -40,28 +34,22 @@ void Foam::mpm::eulerianGas::generalBoundary(const label patchi)
     }
 }
 
-
 void Foam::mpm::eulerianGas::generalTerms()
 {
     const noTraps guard;
-    thermo_.terms
-    (
-        Wb_.size(),
-        [&](const label i) -> const gasState& { return Wb_[i]; },
-        [&](const label i) -> stateTerms& { return tb_[i]; }
-    );
+    thermo_.terms(
+        Wb_.size(), [&](const label i) -> const gasState& { return Wb_[i]; },
+        [&](const label i) -> stateTerms& { return tb_[i]; });
     forAll(psi_.boundaryField(), patchi)
     {
         fvPatchScalarField& psi = psi_.boundaryFieldRef()[patchi];
-        const label start =
-            mesh_.boundaryMesh()[patchi].start() - mesh_.nInternalFaces();
+        const label start = mesh_.boundaryMesh()[patchi].start() - mesh_.nInternalFaces();
         forAll(psi, i)
         {
-            psi[i] = Wb_[start + i].rho/tb_[start + i].K;
+            psi[i] = Wb_[start + i].rho / tb_[start + i].K;
         }
     }
 }
-
 
 void Foam::mpm::eulerianGas::updateBoundaryStates()
 {
@@ -103,7 +91,7 @@ void Foam::mpm::eulerianGas::updateBoundaryStates()
             w.u = U[i];
             w.rho = thermo_.rho(p[i], T);
             rho0[i] = w.rho;
-            psi[i] = w.rho/w.p;
+            psi[i] = w.rho / w.p;
             thetaB_[start + i] = theta_[own[pp.start() + i]];
         }
     }
@@ -112,7 +100,7 @@ void Foam::mpm::eulerianGas::updateBoundaryStates()
     {
         const gasState& w = Wb_[a.f - nInternal];
         rho0_.boundaryFieldRef()[a.patch][a.i] = w.rho;
-        psi_.boundaryFieldRef()[a.patch][a.i] = w.rho/w.p;
+        psi_.boundaryFieldRef()[a.patch][a.i] = w.rho / w.p;
     }
     if (!coupled_.empty())
     {
@@ -139,7 +127,6 @@ void Foam::mpm::eulerianGas::updateBoundaryStates()
     }
 }
 
-
 void Foam::mpm::eulerianGas::updateFields()
 {
     U_.correctBoundaryConditions();
@@ -154,40 +141,28 @@ void Foam::mpm::eulerianGas::updateFields()
     }
 }
 
-
-Foam::mpm::farField::medium::part Foam::mpm::eulerianGas::partOf
-(
-    const scalar rho,
-    const scalar p
-) const
+Foam::mpm::farField::medium::part
+Foam::mpm::eulerianGas::partOf(const scalar rho, const scalar p) const
 {
     if (thermo_.isGammaLaw())
     {
-        return {1, rho, thermo_.gamma()*p, thermo_.gamma()};
+        return {1, rho, thermo_.gamma() * p, thermo_.gamma()};
     }
 
     stateTerms t;
     const auto K = [&](const scalar rho, const scalar p)
     {
         const gasState w{rho, Zero, p};
-        thermo_.terms
-        (
-            1,
-            [&](const label) -> const gasState& { return w; },
-            [&](const label) -> stateTerms& { return t; }
-        );
+        thermo_.terms(
+            1, [&](const label) -> const gasState& { return w; },
+            [&](const label) -> stateTerms& { return t; });
         return t.K;
     };
     return farField::medium::isentrope(1, rho, p, K);
 }
 
-
-Foam::mpm::farField::state Foam::mpm::eulerianGas::farState
-(
-    const label i,
-    const gasState& L,
-    const scalar z
-)
+Foam::mpm::farField::state
+Foam::mpm::eulerianGas::farState(const label i, const gasState& L, const scalar z)
 {
     const farField::face& a = far_->faces()[i];
     const gasState& w = W_[mesh_.faceOwner()[a.f]];
@@ -195,10 +170,8 @@ Foam::mpm::farField::state Foam::mpm::eulerianGas::farState
     farField::medium of;
     of.p = w.p;
     of.outside = false;
-    const volScalarField* field =
-        readsRho() ? &rho0_ : thermo_.isGammaLaw() ? T_.get() : nullptr;
-    const fvPatchScalarField* b =
-        field ? &field->boundaryField()[a.patch] : nullptr;
+    const volScalarField* field = readsRho() ? &rho0_ : thermo_.isGammaLaw() ? T_.get() : nullptr;
+    const fvPatchScalarField* b = field ? &field->boundaryField()[a.patch] : nullptr;
     if (b && farField::fixes(*b))
     {
         of.p = pFar;
@@ -213,11 +186,7 @@ Foam::mpm::farField::state Foam::mpm::eulerianGas::farState
     farField::state s(far_->at(i, L, z, of));
 
     // What comes in by conditions that say so
-    if
-    (
-        b && s.u < 0 && !of.outside
-     && !isA<zeroGradientFvPatchScalarField>(*b)
-    )
+    if (b && s.u < 0 && !of.outside && !isA<zeroGradientFvPatchScalarField>(*b))
     {
         const scalar v = (*b)[a.i];
         of.size = 0;
@@ -228,18 +197,11 @@ Foam::mpm::farField::state Foam::mpm::eulerianGas::farState
     return s;
 }
 
-
-Foam::scalar Foam::mpm::eulerianGas::sideImpedance
-(
-    const label f,
-    const gasState& L
-) const
+Foam::scalar Foam::mpm::eulerianGas::sideImpedance(const label f, const gasState& L) const
 {
-    const scalar K =
-        t_.empty() ? thermo_.gamma()*L.p : reconstruction_.terms()[f].own.K;
-    return std::sqrt(L.rho*K);
+    const scalar K = t_.empty() ? thermo_.gamma() * L.p : reconstruction_.terms()[f].own.K;
+    return std::sqrt(L.rho * K);
 }
-
 
 const Foam::mpm::stateTerms* Foam::mpm::eulerianGas::farTerms(const label i)
 {
@@ -247,12 +209,9 @@ const Foam::mpm::stateTerms* Foam::mpm::eulerianGas::farTerms(const label i)
     {
         return nullptr;
     }
-    thermo_.terms
-    (
-        1,
-        [&](const label) -> const gasState& { return Wb_[i]; },
-        [&](const label) -> stateTerms& { return tb_[i]; }
-    );
+    thermo_.terms(
+        1, [&](const label) -> const gasState& { return Wb_[i]; },
+        [&](const label) -> stateTerms& { return tb_[i]; });
     return &tb_[i];
 }
 
@@ -266,29 +225,22 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
     {
         if (!thermo_.isGammaLaw())
         {
-            FatalErrorInFunction
-                << "Gas " << name_ << " has an equationOfState: it runs without"
-                << " solid only." << exit(FatalError);
+            FatalErrorInFunction << "Gas " << name_ << " has an equationOfState: it runs without"
+                                 << " solid only." << exit(FatalError);
         }
         porous_ = true;
         markNearSolid(*pores);
     }
     if (!reconstruction_.upwind())
     {
-        reconstruction_.update
-        (
-            dt, {&thermo_, W_, Wb_, t_, tb_}, rho0_, U_, p_,
-            pores ? &near_ : nullptr
-        );
+        reconstruction_.update(
+            dt, {&thermo_, W_, Wb_, t_, tb_}, rho0_, U_, p_, pores ? &near_ : nullptr);
     }
 
     const mpm::faceFlux::result to{phi_, pStar_, out_};
     if (pores)
     {
-        faceFlux_->flux
-        (
-            allStates<false>(), {dt, theta_, thetaB_, near_, *pores}, to
-        );
+        faceFlux_->flux(allStates<false>(), {dt, theta_, thetaB_, near_, *pores}, to);
         farFaces(pores, &near_);
         limitOutflow(dt, pores);
         return;
@@ -304,5 +256,3 @@ void Foam::mpm::eulerianGas::faceFlux(const scalar dt, const solidOnFaces* pores
     farFaces(nullptr, nullptr);
     limitOutflow(dt, nullptr);
 }
-
-// ************************************************************************* //

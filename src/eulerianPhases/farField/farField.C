@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "farField.H"
 #include "mixedFvPatchFields.H"
@@ -20,33 +14,26 @@ using namespace Foam;
 //- log of K(p)/K along an isentrope
 scalar logRatio(const mpm::farField::medium::part& a, const scalar dp)
 {
-    return std::log(max(1 + a.n*dp/a.K, 1e-3));
+    return std::log(max(1 + a.n * dp / a.K, 1e-3));
 }
 
 }
 
-
-Foam::scalar Foam::mpm::farField::medium::rho
-(
-    const label k,
-    const scalar at
-) const
+Foam::scalar Foam::mpm::farField::medium::rho(const label k, const scalar at) const
 {
     const part& a = parts[k];
-    return a.rho*std::exp(logRatio(a, at - p)/a.n);
+    return a.rho * std::exp(logRatio(a, at - p) / a.n);
 }
-
 
 Foam::scalar Foam::mpm::farField::medium::rho(const scalar at) const
 {
     scalar volume = 0;
     for (label k = 0; k < size; ++k)
     {
-        volume += parts[k].Y/rho(k, at);
+        volume += parts[k].Y / rho(k, at);
     }
-    return 1/volume;
+    return 1 / volume;
 }
-
 
 Foam::scalar Foam::mpm::farField::medium::softness(const scalar at) const
 {
@@ -55,99 +42,81 @@ Foam::scalar Foam::mpm::farField::medium::softness(const scalar at) const
     {
         const part& a = parts[k];
         const scalar r = logRatio(a, at - p);
-        sum += a.Y/(a.rho*a.K)*std::exp(-r*(1 + 1/a.n));
+        sum += a.Y / (a.rho * a.K) * std::exp(-r * (1 + 1 / a.n));
     }
     return sum;
 }
 
-
-Foam::scalar Foam::mpm::farField::medium::impedance
-(
-    const scalar pFar,
-    const scalar pL
-) const
+Foam::scalar Foam::mpm::farField::medium::impedance(const scalar pFar, const scalar pL) const
 {
     const scalar dp = pL - pFar;
     const part& a = parts[0];
     if (outside && size == 1 && dp > 0)
     {
-        return std::sqrt(a.rho*(a.K + 0.5*(a.n + 1)*dp));
+        return std::sqrt(a.rho * (a.K + 0.5 * (a.n + 1) * dp));
     }
-    if (mag(dp) <= 1e-12*a.K)
+    if (mag(dp) <= 1e-12 * a.K)
     {
-        return 1/std::sqrt(softness(pL));
+        return 1 / std::sqrt(softness(pL));
     }
 
     if (size == 1)
     {
         // u = 2/(n - 1) (c - c_inf), n = 1: c log
-        const scalar e = 0.5*(a.n - 1)/a.n;
+        const scalar e = 0.5 * (a.n - 1) / a.n;
         const auto c = [&](const scalar at)
         {
             const scalar r = logRatio(a, at - p);
-            return (mag(e) < 1e-9 ? r : std::expm1(e*r)/e)/a.n;
+            return (mag(e) < 1e-9 ? r : std::expm1(e * r) / e) / a.n;
         };
-        return dp/((c(pL) - c(pFar))*std::sqrt(a.K/a.rho));
+        return dp / ((c(pL) - c(pFar)) * std::sqrt(a.K / a.rho));
     }
 
     // Gauss' rule, half of it
     constexpr scalar x[] = {0, 0.538469310105683, 0.906179845938664};
-    constexpr scalar w[] = {0.568888888888889, 0.478628670499366,
-        0.236926885056189};
-    const scalar middle = 0.5*(pL + pFar);
-    scalar sum = w[0]*std::sqrt(softness(middle));
+    constexpr scalar w[] = {0.568888888888889, 0.478628670499366, 0.236926885056189};
+    const scalar middle = 0.5 * (pL + pFar);
+    scalar sum = w[0] * std::sqrt(softness(middle));
     for (label j = 1; j < 3; ++j)
     {
-        sum += w[j]*std::sqrt(softness(middle + 0.5*dp*x[j]));
-        sum += w[j]*std::sqrt(softness(middle - 0.5*dp*x[j]));
+        sum += w[j] * std::sqrt(softness(middle + 0.5 * dp * x[j]));
+        sum += w[j] * std::sqrt(softness(middle - 0.5 * dp * x[j]));
     }
-    return 2/sum;
+    return 2 / sum;
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::farField::farField(const volVectorField& U, const volScalarField& p)
-:
-    mesh_(p.mesh())
+Foam::mpm::farField::farField(const volVectorField& U, const volScalarField& p) : mesh_(p.mesh())
 {
     DynamicList<face> faces;
     forAll(p.boundaryField(), patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        const bool ofP = isA<farFieldFvPatchField<scalar>>
-        (
-            p.boundaryField()[patchi]
-        );
-        const bool ofU = isA<farFieldFvPatchField<vector>>
-        (
-            U.boundaryField()[patchi]
-        );
+        const bool ofP = isA<farFieldFvPatchField<scalar>>(p.boundaryField()[patchi]);
+        const bool ofU = isA<farFieldFvPatchField<vector>>(U.boundaryField()[patchi]);
         if (ofP != ofU)
         {
-            FatalErrorInFunction
-                << "Patch " << patch.name() << " has the condition farField in "
-                << (ofP ? p.name() : U.name()) << " but not in "
-                << (ofP ? U.name() : p.name()) << "; both have it or none."
-                << exit(FatalError);
+            FatalErrorInFunction << "Patch " << patch.name() << " has the condition farField in "
+                                 << (ofP ? p.name() : U.name()) << " but not in "
+                                 << (ofP ? U.name() : p.name()) << "; both have it or none."
+                                 << exit(FatalError);
         }
         if (!ofP)
         {
             continue;
         }
-        const auto& pf = refCast<const farFieldFvPatchField<scalar>>
-        (
-            p.boundaryField()[patchi]
-        );
+        const auto& pf = refCast<const farFieldFvPatchField<scalar>>(p.boundaryField()[patchi]);
         forAll(patch, i)
         {
             const label f = patch.start() + i;
             const vector& S = mesh_.faceAreas()[f];
-            const vector n(S/mag(S));
+            const vector n(S / mag(S));
             scalar cosine = 1;
             if (pf.hasSource())
             {
                 const vector d(mesh_.faceCentres()[f] - pf.source());
-                cosine = max((d & n)/max(mag(d), VSMALL), scalar(0.2));
+                cosine = max((d & n) / max(mag(d), VSMALL), scalar(0.2));
             }
             faces.append({f, patchi, i, n, cosine});
         }
@@ -157,13 +126,8 @@ Foam::mpm::farField::farField(const volVectorField& U, const volScalarField& p)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::farField::setValues
-(
-    const UList<gasState>& W,
-    const vector& g,
-    volVectorField& U,
-    volScalarField& p
-)
+void Foam::mpm::farField::setValues(
+    const UList<gasState>& W, const vector& g, volVectorField& U, volScalarField& p)
 {
     forAll(p.boundaryField(), patchi)
     {
@@ -172,14 +136,10 @@ void Foam::mpm::farField::setValues
         {
             continue;
         }
-        scalarField& pFar = refCast<farFieldFvPatchField<scalar>>
-        (
-            p.boundaryFieldRef()[patchi]
-        ).far();
-        vectorField& uFar = refCast<farFieldFvPatchField<vector>>
-        (
-            U.boundaryFieldRef()[patchi]
-        ).far();
+        scalarField& pFar =
+            refCast<farFieldFvPatchField<scalar>>(p.boundaryFieldRef()[patchi]).far();
+        vectorField& uFar =
+            refCast<farFieldFvPatchField<vector>>(U.boundaryFieldRef()[patchi]).far();
         const bool setP = pFar.empty(), setU = uFar.empty();
         pFar.setSize(patch.size());
         uFar.setSize(patch.size());
@@ -189,7 +149,7 @@ void Foam::mpm::farField::setValues
             if (setP)
             {
                 const vector d(patch.Cf()[i] - mesh_.cellCentres()[c]);
-                pFar[i] = W[c].p + W[c].rho*(g & d);
+                pFar[i] = W[c].p + W[c].rho * (g & d);
             }
             if (setU)
             {
@@ -203,23 +163,12 @@ void Foam::mpm::farField::setValues
     forAll(faces_, i)
     {
         const face& a = faces_[i];
-        p_[i] = refCast<const farFieldFvPatchField<scalar>>
-        (
-            p.boundaryField()[a.patch]
-        ).far()[a.i];
-        u_[i] = refCast<const farFieldFvPatchField<vector>>
-        (
-            U.boundaryField()[a.patch]
-        ).far()[a.i];
+        p_[i] = refCast<const farFieldFvPatchField<scalar>>(p.boundaryField()[a.patch]).far()[a.i];
+        u_[i] = refCast<const farFieldFvPatchField<vector>>(U.boundaryField()[a.patch]).far()[a.i];
     }
 }
 
-
-void Foam::mpm::farField::warnOfPressure
-(
-    const UList<gasState>& W,
-    const volScalarField& p
-) const
+void Foam::mpm::farField::warnOfPressure(const UList<gasState>& W, const volScalarField& p) const
 {
     DynamicList<word> patches;
     scalar value = 0, cells = 0;
@@ -230,10 +179,8 @@ void Foam::mpm::farField::warnOfPressure
         {
             continue;
         }
-        const scalarField& far = refCast<const farFieldFvPatchField<scalar>>
-        (
-            p.boundaryField()[patchi]
-        ).far();
+        const scalarField& far =
+            refCast<const farFieldFvPatchField<scalar>>(p.boundaryField()[patchi]).far();
         scalar low = GREAT, high = -GREAT;
         for (const label c : patch.faceCells())
         {
@@ -243,8 +190,8 @@ void Foam::mpm::farField::warnOfPressure
         reduce(low, minOp<scalar>());
         reduce(high, maxOp<scalar>());
         const scalar least = gMin(far), most = gMax(far);
-        const bool below = 1000*most < low;
-        if (low > 0 && high > -GREAT && (below || least > 1000*high))
+        const bool below = 1000 * most < low;
+        if (low > 0 && high > -GREAT && (below || least > 1000 * high))
         {
             patches.append(patch.name());
             value = below ? most : least;
@@ -253,28 +200,21 @@ void Foam::mpm::farField::warnOfPressure
     }
     if (patches.size())
     {
-        WarningInFunction
-            << "The farField of " << p.objectPath() << " on patch "
-            << patches[0] << (patches.size() > 1 ? " and others" : "")
-            << " has the farValue " << value
-            << " Pa, but the cells there start with " << cells << " Pa: a wave"
-            << " of that difference will run in. 1 bar is 1e5 Pa; without"
-            << " farValue it is the pressure of the cells." << endl;
+        WarningInFunction << "The farField of " << p.objectPath() << " on patch " << patches[0]
+                          << (patches.size() > 1 ? " and others" : "") << " has the farValue "
+                          << value << " Pa, but the cells there start with " << cells
+                          << " Pa: a wave"
+                          << " of that difference will run in. 1 bar is 1e5 Pa; without"
+                          << " farValue it is the pressure of the cells." << endl;
     }
 }
 
-
-Foam::mpm::farField::state Foam::mpm::farField::at
-(
-    const label i,
-    const gasState& L,
-    const scalar zL,
-    const medium& of
-) const
+Foam::mpm::farField::state
+Foam::mpm::farField::at(const label i, const gasState& L, const scalar zL, const medium& of) const
 {
     const vector& n = faces_[i].n;
     const scalar uL = L.u & n, uFar = u_[i] & n, pFar = p_[i];
-    const scalar c = zL/L.rho;
+    const scalar c = zL / L.rho;
     state s;
     if (uL >= c)
     {
@@ -288,23 +228,18 @@ Foam::mpm::farField::state Foam::mpm::farField::at
     }
     else
     {
-        const scalar zR = of.impedance(pFar, L.p)/faces_[i].cosine;
+        const scalar zR = of.impedance(pFar, L.p) / faces_[i].cosine;
         const scalar sum = zL + zR;
-        s.u = (zL*uL + zR*uFar + (L.p - pFar))/sum;
-        s.p = (zR*L.p + zL*pFar + zL*zR*(uL - uFar))/sum;
+        s.u = (zL * uL + zR * uFar + (L.p - pFar)) / sum;
+        s.p = (zR * L.p + zL * pFar + zL * zR * (uL - uFar)) / sum;
     }
     s.behind.p = s.p;
-    s.behind.u =
-        s.u > 0 ? L.u + (s.u - uL)*n : u_[i] + (s.u - uFar)*n;
+    s.behind.u = s.u > 0 ? L.u + (s.u - uL) * n : u_[i] + (s.u - uFar) * n;
     s.behind.rho = of.rho(s.p);
     return s;
 }
 
-
 bool Foam::mpm::farField::fixes(const fvPatchScalarField& condition)
 {
-    return
-        condition.fixesValue() && !isA<mixedFvPatchScalarField>(condition);
+    return condition.fixesValue() && !isA<mixedFvPatchScalarField>(condition);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "farFieldFvPatchField.H"
 #include "dictionaryTools.H"
@@ -12,26 +6,15 @@ License
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<class Type>
-Foam::farFieldFvPatchField<Type>::farFieldFvPatchField
-(
-    const fvPatch& p,
-    const DimensionedField<Type, volMesh>& iF
-)
-:
-    fvPatchField<Type>(p, iF),
-    hasSource_(false),
-    source_(Zero)
-{}
-
+Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
+    const fvPatch& p, const DimensionedField<Type, volMesh>& iF) :
+    fvPatchField<Type>(p, iF), hasSource_(false), source_(Zero)
+{
+}
 
 template<class Type>
-Foam::farFieldFvPatchField<Type>::farFieldFvPatchField
-(
-    const fvPatch& p,
-    const DimensionedField<Type, volMesh>& iF,
-    const dictionary& dict
-)
-:
+Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
+    const fvPatch& p, const DimensionedField<Type, volMesh>& iF, const dictionary& dict) :
     fvPatchField<Type>(p, iF, dict, false),
     hasSource_(dict.found("source")),
     source_(dict.getOrDefault<point>("source", Zero))
@@ -41,17 +24,14 @@ Foam::farFieldFvPatchField<Type>::farFieldFvPatchField
     if (member != "p" && member != "U")
     {
         FatalIOErrorInFunction(dict)
-            << "The condition farField of patch " << p.name() << " of "
-            << iF.name() << " is for p and U only; T, rho and alpha of what"
+            << "The condition farField of patch " << p.name() << " of " << iF.name()
+            << " is for p and U only; T, rho and alpha of what"
             << " comes in: inletOutlet or fixedValue." << exit(FatalIOError);
     }
-    mpm::checkKeywords
-    (
+    mpm::checkKeywords(
         dict,
-        ofP
-      ? wordList({"type", "farValue", "source", "value"})
-      : wordList({"type", "farValue", "value"})
-    );
+        ofP ? wordList({"type", "farValue", "source", "value"})
+            : wordList({"type", "farValue", "value"}));
     if (dict.found("farValue"))
     {
         far_ = Field<Type>("farValue", dict, p.size());
@@ -66,48 +46,29 @@ Foam::farFieldFvPatchField<Type>::farFieldFvPatchField
     }
 }
 
-
 template<class Type>
-Foam::farFieldFvPatchField<Type>::farFieldFvPatchField
-(
-    const farFieldFvPatchField<Type>& of,
-    const fvPatch& p,
-    const DimensionedField<Type, volMesh>& iF,
-    const fvPatchFieldMapper& mapper
-)
-:
+Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
+    const farFieldFvPatchField<Type>& of, const fvPatch& p,
+    const DimensionedField<Type, volMesh>& iF, const fvPatchFieldMapper& mapper) :
     fvPatchField<Type>(of, p, iF, mapper),
     far_(of.far_.empty() ? Field<Type>() : Field<Type>(of.far_, mapper)),
     hasSource_(of.hasSource_),
     source_(of.source_)
-{}
-
-
-template<class Type>
-Foam::farFieldFvPatchField<Type>::farFieldFvPatchField
-(
-    const farFieldFvPatchField<Type>& of
-)
-:
-    fvPatchField<Type>(of),
-    far_(of.far_),
-    hasSource_(of.hasSource_),
-    source_(of.source_)
-{}
-
+{
+}
 
 template<class Type>
-Foam::farFieldFvPatchField<Type>::farFieldFvPatchField
-(
-    const farFieldFvPatchField<Type>& of,
-    const DimensionedField<Type, volMesh>& iF
-)
-:
-    fvPatchField<Type>(of, iF),
-    far_(of.far_),
-    hasSource_(of.hasSource_),
-    source_(of.source_)
-{}
+Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(const farFieldFvPatchField<Type>& of) :
+    fvPatchField<Type>(of), far_(of.far_), hasSource_(of.hasSource_), source_(of.source_)
+{
+}
+
+template<class Type>
+Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
+    const farFieldFvPatchField<Type>& of, const DimensionedField<Type, volMesh>& iF) :
+    fvPatchField<Type>(of, iF), far_(of.far_), hasSource_(of.hasSource_), source_(of.source_)
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -121,24 +82,18 @@ void Foam::farFieldFvPatchField<Type>::autoMap(const fvPatchFieldMapper& mapper)
     }
 }
 
-
 template<class Type>
-void Foam::farFieldFvPatchField<Type>::rmap
-(
-    const fvPatchField<Type>& from,
-    const labelList& addressing
-)
+void Foam::farFieldFvPatchField<Type>::rmap(
+    const fvPatchField<Type>& from, const labelList& addressing)
 {
     fvPatchField<Type>::rmap(from, addressing);
-    const Field<Type>& far =
-        refCast<const farFieldFvPatchField<Type>>(from).far_;
+    const Field<Type>& far = refCast<const farFieldFvPatchField<Type>>(from).far_;
     if (far.size())
     {
         far_.setSize(this->size(), far[0]);
         far_.rmap(far, addressing);
     }
 }
-
 
 template<class Type>
 void Foam::farFieldFvPatchField<Type>::write(Ostream& os) const
@@ -154,5 +109,3 @@ void Foam::farFieldFvPatchField<Type>::write(Ostream& os) const
     }
     this->writeEntry("value", os);
 }
-
-// ************************************************************************* //

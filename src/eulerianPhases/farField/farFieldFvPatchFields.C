@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "farFieldFvPatchField.H"
 #include "addToRunTimeSelectionTable.H"
@@ -13,11 +7,9 @@ License
 
 namespace Foam
 {
-    typedef farFieldFvPatchField<scalar> farFieldFvPatchScalarField;
-    typedef farFieldFvPatchField<vector> farFieldFvPatchVectorField;
+typedef farFieldFvPatchField<scalar> farFieldFvPatchScalarField;
+typedef farFieldFvPatchField<vector> farFieldFvPatchVectorField;
 
-    makeTemplatePatchTypeField(scalar, farField);
-    makeTemplatePatchTypeField(vector, farField);
+makeTemplatePatchTypeField(scalar, farField);
+makeTemplatePatchTypeField(vector, farField);
 }
-
-// ************************************************************************* //

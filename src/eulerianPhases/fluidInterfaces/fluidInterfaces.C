@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "fluidInterfaces.H"
 #include "emptyPolyPatch.H"
@@ -24,7 +18,7 @@ void Foam::mpm::fluidInterfaces::setWidths()
         {
             across += mag(S[g] & S[f]);
         }
-        return 2*mesh.V()[c]*mag(S[f])/across;
+        return 2 * mesh.V()[c] * mag(S[f]) / across;
     };
     widthOwn_.setSize(mesh.nFaces(), 0);
     widthNei_.setSize(mesh.nInternalFaces(), 0);
@@ -38,31 +32,22 @@ void Foam::mpm::fluidInterfaces::setWidths()
     }
 }
 
-
-Foam::scalar Foam::mpm::fluidInterfaces::tangent
-(
-    const scalar a,
-    const scalar sign,
-    const scalar b,
-    const scalar lambda
-)
+Foam::scalar Foam::mpm::fluidInterfaces::tangent(
+    const scalar a, const scalar sign, const scalar b, const scalar lambda)
 {
     // y = b x: where the tangent passes 1/2
-    const scalar E = std::exp(sign*b*(2*a - 1)), e = std::exp(b);
-    const scalar T = (0.5*(e + 1/e) - E)/(0.5*(e - 1/e));
+    const scalar E = std::exp(sign * b * (2 * a - 1)), e = std::exp(b);
+    const scalar T = (0.5 * (e + 1 / e) - E) / (0.5 * (e - 1 / e));
     if (lambda < 1e-3)
     {
         // In the middle of the short end
-        const scalar t = std::tanh(b*(1 - 0.5*lambda));
-        return 0.5*(1 + sign*(t - T)/(1 - t*T));
+        const scalar t = std::tanh(b * (1 - 0.5 * lambda));
+        return 0.5 * (1 + sign * (t - T) / (1 - t * T));
     }
-    const scalar o = std::exp(b*(1 - lambda));
-    return
-        0.5
-      + 0.5*sign/(b*lambda)
-       *std::log(E/(0.5*(o + 1/o) - 0.5*(o - 1/o)*T));
+    const scalar o = std::exp(b * (1 - lambda));
+    return 0.5
+        + 0.5 * sign / (b * lambda) * std::log(E / (0.5 * (o + 1 / o) - 0.5 * (o - 1 / o) * T));
 }
-
 
 void Foam::mpm::fluidInterfaces::swapLabels(labelList& ofBoth) const
 {
@@ -84,7 +69,6 @@ void Foam::mpm::fluidInterfaces::swapLabels(labelList& ofBoth) const
     }
 }
 
-
 void Foam::mpm::fluidInterfaces::sortCells(const contents& of)
 {
     const fvMesh& mesh = faces_.mesh;
@@ -99,7 +83,7 @@ void Foam::mpm::fluidInterfaces::sortCells(const contents& of)
                 only = k;
                 ++several;
             }
-            if (part[k] > (1 - foreign)*all)
+            if (part[k] > (1 - foreign) * all)
             {
                 most = k;
             }
@@ -109,12 +93,12 @@ void Foam::mpm::fluidInterfaces::sortCells(const contents& of)
     };
     for (label c = 0; c < nCells; ++c)
     {
-        sort(c, of.part.cdata() + n_*c, of.theta[c]);
+        sort(c, of.part.cdata() + n_ * c, of.theta[c]);
     }
     for (const label f : faces_.boundary)
     {
         const label i = f - nInternal;
-        if (of.alphaB[n_*i] < 0)
+        if (of.alphaB[n_ * i] < 0)
         {
             // Nothing of its own comes in
             single_[nCells + i] = single_[mesh.faceOwner()[f]];
@@ -122,13 +106,12 @@ void Foam::mpm::fluidInterfaces::sortCells(const contents& of)
         }
         else
         {
-            sort(nCells + i, of.alphaB.cdata() + n_*i, 1);
+            sort(nCells + i, of.alphaB.cdata() + n_ * i, 1);
         }
     }
     swapLabels(single_);
     swapLabels(major_);
 }
-
 
 void Foam::mpm::fluidInterfaces::setSlots()
 {
@@ -150,10 +133,7 @@ void Foam::mpm::fluidInterfaces::setSlots()
             cells_.append(c);
         }
     };
-    const auto meet = [](const label a, const label b)
-    {
-        return a >= 0 && b >= 0 && a != b;
-    };
+    const auto meet = [](const label a, const label b) { return a >= 0 && b >= 0 && a != b; };
     for (label c = 0; c < nCells; ++c)
     {
         if (single_[c] < 0)
@@ -202,7 +182,6 @@ void Foam::mpm::fluidInterfaces::setSlots()
     }
 }
 
-
 void Foam::mpm::fluidInterfaces::setWeights()
 {
     const fvMesh& mesh = faces_.mesh;
@@ -218,7 +197,7 @@ void Foam::mpm::fluidInterfaces::setWeights()
         scalar* w = weights_.begin() + weightStart_[p];
         for (const label c : mesh.pointCells()[p])
         {
-            *w = 1/mag(mesh.points()[p] - mesh.cellCentres()[c]);
+            *w = 1 / mag(mesh.points()[p] - mesh.cellCentres()[c]);
             sum[p] += *w++;
         }
     }
@@ -244,13 +223,12 @@ void Foam::mpm::fluidInterfaces::setWeights()
     }
 }
 
-
 void Foam::mpm::fluidInterfaces::setMeans(const contents& of)
 {
     const fvMesh& mesh = faces_.mesh;
     marked_.setSize(mesh.nPoints());
-    pointMeans_.setSize(nShares_*mesh.nPoints());
-    shares_.setSize(nShares_*mesh.nCells());
+    pointMeans_.setSize(nShares_ * mesh.nPoints());
+    shares_.setSize(nShares_ * mesh.nCells());
     marked_ = false;
     for (const label c : cells_)
     {
@@ -268,13 +246,13 @@ void Foam::mpm::fluidInterfaces::setMeans(const contents& of)
     {
         for (label k = 0; k < nShares_; ++k)
         {
-            shares_[nShares_*c + k] = of.part[n_*c + k]/of.theta[c];
+            shares_[nShares_ * c + k] = of.part[n_ * c + k] / of.theta[c];
         }
     }
     const labelListList& pointCells = mesh.pointCells();
     forAll(marked_, p)
     {
-        scalar* mean = pointMeans_.begin() + nShares_*p;
+        scalar* mean = pointMeans_.begin() + nShares_ * p;
         std::fill_n(mean, nShares_, 0.0);
         if (marked_[p])
         {
@@ -283,7 +261,7 @@ void Foam::mpm::fluidInterfaces::setMeans(const contents& of)
             {
                 for (label k = 0; k < nShares_; ++k)
                 {
-                    mean[k] += *w*shares_[nShares_*c + k];
+                    mean[k] += *w * shares_[nShares_ * c + k];
                 }
                 ++w;
             }
@@ -296,20 +274,16 @@ void Foam::mpm::fluidInterfaces::setMeans(const contents& of)
         {
             forAll(one, p)
             {
-                one[p] = pointMeans_[nShares_*p + k];
+                one[p] = pointMeans_[nShares_ * p + k];
             }
-            syncTools::syncPointList
-            (
-                mesh, one, plusEqOp<scalar>(), scalar(0)
-            );
+            syncTools::syncPointList(mesh, one, plusEqOp<scalar>(), scalar(0));
             forAll(one, p)
             {
-                pointMeans_[nShares_*p + k] = one[p];
+                pointMeans_[nShares_ * p + k] = one[p];
             }
         }
     }
 }
-
 
 void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
 {
@@ -321,15 +295,15 @@ void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
     const faceList& faces = mesh.faces();
     const cellList& cells = mesh.cells();
     const Vector<label>& directions = mesh.geometricD();
-    gradient_.setSize(nShares_*cells_.size());
+    gradient_.setSize(nShares_ * cells_.size());
     forAll(cells_, s)
     {
         const label c = cells_[s];
         for (label k = 0; k < nShares_; ++k)
         {
-            vector& g = gradient_[nShares_*s + k];
+            vector& g = gradient_[nShares_ * s + k];
             g = Zero;
-            const scalar own = shares_[nShares_*c + k];
+            const scalar own = shares_[nShares_ * c + k];
             if (!(own > wisp && own < 1 - wisp))
             {
                 continue;
@@ -344,10 +318,10 @@ void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
                 scalar mean = 0;
                 for (const label p : points)
                 {
-                    mean += pointMeans_[nShares_*p + k];
+                    mean += pointMeans_[nShares_ * p + k];
                 }
                 mean /= points.size();
-                g += (mean - own)*(owner[f] == c ? 1 : -1)*S[f];
+                g += (mean - own) * (owner[f] == c ? 1 : -1) * S[f];
             }
             for (direction d = 0; d < 3; ++d)
             {
@@ -362,17 +336,9 @@ void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::fluidInterfaces::fluidInterfaces
-(
-    const gasFaces& faces,
-    const coupledFaces& coupled,
-    const label nFluids
-)
-:
-    faces_(faces),
-    coupled_(coupled),
-    n_(nFluids),
-    nShares_(nFluids == 2 ? 1 : nFluids)
+Foam::mpm::fluidInterfaces::fluidInterfaces(
+    const gasFaces& faces, const coupledFaces& coupled, const label nFluids) :
+    faces_(faces), coupled_(coupled), n_(nFluids), nShares_(nFluids == 2 ? 1 : nFluids)
 {
     setWidths();
     setWeights();
@@ -397,85 +363,60 @@ void Foam::mpm::fluidInterfaces::update(const contents& of)
     setGradients(of);
 }
 
-
-void Foam::mpm::fluidInterfaces::setTransverse
-(
-    const contents& of,
-    const scalarField& phi
-)
+void Foam::mpm::fluidInterfaces::setTransverse(const contents& of, const scalarField& phi)
 {
     const fvMesh& mesh = faces_.mesh;
     const label nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    transverse_.setSize(nShares_*cells_.size());
+    transverse_.setSize(nShares_ * cells_.size());
     forAll(cells_, s)
     {
         const label c = cells_[s];
         for (label k = 0; k < nShares_; ++k)
         {
-            transverse_[nShares_*s + k] = Zero;
+            transverse_[nShares_ * s + k] = Zero;
         }
         for (const label f : mesh.cells()[c])
         {
             const bool isOwn = own[f] == c;
             const scalar in = isOwn ? -phi[f] : phi[f];
-            const bool ofCell =
-                f >= nInternal && of.alphaB[n_*(f - nInternal)] < 0;
+            const bool ofCell = f >= nInternal && of.alphaB[n_ * (f - nInternal)] < 0;
             if (!(in > 0) || ofCell)
             {
                 continue;
             }
-            const symmTensor nn(sqr(mesh.faceAreas()[f])*(in/sqr(faces_.magS[f])));
+            const symmTensor nn(sqr(mesh.faceAreas()[f]) * (in / sqr(faces_.magS[f])));
             for (label k = 0; k < nShares_; ++k)
             {
-                const scalar there =
-                    f >= nInternal
-                  ? of.alphaB[n_*(f - nInternal) + k]
-                  : of.part[n_*(isOwn ? nei[f] : own[f]) + k]
-                   /of.theta[isOwn ? nei[f] : own[f]];
-                transverse_[nShares_*s + k] +=
-                    (there - of.part[n_*c + k]/of.theta[c])*nn;
+                const scalar there = f >= nInternal ? of.alphaB[n_ * (f - nInternal) + k]
+                                                    : of.part[n_ * (isOwn ? nei[f] : own[f]) + k]
+                        / of.theta[isOwn ? nei[f] : own[f]];
+                transverse_[nShares_ * s + k] += (there - of.part[n_ * c + k] / of.theta[c]) * nn;
             }
         }
     }
 }
 
-
-inline Foam::scalar Foam::mpm::fluidInterfaces::halfStep
-(
-    const scalar a,
-    const label s,
-    const label k,
-    const vector& n,
-    const scalar h
-) const
+inline Foam::scalar Foam::mpm::fluidInterfaces::halfStep(
+    const scalar a, const label s, const label k, const vector& n, const scalar h) const
 {
-    const symmTensor& T = transverse_[nShares_*s + k];
-    return min(max(a + h*(tr(T) - (n & (T & n))), wisp), 1 - wisp);
+    const symmTensor& T = transverse_[nShares_ * s + k];
+    return min(max(a + h * (tr(T) - (n & (T & n))), wisp), 1 - wisp);
 }
 
-
-void Foam::mpm::fluidInterfaces::sharesOfCell
-(
-    const contents& of,
-    const label f,
-    const label c,
-    const scalar dt,
-    scalar* alpha
-) const
+void Foam::mpm::fluidInterfaces::sharesOfCell(
+    const contents& of, const label f, const label c, const scalar dt, scalar* alpha) const
 {
-    const vector n(faces_.mesh.faceAreas()[f]/faces_.magS[f]);
+    const vector n(faces_.mesh.faceAreas()[f] / faces_.magS[f]);
     scalar sum = 0;
     for (label k = 0; k < n_; ++k)
     {
-        alpha[k] = of.part[n_*c + k]/of.theta[c];
+        alpha[k] = of.part[n_ * c + k] / of.theta[c];
         if (k < nShares_ && alpha[k] > wisp && alpha[k] < 1 - wisp)
         {
-            alpha[k] = halfStep
-            (
-                alpha[k], slot_[c], k, n, 0.5*dt/(faces_.mesh.V()[c]*of.theta[c])
-            );
+            alpha[k] =
+                halfStep(alpha[k], slot_[c], k, n, 0.5 * dt / (faces_.mesh.V()[c] * of.theta[c]));
         }
         else if (alpha[k] <= wisp)
         {
@@ -493,22 +434,12 @@ void Foam::mpm::fluidInterfaces::sharesOfCell
     }
 }
 
-
-void Foam::mpm::fluidInterfaces::shares
-(
-    const contents& of,
-    const label f,
-    const label D,
-    const bool fromOwner,
-    const scalar dt,
-    const scalar phi,
-    const scalar out,
-    const scalar* receiver,
-    scalar* alpha
-) const
+void Foam::mpm::fluidInterfaces::shares(
+    const contents& of, const label f, const label D, const bool fromOwner, const scalar dt,
+    const scalar phi, const scalar out, const scalar* receiver, scalar* alpha) const
 {
     const fvMesh& mesh = faces_.mesh;
-    const scalar* part = of.part.cdata() + n_*D;
+    const scalar* part = of.part.cdata() + n_ * D;
     const scalar theta = of.theta[D];
     if (single_[D] >= 0)
     {
@@ -521,23 +452,21 @@ void Foam::mpm::fluidInterfaces::shares
 
     const label s = slot_[D];
     const scalar V = mesh.V()[D];
-    const vector n((fromOwner ? 1 : -1)*mesh.faceAreas()[f]/faces_.magS[f]);
+    const vector n((fromOwner ? 1 : -1) * mesh.faceAreas()[f] / faces_.magS[f]);
     const scalar h = fromOwner ? widthOwn_[f] : widthNei_[f];
-    const scalar lambda =
-        min(scalar(1), mag(phi)*dt/(theta*faces_.magS[f]*h));
+    const scalar lambda = min(scalar(1), mag(phi) * dt / (theta * faces_.magS[f] * h));
     for (label k = 0; k < nShares_; ++k)
     {
-        scalar a = part[k]/theta;
+        scalar a = part[k] / theta;
         if (a > wisp && a < 1 - wisp)
         {
-            a = halfStep(a, s, k, n, 0.5*dt/(V*theta));
-            const vector& g = gradient_[nShares_*s + k];
-            const scalar size = mag(g), own = part[k]/theta;
-            const scalar along = (g & n)/max(size, VSMALL);
-            const scalar contrast = size*h/(V*own*(1 - own));
+            a = halfStep(a, s, k, n, 0.5 * dt / (V * theta));
+            const vector& g = gradient_[nShares_ * s + k];
+            const scalar size = mag(g), own = part[k] / theta;
+            const scalar along = (g & n) / max(size, VSMALL);
+            const scalar contrast = size * h / (V * own * (1 - own));
             const scalar b =
-                beta*mag(along)
-               *min(max((contrast - mixed)/(sharp - mixed), 0.0), 1.0);
+                beta * mag(along) * min(max((contrast - mixed) / (sharp - mixed), 0.0), 1.0);
             if (b > 1e-3)
             {
                 a = tangent(a, along > 0 ? 1 : -1, b, lambda);
@@ -551,14 +480,14 @@ void Foam::mpm::fluidInterfaces::shares
     }
 
     // Within what there is
-    const scalar volume = dt*out/V;
+    const scalar volume = dt * out / V;
     scalar sum = 0, room = 0;
     for (label k = 0; k < n_; ++k)
     {
-        const scalar all = part[k]/volume;
-        if (part[k] < wisp*theta)
+        const scalar all = part[k] / volume;
+        if (part[k] < wisp * theta)
         {
-            alpha[k] = receiver[k] > part[k]/theta ? min(all, scalar(1)) : 0;
+            alpha[k] = receiver[k] > part[k] / theta ? min(all, scalar(1)) : 0;
         }
         else
         {
@@ -575,11 +504,8 @@ void Foam::mpm::fluidInterfaces::shares
     }
     else if (sum < 1)
     {
-        const auto spare = [&](const label k)
-        {
-            return
-                part[k] < wisp*theta
-              ? scalar(0) : min(part[k]/volume, scalar(1)) - alpha[k];
+        const auto spare = [&](const label k) {
+            return part[k] < wisp * theta ? scalar(0) : min(part[k] / volume, scalar(1)) - alpha[k];
         };
         for (label k = 0; k < n_; ++k)
         {
@@ -587,9 +513,7 @@ void Foam::mpm::fluidInterfaces::shares
         }
         for (label k = 0; k < n_; ++k)
         {
-            alpha[k] += (1 - sum)*spare(k)/max(room, VSMALL);
+            alpha[k] += (1 - sum) * spare(k) / max(room, VSMALL);
         }
     }
 }
-
-// ************************************************************************* //

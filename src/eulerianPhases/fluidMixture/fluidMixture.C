@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "fluidMixture.H"
 #include "dictionaryTools.H"
@@ -12,48 +6,36 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::mpm::fluidMixture::touch
-(
-    const label k,
-    const share& s,
-    const scalar theta,
-    touching& t,
-    scalar& P
-) const
+bool Foam::mpm::fluidMixture::touch(
+    const label k, const share& s, const scalar theta, touching& t, scalar& P) const
 {
     const fluid& f = fluids_[k];
     if (f.gamma > 0)
     {
-        const scalar w = 1 - 1/f.gamma;
-        t = {w*s.A, w*(s.e0 - f.pInf*s.A), f.pInf};
-        P = t.C/(theta - t.least) - f.pInf;
+        const scalar w = 1 - 1 / f.gamma;
+        t = {w * s.A, w * (s.e0 - f.pInf * s.A), f.pInf};
+        P = t.C / (theta - t.least) - f.pInf;
         return t.C > 0;
     }
-    const scalar rho = s.m/theta;
+    const scalar rho = s.m / theta;
     const terms c(at(k, rho, s.F));
-    const scalar Gamma = c.B/rho;
-    const scalar below = theta + Gamma*(theta - s.A);
+    const scalar Gamma = c.B / rho;
+    const scalar below = theta + Gamma * (theta - s.A);
     if (!(below > 0))
     {
         P = GREAT;
         return false;
     }
-    P = (Gamma*s.e0 + theta*c.A)/below;
-    const scalar strength = rho*c2(c, rho, P)/(1 + Gamma);
-    t.least = Gamma/(1 + Gamma)*s.A;
-    t.C = (theta - t.least)*strength;
+    P = (Gamma * s.e0 + theta * c.A) / below;
+    const scalar strength = rho * c2(c, rho, P) / (1 + Gamma);
+    t.least = Gamma / (1 + Gamma) * s.A;
+    t.C = (theta - t.least) * strength;
     t.pInf = strength - P;
     return strength > 0;
 }
 
-
-bool Foam::mpm::fluidMixture::pressureOf
-(
-    const touching* t,
-    const share* s,
-    const scalar theta,
-    scalar& P
-) const
+bool Foam::mpm::fluidMixture::pressureOf(
+    const touching* t, const share* s, const scalar theta, scalar& P) const
 {
     scalar room = theta;
     forAll(fluids_, k)
@@ -69,7 +51,7 @@ bool Foam::mpm::fluidMixture::pressureOf
     P = -GREAT;
     forAll(fluids_, k)
     {
-        P = s[k].m > 0 ? max(P, t[k].C/room - t[k].pInf) : P;
+        P = s[k].m > 0 ? max(P, t[k].C / room - t[k].pInf) : P;
     }
     for (int step = 0; step < 100; ++step)
     {
@@ -78,13 +60,13 @@ bool Foam::mpm::fluidMixture::pressureOf
         {
             if (s[k].m > 0)
             {
-                const scalar v = t[k].C/(P + t[k].pInf);
+                const scalar v = t[k].C / (P + t[k].pInf);
                 excess += v;
-                slope += v/(P + t[k].pInf);
+                slope += v / (P + t[k].pInf);
             }
         }
-        const scalar next = P + excess/slope;
-        if (!(excess > 1e-15*theta) || next == P)
+        const scalar next = P + excess / slope;
+        if (!(excess > 1e-15 * theta) || next == P)
         {
             break;
         }
@@ -93,22 +75,14 @@ bool Foam::mpm::fluidMixture::pressureOf
     return P > -GREAT && P < GREAT;
 }
 
-
-bool Foam::mpm::fluidMixture::volumeOf
-(
-    const label k,
-    const share& s,
-    const scalar P,
-    scalar& theta,
-    touching& t,
-    label& looks
-) const
+bool Foam::mpm::fluidMixture::volumeOf(
+    const label k, const share& s, const scalar P, scalar& theta, touching& t, label& looks) const
 {
     if (isStiff(k))
     {
         scalar own;
         const bool found = touch(k, s, theta, t, own) && P + t.pInf > 0;
-        theta = t.least + t.C/(P + t.pInf);
+        theta = t.least + t.C / (P + t.pInf);
         return found;
     }
     scalar low = 0, high = GREAT;
@@ -120,21 +94,19 @@ bool Foam::mpm::fluidMixture::volumeOf
 
         // More pressure than outside: it expands
         (own > P ? low : high) = theta;
-        scalar next = own > P ? 4*theta : 0.25*theta;
+        scalar next = own > P ? 4 * theta : 0.25 * theta;
         if (found)
         {
-            next =
-                P + t.pInf > 0
-              ? max(0.25*theta, min(4*theta, t.least + t.C/(P + t.pInf)))
-              : next;
-            if (mag(next - theta) <= 1e-14*theta)
+            next = P + t.pInf > 0 ? max(0.25 * theta, min(4 * theta, t.least + t.C / (P + t.pInf)))
+                                  : next;
+            if (mag(next - theta) <= 1e-14 * theta)
             {
                 return true;
             }
         }
         if (!(next > low && next < high))
         {
-            next = low > 0 ? std::sqrt(low)*std::sqrt(high) : 0.25*high;
+            next = low > 0 ? std::sqrt(low) * std::sqrt(high) : 0.25 * high;
         }
         if (next <= low || next >= high)
         {
@@ -145,15 +117,8 @@ bool Foam::mpm::fluidMixture::volumeOf
     return false;
 }
 
-
-bool Foam::mpm::fluidMixture::enclose
-(
-    const share* s,
-    const scalar theta,
-    scalar& P,
-    scalar* thetas,
-    label& looks
-) const
+bool Foam::mpm::fluidMixture::enclose(
+    const share* s, const scalar theta, scalar& P, scalar* thetas, label& looks) const
 {
     FixedList<touching, most> t;
     scalar low = -GREAT, high = GREAT;
@@ -180,7 +145,7 @@ bool Foam::mpm::fluidMixture::enclose
                 sum += thetas[k];
             }
         }
-        if (found && mag(sum - theta) <= 1e-14*theta)
+        if (found && mag(sum - theta) <= 1e-14 * theta)
         {
             return true;
         }
@@ -194,11 +159,10 @@ bool Foam::mpm::fluidMixture::enclose
         }
         if (!(next > low && next < high))
         {
-            next =
-                high == GREAT ? P + 2*(mag(P) + 1)
-              : low == -GREAT ? high - 2*(mag(high) + 1)
-              : low > 0 && high > 4*low ? std::sqrt(low)*std::sqrt(high)
-              : 0.5*(low + high);
+            next = high == GREAT            ? P + 2 * (mag(P) + 1)
+                : low == -GREAT             ? high - 2 * (mag(high) + 1)
+                : low > 0 && high > 4 * low ? std::sqrt(low) * std::sqrt(high)
+                                            : 0.5 * (low + high);
         }
         if (next <= low || next >= high)
         {
@@ -209,42 +173,32 @@ bool Foam::mpm::fluidMixture::enclose
     return false;
 }
 
-
-Foam::scalar Foam::mpm::fluidMixture::ofTwo
-(
-    const label a,
-    const label b,
-    const share* s,
-    const scalar theta
-) const
+Foam::scalar Foam::mpm::fluidMixture::ofTwo(
+    const label a, const label b, const share* s, const scalar theta) const
 {
     // sum_k w_k (e0_k + P A_k)/(P + p_k) = theta,  w = (gamma - 1)/gamma
     const fluid& f = fluids_[a];
     const fluid& g = fluids_[b];
-    const scalar w = 1 - 1/f.gamma, v = 1 - 1/g.gamma;
-    const scalar e = w*s[a].e0, A = w*s[a].A;
-    const scalar d = v*s[b].e0, B = v*s[b].A;
+    const scalar w = 1 - 1 / f.gamma, v = 1 - 1 / g.gamma;
+    const scalar e = w * s[a].e0, A = w * s[a].A;
+    const scalar d = v * s[b].e0, B = v * s[b].A;
     const scalar p = f.pInf, q = g.pInf;
     const scalar two = theta - A - B;
-    const scalar one = theta*(p + q) - e - d - A*q - B*p;
-    const scalar none = theta*p*q - e*q - d*p;
-    const scalar root = std::sqrt(max(sqr(one) - 4*two*none, scalar(0)));
-    return one > 0 ? -2*none/(one + root) : (root - one)/(2*two);
+    const scalar one = theta * (p + q) - e - d - A * q - B * p;
+    const scalar none = theta * p * q - e * q - d * p;
+    const scalar root = std::sqrt(max(sqr(one) - 4 * two * none, scalar(0)));
+    return one > 0 ? -2 * none / (one + root) : (root - one) / (2 * two);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::fluidMixture::fluidMixture
-(
-    const dictionary& properties,
-    const wordList& names
-)
+Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordList& names)
 {
     if (names.size() > most)
     {
         FatalIOErrorInFunction(properties)
-            << "There are " << names.size() << " phases of type fluid; at most "
-            << most << " may share cells." << exit(FatalIOError);
+            << "There are " << names.size() << " phases of type fluid; at most " << most
+            << " may share cells." << exit(FatalIOError);
     }
     for (const word& name : names)
     {
@@ -275,10 +229,9 @@ Foam::mpm::fluidMixture::fluidMixture
             if (thermo.isGammaLaw())
             {
                 FatalIOErrorInFunction(law)
-                    << "Fluid " << name << " is a gas of thermo "
-                    << thermo.type() << ": only one with an equationOfState of"
-                    << " the products of an explosive (JWL) can detonate."
-                    << exit(FatalIOError);
+                    << "Fluid " << name << " is a gas of thermo " << thermo.type()
+                    << ": only one with an equationOfState of"
+                    << " the products of an explosive (JWL) can detonate." << exit(FatalIOError);
             }
             f.law = detonation::New(law, thermo.equation());
         }
@@ -288,104 +241,75 @@ Foam::mpm::fluidMixture::fluidMixture
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::fluidMixture::states
-(
-    const label k,
-    const label n,
-    const scalar* rho,
-    const scalar* p,
-    scalar* K,
-    scalar* rhoE,
-    scalar* strength,
-    const scalar* F
-) const
+void Foam::mpm::fluidMixture::states(
+    const label k, const label n, const scalar* rho, const scalar* p, scalar* K, scalar* rhoE,
+    scalar* strength, const scalar* F) const
 {
     const fluid& f = fluids_[k];
     if (f.gamma > 0)
     {
-        const scalar iGm1 = 1/(f.gamma - 1);
+        const scalar iGm1 = 1 / (f.gamma - 1);
         for (label i = 0; i < n; ++i)
         {
             strength[i] = p[i] + f.pInf;
-            K[i] = f.gamma*strength[i];
-            rhoE[i] = (p[i] + f.gamma*f.pInf)*iGm1;
+            K[i] = f.gamma * strength[i];
+            rhoE[i] = (p[i] + f.gamma * f.pInf) * iGm1;
         }
         return;
     }
     for (label i = 0; i < n; ++i)
     {
         const terms t(F ? at(k, rho[i], F[i]) : at(k, rho[i]));
-        K[i] = rho[i]*c2(t, rho[i], p[i]);
+        K[i] = rho[i] * c2(t, rho[i], p[i]);
         rhoE[i] = energy(t, rho[i], p[i]);
-        strength[i] = K[i]/(1 + t.B/rho[i]);
+        strength[i] = K[i] / (1 + t.B / rho[i]);
     }
 }
 
-
-void Foam::mpm::fluidMixture::pressures
-(
-    const label k,
-    const label n,
-    const scalar* rho,
-    const scalar* e,
-    scalar* p,
-    scalar* c2,
-    scalar* strength,
-    const scalar* F
-) const
+void Foam::mpm::fluidMixture::pressures(
+    const label k, const label n, const scalar* rho, const scalar* e, scalar* p, scalar* c2,
+    scalar* strength, const scalar* F) const
 {
     const fluid& f = fluids_[k];
     if (f.gamma > 0)
     {
         for (label i = 0; i < n; ++i)
         {
-            p[i] = (f.gamma - 1)*rho[i]*e[i] - f.gamma*f.pInf;
+            p[i] = (f.gamma - 1) * rho[i] * e[i] - f.gamma * f.pInf;
             strength[i] = p[i] + f.pInf;
-            c2[i] = f.gamma*strength[i]/rho[i];
+            c2[i] = f.gamma * strength[i] / rho[i];
         }
         return;
     }
     for (label i = 0; i < n; ++i)
     {
         const terms t(F ? at(k, rho[i], F[i]) : at(k, rho[i]));
-        p[i] = t.A + t.B*e[i];
-        c2[i] = t.dA + e[i]*t.dB + p[i]*t.B/sqr(rho[i]);
-        strength[i] = rho[i]*c2[i]/(1 + t.B/rho[i]);
+        p[i] = t.A + t.B * e[i];
+        c2[i] = t.dA + e[i] * t.dB + p[i] * t.B / sqr(rho[i]);
+        strength[i] = rho[i] * c2[i] / (1 + t.B / rho[i]);
     }
 }
 
-
-Foam::scalar Foam::mpm::fluidMixture::pressure
-(
-    const scalar* theta,
-    const scalar* m,
-    const scalar energy,
-    const scalar* F
-) const
+Foam::scalar Foam::mpm::fluidMixture::pressure(
+    const scalar* theta, const scalar* m, const scalar energy, const scalar* F) const
 {
     scalar above = energy, below = 0;
     forAll(fluids_, k)
     {
         if (m[k] > 0)
         {
-            const scalar rho = m[k]/theta[k];
+            const scalar rho = m[k] / theta[k];
             const terms t(F ? at(k, rho, F[k]) : at(k, rho));
-            const scalar w = theta[k]*rho/t.B;
-            above += w*t.A;
+            const scalar w = theta[k] * rho / t.B;
+            above += w * t.A;
             below += w;
         }
     }
-    return above/below;
+    return above / below;
 }
 
-
-Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at
-(
-    const scalar* theta,
-    const scalar* m,
-    const scalar p,
-    const scalar* F
-) const
+Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at(
+    const scalar* theta, const scalar* m, const scalar p, const scalar* F) const
 {
     moduli all{0, 0, 0, GREAT, 0, 0, 0};
     scalar volume = 0, soft = 0, mass = 0;
@@ -393,36 +317,29 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at
     {
         if (m[k] > 0)
         {
-            const scalar rho = m[k]/theta[k];
+            const scalar rho = m[k] / theta[k];
             const terms t(F ? at(k, rho, F[k]) : at(k, rho));
             const scalar c = c2(t, rho, p);
-            all.frozen += m[k]*c;
-            all.energy += theta[k]*energy(t, rho, p);
-            all.strength = min(all.strength, rho*c/(1 + t.B/rho));
-            const scalar wet = liquid(rho*c, p);
-            all.liquid += m[k]*wet;
-            all.store += wet*theta[k]*rho*c/(1 + t.B/rho)*rho/t.B;
-            all.stiffest = max(all.stiffest, rho*c);
-            soft += theta[k]/(rho*c);
+            all.frozen += m[k] * c;
+            all.energy += theta[k] * energy(t, rho, p);
+            all.strength = min(all.strength, rho * c / (1 + t.B / rho));
+            const scalar wet = liquid(rho * c, p);
+            all.liquid += m[k] * wet;
+            all.store += wet * theta[k] * rho * c / (1 + t.B / rho) * rho / t.B;
+            all.stiffest = max(all.stiffest, rho * c);
+            soft += theta[k] / (rho * c);
             volume += theta[k];
             mass += m[k];
         }
     }
     all.frozen /= volume;
-    all.wood = volume/soft;
+    all.wood = volume / soft;
     all.liquid /= mass;
     return all;
 }
 
-
-Foam::scalar Foam::mpm::fluidMixture::relax
-(
-    const share* s,
-    const scalar theta,
-    scalar* thetas,
-    label* looks,
-    bool* common
-) const
+Foam::scalar Foam::mpm::fluidMixture::relax(
+    const share* s, const scalar theta, scalar* thetas, label* looks, bool* common) const
 {
     label n = 0, first = -1, second = -1, others = 0, evaluations = 0;
     FixedList<touching, most> t;
@@ -467,11 +384,10 @@ Foam::scalar Foam::mpm::fluidMixture::relax
         {
             if (s[k].m > 0)
             {
-                const scalar next = t[k].least + t[k].C/(P + t[k].pInf);
+                const scalar next = t[k].least + t[k].C / (P + t[k].pInf);
                 scalar& now = thetas[k];
-                const bool small =
-                    isStiff(k) || mag(next - now) <= 1e-8*now;
-                now = small ? next : max(0.25*now, min(4*now, next));
+                const bool small = isStiff(k) || mag(next - now) <= 1e-8 * now;
+                now = small ? next : max(0.25 * now, min(4 * now, next));
                 done = done && small;
             }
         }
@@ -493,7 +409,7 @@ Foam::scalar Foam::mpm::fluidMixture::relax
     }
     forAll(fluids_, k)
     {
-        thetas[k] *= theta/sum;
+        thetas[k] *= theta / sum;
     }
     if (looks)
     {
@@ -501,7 +417,6 @@ Foam::scalar Foam::mpm::fluidMixture::relax
     }
     return P;
 }
-
 
 Foam::string Foam::mpm::fluidMixture::description(const label k) const
 {
@@ -513,5 +428,3 @@ Foam::string Foam::mpm::fluidMixture::description(const label k) const
     }
     return words;
 }
-
-// ************************************************************************* //

@@ -1,23 +1,12 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "fluidMixture.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::fluidMixture::relaxAgain
-(
-    const share* s,
-    const scalar P,
-    const scalar* Q,
-    scalar* theta
-) const
+Foam::scalar Foam::mpm::fluidMixture::relaxAgain(
+    const share* s, const scalar P, const scalar* Q, scalar* theta) const
 {
     FixedList<share, most> heated;
     FixedList<scalar, most> volumes;
@@ -28,15 +17,14 @@ Foam::scalar Foam::mpm::fluidMixture::relaxAgain
         h = s[k];
         if (h.m > 0)
         {
-            const scalar rho = h.m/theta[k];
+            const scalar rho = h.m / theta[k];
             h.A = theta[k];
-            h.e0 = h.A*energy(at(k, rho, h.F), rho, P) + Q[k];
+            h.e0 = h.A * energy(at(k, rho, h.F), rho, P) + Q[k];
             volume += h.A;
         }
     }
     bool found = true;
-    const scalar next =
-        relax(heated.cdata(), volume, volumes.begin(), nullptr, &found);
+    const scalar next = relax(heated.cdata(), volume, volumes.begin(), nullptr, &found);
     if (!found || !(next > 0))
     {
         return P;
@@ -47,14 +35,8 @@ Foam::scalar Foam::mpm::fluidMixture::relaxAgain
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::fluidMixture::heat
-(
-    const share* s,
-    const scalar P,
-    const scalar Q,
-    const scalar part,
-    scalar* theta
-) const
+Foam::scalar Foam::mpm::fluidMixture::heat(
+    const share* s, const scalar P, const scalar Q, const scalar part, scalar* theta) const
 {
     FixedList<scalar, most> to;
     scalar mass = 0, rest = Q;
@@ -66,41 +48,32 @@ Foam::scalar Foam::mpm::fluidMixture::heat
             // Of work by the last pressure to that of the mean one, but no
             // colder than the isentrope
             const scalar A = s[k].A, more = theta[k] - A;
-            const scalar p = (fluids_[k].gamma - 1)*s[k].e0/A;
-            to[k] = 0.5*(P - p)*more;
-            if (mag(more) > 1e-3*A)
+            const scalar p = (fluids_[k].gamma - 1) * s[k].e0 / A;
+            to[k] = 0.5 * (P - p) * more;
+            if (mag(more) > 1e-3 * A)
             {
-                const scalar ps = p*std::pow(A/theta[k], fluids_[k].gamma);
-                to[k] =
-                    max(to[k], theta[k]*(ps - P)/(fluids_[k].gamma - 1));
+                const scalar ps = p * std::pow(A / theta[k], fluids_[k].gamma);
+                to[k] = max(to[k], theta[k] * (ps - P) / (fluids_[k].gamma - 1));
             }
             to[k] *= part;
             rest -= to[k];
         }
     }
     const auto takes = [&](const label k)
-    {
-        return rest > 0 || !thermo(k).isGammaLaw() ? s[k].m : scalar(0);
-    };
+    { return rest > 0 || !thermo(k).isGammaLaw() ? s[k].m : scalar(0); };
     forAll(fluids_, k)
     {
         mass += takes(k);
     }
     forAll(fluids_, k)
     {
-        to[k] += rest*takes(k)/max(mass, VSMALL);
+        to[k] += rest * takes(k) / max(mass, VSMALL);
     }
     return relaxAgain(s, P, to.cdata(), theta);
 }
 
-
-Foam::scalar Foam::mpm::fluidMixture::raise
-(
-    const share* s,
-    scalar& P,
-    const scalar least,
-    scalar* theta
-) const
+Foam::scalar
+Foam::mpm::fluidMixture::raise(const share* s, scalar& P, const scalar least, scalar* theta) const
 {
     FixedList<scalar, most> to;
     scalar added = 0;
@@ -109,13 +82,11 @@ Foam::scalar Foam::mpm::fluidMixture::raise
         to[k] = 0;
         if (thermo(k).isGammaLaw() && s[k].m > 0)
         {
-            const scalar rho = s[k].m/theta[k];
-            to[k] = theta[k]*(least - P)*rho/at(k, rho, s[k].F).B;
+            const scalar rho = s[k].m / theta[k];
+            to[k] = theta[k] * (least - P) * rho / at(k, rho, s[k].F).B;
             added += to[k];
         }
     }
     P = relaxAgain(s, P, to.cdata(), theta);
     return added;
 }
-
-// ************************************************************************* //

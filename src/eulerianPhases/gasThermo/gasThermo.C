@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "gasThermo.H"
 #include "dictionaryTools.H"
@@ -31,18 +25,17 @@ word justOne(const dictionary& dict, const wordList& keys)
             if (found.size())
             {
                 FatalIOErrorInFunction(dict)
-                    << "Entries " << found << " and " << key << " in "
-                    << dict.name() << " say the same thing; give just one of "
-                    << flatOutput(keys) << exit(FatalIOError);
+                    << "Entries " << found << " and " << key << " in " << dict.name()
+                    << " say the same thing; give just one of " << flatOutput(keys)
+                    << exit(FatalIOError);
             }
             found = key;
         }
     }
     if (found.empty())
     {
-        FatalIOErrorInFunction(dict)
-            << "One of the entries " << flatOutput(keys) << " is missing in "
-            << dict.name() << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "One of the entries " << flatOutput(keys)
+                                     << " is missing in " << dict.name() << exit(FatalIOError);
     }
     return found;
 }
@@ -59,12 +52,9 @@ namespace Foam
 namespace mpm
 {
 
-class perfectGasThermo
-:
-    public gasThermo
+class perfectGasThermo : public gasThermo
 {
 public:
-
     TypeName("perfectGas");
 
     explicit perfectGasThermo(const dictionary& dict)
@@ -80,38 +70,30 @@ public:
                     << " hydrogen atoms, 1.008: it is in kg/kmol, of air 28.96."
                     << exit(FatalIOError);
             }
-            R_ = universal/R_;
+            R_ = universal / R_;
         }
 
         const word second(justOne(dict, {"Cp", "Cv", "gamma"}));
         const scalar value = positive(dict, second);
-        gamma_ =
-            second == "gamma" ? value
-          : second == "Cv" ? 1 + R_/value
-          : value > R_ ? value/(value - R_) : 0;
+        gamma_ = second == "gamma" ? value
+            : second == "Cv"       ? 1 + R_ / value
+            : value > R_           ? value / (value - R_)
+                                   : 0;
 
         if (!(gamma_ > 1.0001 && gamma_ < 100))
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry " << second << " " << value << " with R " << R_
-                << " J/kg/K gives the ratio of heat capacities " << gamma_
-                << "; it must be in [1.0001, 100]." << exit(FatalIOError);
+            FatalIOErrorInFunction(dict) << "Entry " << second << " " << value << " with R " << R_
+                                         << " J/kg/K gives the ratio of heat capacities " << gamma_
+                                         << "; it must be in [1.0001, 100]." << exit(FatalIOError);
         }
     }
 
-    wordList keywords() const override
-    {
-        return {"thermo", "molWeight", "R", "Cp", "Cv", "gamma"};
-    }
+    wordList keywords() const override { return {"thermo", "molWeight", "R", "Cp", "Cv", "gamma"}; }
 };
 
-
-class isentropicThermo
-:
-    public gasThermo
+class isentropicThermo : public gasThermo
 {
 public:
-
     TypeName("isentropic");
 
     explicit isentropicThermo(const dictionary& dict)
@@ -122,28 +104,18 @@ public:
         gamma_ = bounded(dict, "gamma", 1, 100);
     }
 
-    wordList keywords() const override
-    {
-        return {"thermo", "p0", "rho0", "gamma"};
-    }
+    wordList keywords() const override { return {"thermo", "p0", "rho0", "gamma"}; }
 };
 
-
-class equationThermo
-:
-    public gasThermo
+class equationThermo : public gasThermo
 {
 public:
-
     TypeName("equationOfState");
 
     explicit equationThermo(const dictionary& dict)
     {
-        equation_ = equationOfState::New
-        (
-            requiredDict(dict, "equationOfState"),
-            positive(dict, "rho")
-        );
+        equation_ =
+            equationOfState::New(requiredDict(dict, "equationOfState"), positive(dict, "rho"));
         if (dict.found("Cv"))
         {
             Cv_ = positive(dict, "Cv");
@@ -151,17 +123,13 @@ public:
             {
                 FatalIOErrorInFunction(dict)
                     << "Entry Cv in " << dict.name() << ": the equation of"
-                    << " state " << equation_->type()
-                    << " has no temperature. Remove Cv."
+                    << " state " << equation_->type() << " has no temperature. Remove Cv."
                     << exit(FatalIOError);
             }
         }
     }
 
-    wordList keywords() const override
-    {
-        return {"thermo", "equationOfState", "rho", "Cv"};
-    }
+    wordList keywords() const override { return {"thermo", "equationOfState", "rho", "Cv"}; }
 };
 
 defineTypeNameAndDebug(gasThermo, 0);
@@ -179,10 +147,7 @@ addToRunTimeSelectionTable(gasThermo, equationThermo, dictionary);
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::gasThermo> Foam::mpm::gasThermo::New
-(
-    const dictionary& dict
-)
+Foam::autoPtr<Foam::mpm::gasThermo> Foam::mpm::gasThermo::New(const dictionary& dict)
 {
     word name("equationOfState");
     if (!dict.found(name) || dict.found("thermo"))
@@ -190,26 +155,16 @@ Foam::autoPtr<Foam::mpm::gasThermo> Foam::mpm::gasThermo::New
         if (!dict.found("thermo"))
         {
             FatalIOErrorInFunction(dict)
-                << "One of the entries (thermo equationOfState) is missing in "
-                << dict.name() << exit(FatalIOError);
+                << "One of the entries (thermo equationOfState) is missing in " << dict.name()
+                << exit(FatalIOError);
         }
-        name = oneOf
-        (
-            dict,
-            "thermo",
-            dictionaryConstructorTablePtr_->sortedToc()
-        );
+        name = oneOf(dict, "thermo", dictionaryConstructorTablePtr_->sortedToc());
     }
-    if
-    (
-        dict.found("equationOfState")
-     && (name == "perfectGas" || name == "isentropic")
-    )
+    if (dict.found("equationOfState") && (name == "perfectGas" || name == "isentropic"))
     {
         FatalIOErrorInFunction(dict)
-            << "Entries thermo " << name << " and equationOfState in "
-            << dict.name() << " exclude each other; give one of them."
-            << exit(FatalIOError);
+            << "Entries thermo " << name << " and equationOfState in " << dict.name()
+            << " exclude each other; give one of them." << exit(FatalIOError);
     }
     return dictionaryConstructorTablePtr_->cfind(name).val()(dict);
 }
@@ -221,23 +176,20 @@ Foam::string Foam::mpm::gasThermo::description() const
     OStringStream os;
     if (isGammaLaw())
     {
-        os  << type() << ", gamma "
-            << gamma_;
+        os << type() << ", gamma " << gamma_;
         if (!isentropic_)
         {
-            os  << ", R " << R_ << " J/kg/K";
+            os << ", R " << R_ << " J/kg/K";
         }
     }
     else
     {
-        os  << "equation of state " << equation_->type() << ", rho0 "
-            << equation_->rho0() << " kg/m3";
+        os << "equation of state " << equation_->type() << ", rho0 " << equation_->rho0()
+           << " kg/m3";
         if (Cv_ > 0)
         {
-            os  << ", Cv " << Cv_ << " J/kg/K";
+            os << ", Cv " << Cv_ << " J/kg/K";
         }
     }
     return os.str();
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "limitedGradients.H"
 #include "sharedPoints.H"
@@ -39,14 +33,13 @@ tensor pseudoInverse(const tensor& K, const Keep& keep)
         const scalar value = found.eigenvalues()[i];
         const auto v = found.eigenvectors().col(i);
         const vector e(v[0], v[1], v[2]);
-        if (value > 1e-12*found.eigenvalues()[2] && keep(e, value))
+        if (value > 1e-12 * found.eigenvalues()[2] && keep(e, value))
         {
-            result += e*e/value;
+            result += e * e / value;
         }
     }
     return result;
 }
-
 
 //- Part of a vector in the directions that have cells
 vector inPlane(const vector& a, const Vector<label>& directions)
@@ -62,7 +55,6 @@ vector inPlane(const vector& a, const Vector<label>& directions)
     return b;
 }
 
-
 template<class Moments>
 void addMoments(Moments& m, const scalar w, const vector& d)
 {
@@ -70,17 +62,16 @@ void addMoments(Moments& m, const scalar w, const vector& d)
     m[k++] += w;
     for (direction i = 0; i < 3; ++i)
     {
-        m[k++] += w*d[i];
+        m[k++] += w * d[i];
     }
     for (direction i = 0; i < 3; ++i)
     {
         for (direction j = i; j < 3; ++j)
         {
-            m[k++] += w*d[i]*d[j];
+            m[k++] += w * d[i] * d[j];
         }
     }
 }
-
 
 template<class Moments>
 vector firstMoment(const Moments& m)
@@ -88,23 +79,16 @@ vector firstMoment(const Moments& m)
     return vector(m[1], m[2], m[3]);
 }
 
-
 template<class Moments>
 tensor secondMoment(const Moments& m)
 {
     return tensor(m[4], m[5], m[6], m[5], m[7], m[8], m[6], m[8], m[9]);
 }
 
-
 struct turnMoments
 {
     template<class Moments>
-    void operator()
-    (
-        const vectorTensorTransform& t,
-        const bool forward,
-        List<Moments>& values
-    ) const
+    void operator()(const vectorTensorTransform& t, const bool forward, List<Moments>& values) const
     {
         if (!t.hasR())
         {
@@ -115,30 +99,30 @@ struct turnMoments
         {
             const vector a(R & firstMoment(m));
             const tensor b(R & secondMoment(m) & R.T());
-            m[1] = a.x(); m[2] = a.y(); m[3] = a.z();
-            m[4] = b.xx(); m[5] = b.xy(); m[6] = b.xz();
-            m[7] = b.yy(); m[8] = b.yz(); m[9] = b.zz();
+            m[1] = a.x();
+            m[2] = a.y();
+            m[3] = a.z();
+            m[4] = b.xx();
+            m[5] = b.xy();
+            m[6] = b.xz();
+            m[7] = b.yy();
+            m[8] = b.yz();
+            m[9] = b.zz();
         }
     }
 };
 
-
-scalar weightOf(const vector& d)
-{
-    return 1/max(magSqr(d), VSMALL);
-}
-
+scalar weightOf(const vector& d) { return 1 / max(magSqr(d), VSMALL); }
 
 constexpr int W = limitedGradients::width;
 
 //- To what is around a point: a state with its weight
 MPM_INLINE void addState(scalar* to, const lanes<W> w, const scalar weight)
 {
-    store<W>(to, load<W>(to) + weight*w);
+    store<W>(to, load<W>(to) + weight * w);
     store<W>(to + W, laneMin(load<W>(to + W), w));
-    store<W>(to + 2*W, laneMax(load<W>(to + 2*W), w));
+    store<W>(to + 2 * W, laneMax(load<W>(to + 2 * W), w));
 }
-
 
 struct combineAround
 {
@@ -149,38 +133,27 @@ struct combineAround
         const scalar* const from = b.cdata();
         store<W>(to, load<W>(to) + load<W>(from));
         store<W>(to + W, laneMin(load<W>(to + W), load<W>(from + W)));
-        store<W>
-        (
-            to + 2*W,
-            laneMax(load<W>(to + 2*W), load<W>(from + 2*W))
-        );
+        store<W>(to + 2 * W, laneMax(load<W>(to + 2 * W), load<W>(from + 2 * W)));
     }
 };
 
-
 //- Nothing around a point
-FixedList<scalar, 3*W> nothingAround()
+FixedList<scalar, 3 * W> nothingAround()
 {
-    FixedList<scalar, 3*W> e(Zero);
+    FixedList<scalar, 3 * W> e(Zero);
     for (int i = 0; i < W; ++i)
     {
         e[W + i] = VGREAT;
-        e[2*W + i] = -VGREAT;
+        e[2 * W + i] = -VGREAT;
     }
     return e;
 }
-
 
 //- Into the frame beyond a side that turns. Extremes have none
 struct turnAround
 {
     template<class Around>
-    void operator()
-    (
-        const vectorTensorTransform& t,
-        const bool forward,
-        List<Around>& values
-    ) const
+    void operator()(const vectorTensorTransform& t, const bool forward, List<Around>& values) const
     {
         if (!t.hasR())
         {
@@ -218,14 +191,14 @@ void Foam::mpm::limitedGradients::setCorners()
         bool yes = true;
         for (direction i = 0; i < 3; ++i)
         {
-            yes = yes && (directions[i] != -1 || arm[i] < 1e-6*mag(arm));
+            yes = yes && (directions[i] != -1 || arm[i] < 1e-6 * mag(arm));
         }
         return yes;
     };
 
     label nPoints = 0;
     number_.setSize(mesh_.nPoints(), -1);
-    DynamicList<corner> corners(8*mesh_.nCells());
+    DynamicList<corner> corners(8 * mesh_.nCells());
     start_.setSize(mesh_.nCells() + 1, 0);
     forAll(cellPoints, c)
     {
@@ -238,10 +211,7 @@ void Foam::mpm::limitedGradients::setCorners()
                 {
                     number_[v] = nPoints++;
                 }
-                corners.append
-                (
-                    corner{number_[v], 0, inPlane(arm, directions), Zero}
-                );
+                corners.append(corner{number_[v], 0, inPlane(arm, directions), Zero});
             }
         }
         start_[c + 1] = corners.size();
@@ -250,13 +220,8 @@ void Foam::mpm::limitedGradients::setCorners()
     points_.setSize(nPoints);
 }
 
-
-void Foam::mpm::limitedGradients::setFaceCorners
-(
-    const labelUList& boundaryFaces,
-    const labelUList& coupledFaceList,
-    List<vector>& places
-)
+void Foam::mpm::limitedGradients::setFaceCorners(
+    const labelUList& boundaryFaces, const labelUList& coupledFaceList, List<vector>& places)
 {
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
@@ -280,14 +245,8 @@ void Foam::mpm::limitedGradients::setFaceCorners
         {
             if (number_[v] >= 0)
             {
-                ofFaces.append
-                (
-                    faceCorner{i, number_[v], scalar(weighs ? 1 : 0)}
-                );
-                place.append
-                (
-                    inPlane(foot - mesh_.points()[v], mesh_.geometricD())
-                );
+                ofFaces.append(faceCorner{i, number_[v], scalar(weighs ? 1 : 0)});
+                place.append(inPlane(foot - mesh_.points()[v], mesh_.geometricD()));
             }
         }
     };
@@ -299,8 +258,7 @@ void Foam::mpm::limitedGradients::setFaceCorners
     // Sides that turn: their extremes do not come with share
     for (const label f : coupledFaceList)
     {
-        const polyPatch& pp =
-            mesh_.boundaryMesh()[mesh_.boundaryMesh().whichPatch(f)];
+        const polyPatch& pp = mesh_.boundaryMesh()[mesh_.boundaryMesh().whichPatch(f)];
         if (!refCast<const coupledPolyPatch>(pp).parallel())
         {
             turned_ = true;
@@ -310,7 +268,6 @@ void Foam::mpm::limitedGradients::setFaceCorners
     ofFaces_.transfer(ofFaces);
     places.transfer(place);
 }
-
 
 void Foam::mpm::limitedGradients::setAxis()
 {
@@ -337,7 +294,6 @@ void Foam::mpm::limitedGradients::setAxis()
     onAxis_.transfer(onAxis);
 }
 
-
 void Foam::mpm::limitedGradients::setWeights(const List<vector>& facePlaces)
 {
     const moments none(Zero);
@@ -356,8 +312,7 @@ void Foam::mpm::limitedGradients::setWeights(const List<vector>& facePlaces)
     }
     if (coupled_)
     {
-        shareOfPoints
-        (
+        shareOfPoints(
             mesh_, number_, sums, none,
             [](moments& a, const moments& b)
             {
@@ -366,8 +321,7 @@ void Foam::mpm::limitedGradients::setWeights(const List<vector>& facePlaces)
                     a[i] += b[i];
                 }
             },
-            turnMoments()
-        );
+            turnMoments());
     }
 
     // Value at the point: mean less slope times the mean place
@@ -375,23 +329,16 @@ void Foam::mpm::limitedGradients::setWeights(const List<vector>& facePlaces)
     forAll(sums, v)
     {
         const moments& m = sums[v];
-        const vector d(firstMoment(m)/m[0]);
+        const vector d(firstMoment(m) / m[0]);
         mean[v] = d;
         back[v] =
             d
-          & pseudoInverse
-            (
-                secondMoment(m)/m[0] - d*d,
-                [&](const vector& e, const scalar spread)
-                {
-                    return spread > 0.05*sqr(d & e);
-                }
-            );
+            & pseudoInverse(
+                secondMoment(m) / m[0] - d * d,
+                [&](const vector& e, const scalar spread) { return spread > 0.05 * sqr(d & e); });
     }
     const auto weight = [&](const label v, const vector& d)
-    {
-        return weightOf(d)/sums[v][0]*(1 - (back[v] & (d - mean[v])));
-    };
+    { return weightOf(d) / sums[v][0] * (1 - (back[v] & (d - mean[v]))); };
     for (corner& at : corners_)
     {
         at.weight = weight(at.point, -at.arm);
@@ -406,7 +353,6 @@ void Foam::mpm::limitedGradients::setWeights(const List<vector>& facePlaces)
     }
 }
 
-
 void Foam::mpm::limitedGradients::setSlopes()
 {
     for (label c = 0; c < mesh_.nCells(); ++c)
@@ -417,22 +363,16 @@ void Foam::mpm::limitedGradients::setSlopes()
         {
             addMoments(sums, 1, corners_[k].arm);
         }
-        const vector mean(firstMoment(sums)/n);
-        const tensor K
-        (
-            pseudoInverse
-            (
-                secondMoment(sums) - n*(mean*mean),
-                [](const vector&, const scalar) { return true; }
-            )
-        );
+        const vector mean(firstMoment(sums) / n);
+        const tensor K(pseudoInverse(
+            secondMoment(sums) - n * (mean * mean),
+            [](const vector&, const scalar) { return true; }));
         for (label k = start_[c]; k < start_[c + 1]; ++k)
         {
             corners_[k].slope = K & (corners_[k].arm - mean);
         }
     }
 }
-
 
 void Foam::mpm::limitedGradients::aroundPoints()
 {
@@ -441,7 +381,7 @@ void Foam::mpm::limitedGradients::aroundPoints()
     points_ = nothingAround();
     for (label c = 0; c < nCells; ++c)
     {
-        const state w = load<width>(states + width*c);
+        const state w = load<width>(states + width * c);
         for (label k = start_[c]; k < start_[c + 1]; ++k)
         {
             const corner& at = corners_[k];
@@ -450,20 +390,13 @@ void Foam::mpm::limitedGradients::aroundPoints()
     }
     for (const faceCorner& at : ofFaces_)
     {
-        addState
-        (
-            points_[at.point].data(),
-            load<width>(states + width*(nCells + at.face)),
-            at.weight
-        );
+        addState(
+            points_[at.point].data(), load<width>(states + width * (nCells + at.face)), at.weight);
     }
     if (coupled_)
     {
         const List<around> mine(turned_ ? points_ : List<around>());
-        shareOfPoints
-        (
-            mesh_, number_, points_, nothingAround(), combineAround(), turnAround()
-        );
+        shareOfPoints(mesh_, number_, points_, nothingAround(), combineAround(), turnAround());
         forAll(mine, v)
         {
             scalar* const to = points_[v].data();
@@ -471,20 +404,19 @@ void Foam::mpm::limitedGradients::aroundPoints()
             for (int i = 0; i < W; ++i)
             {
                 to[W + i] = min(to[W + i], from[W + i]);
-                to[2*W + i] = max(to[2*W + i], from[2*W + i]);
+                to[2 * W + i] = max(to[2 * W + i], from[2 * W + i]);
             }
         }
     }
     for (const label v : onAxis_)
     {
         around& e = points_[v];
-        const vector u((vector(e[1], e[2], e[3]) & axis_)*axis_);
+        const vector u((vector(e[1], e[2], e[3]) & axis_) * axis_);
         e[1] = u.x();
         e[2] = u.y();
         e[3] = u.z();
     }
 }
-
 
 void Foam::mpm::limitedGradients::cellGradients()
 {
@@ -495,15 +427,15 @@ void Foam::mpm::limitedGradients::cellGradients()
     for (label c = 0; c < nCells; ++c)
     {
         const label first = start_[c], last = start_[c + 1];
-        const state w = load<width>(states_.cdata() + width*c);
+        const state w = load<width>(states_.cdata() + width * c);
         state x{}, y{}, z{};
         for (label k = first; k < last; ++k)
         {
             const corner& at = corners_[k];
             const state d = load<width>(points_[at.point].cdata()) - w;
-            x += d*at.slope.x();
-            y += d*at.slope.y();
-            z += d*at.slope.z();
+            x += d * at.slope.x();
+            y += d * at.slope.y();
+            z += d * at.slope.z();
         }
 
         state limit = broadcast<width>(1);
@@ -511,43 +443,28 @@ void Foam::mpm::limitedGradients::cellGradients()
         {
             const corner& at = corners_[k];
             const scalar* const e = points_[at.point].cdata();
-            const state change =
-                x*at.arm.x() + y*at.arm.y() + z*at.arm.z();
-            const state room = select
-            (
-                change > 0, load<width>(e + 2*width), load<width>(e + width)
-            ) - w;
-            limit = select
-            (
-                laneAbs(change) > none, laneMin(limit, room/change), limit
-            );
+            const state change = x * at.arm.x() + y * at.arm.y() + z * at.arm.z();
+            const state room =
+                select(change > 0, load<width>(e + 2 * width), load<width>(e + width)) - w;
+            limit = select(laneAbs(change) > none, laneMin(limit, room / change), limit);
         }
-        scalar* const g = gradients_.data() + 3*width*c;
-        store<width>(g, x*limit);
-        store<width>(g + width, y*limit);
-        store<width>(g + 2*width, z*limit);
+        scalar* const g = gradients_.data() + 3 * width * c;
+        store<width>(g, x * limit);
+        store<width>(g + width, y * limit);
+        store<width>(g + 2 * width, z * limit);
     }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::limitedGradients::limitedGradients
-(
-    const fvMesh& mesh,
-    const labelUList& boundaryFaces,
-    const labelUList& coupledFaceList
-)
-:
+Foam::mpm::limitedGradients::limitedGradients(
+    const fvMesh& mesh, const labelUList& boundaryFaces, const labelUList& coupledFaceList) :
     mesh_(mesh),
     axis_(Zero),
     coupled_(returnReduce(coupledFaceList.size(), sumOp<label>()) > 0),
     turned_(false),
-    states_
-    (
-        width*(mesh.nCells() + mesh.nFaces() - mesh.nInternalFaces()),
-        Zero
-    ),
-    gradients_(3*width*mesh.nCells(), Zero)
+    states_(width * (mesh.nCells() + mesh.nFaces() - mesh.nInternalFaces()), Zero),
+    gradients_(3 * width * mesh.nCells(), Zero)
 {
     setCorners();
     List<vector> facePlaces;
@@ -559,13 +476,9 @@ Foam::mpm::limitedGradients::limitedGradients
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::limitedGradients::update
-(
-    const UList<gasState>& W,
-    const UList<gasState>& Wb
-)
+void Foam::mpm::limitedGradients::update(const UList<gasState>& W, const UList<gasState>& Wb)
 {
-    static_assert(sizeof(gasState) == 5*sizeof(scalar), "rho, u, p");
+    static_assert(sizeof(gasState) == 5 * sizeof(scalar), "rho, u, p");
 
     scalar* to = states_.data();
     for (const UList<gasState>* list : {&W, &Wb})
@@ -579,5 +492,3 @@ void Foam::mpm::limitedGradients::update
     aroundPoints();
     cellGradients();
 }
-
-// ************************************************************************* //

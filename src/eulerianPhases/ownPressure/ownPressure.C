@@ -1,21 +1,11 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "ownPressure.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::mpm::ownPressure::found Foam::mpm::ownPressure::gammaLaw
-(
-    const conserved& from,
-    const faceRates& rates,
-    const primitives& to
-) const
+Foam::mpm::ownPressure::found Foam::mpm::ownPressure::gammaLaw(
+    const conserved& from, const faceRates& rates, const primitives& to) const
 {
     const label n = from.rho.size();
     const scalar* const theta = from.theta.cdata();
@@ -37,25 +27,21 @@ Foam::mpm::ownPressure::found Foam::mpm::ownPressure::gammaLaw
     for (label c = 0; c < n; ++c)
     {
         gasState& w = W[c];
-        const scalar iTheta = 1/theta[c];
-        w.rho = rho[c]*iTheta;
-        w.u = rhoU[c]/rho[c];
-        w.p =
-            energy
-          ? (gamma - 1)*(rhoE[c] - 0.5*(rhoU[c] & w.u))*iTheta
-          : thermo_.pIsentropic(w.rho);
+        const scalar iTheta = 1 / theta[c];
+        w.rho = rho[c] * iTheta;
+        w.u = rhoU[c] / rho[c];
+        w.p = energy ? (gamma - 1) * (rhoE[c] - 0.5 * (rhoU[c] & w.u)) * iTheta
+                     : thermo_.pIsentropic(w.rho);
 
         p[c] = w.p;
         U[c] = w.u;
         rho0[c] = w.rho;
         if (T)
         {
-            T[c] = w.p/(w.rho*R);
+            T[c] = w.p / (w.rho * R);
         }
 
-        const scalar r =
-            (cmptMag(w.u) & rate[c])
-          + std::sqrt(gamma*w.p/w.rho)*rateOfAll[c];
+        const scalar r = (cmptMag(w.u) & rate[c]) + std::sqrt(gamma * w.p / w.rho) * rateOfAll[c];
         if (!(w.rho > 0 && w.p > 0 && r < GREAT))
         {
             result.bad = result.bad < 0 ? c : result.bad;
@@ -65,13 +51,8 @@ Foam::mpm::ownPressure::found Foam::mpm::ownPressure::gammaLaw
     return result;
 }
 
-
-Foam::mpm::ownPressure::found Foam::mpm::ownPressure::general
-(
-    const conserved& from,
-    const faceRates& rates,
-    const primitives& to
-) const
+Foam::mpm::ownPressure::found Foam::mpm::ownPressure::general(
+    const conserved& from, const faceRates& rates, const primitives& to) const
 {
     constexpr label room = gasThermo::room;
     const bool energy = thermo_.hasEnergy();
@@ -85,12 +66,9 @@ Foam::mpm::ownPressure::found Foam::mpm::ownPressure::general
         for (label i = 0; i < n; ++i)
         {
             const label c = first + i;
-            const vector u(from.rhoU[c]/from.rho[c]);
-            rho0[i] = from.rho[c]/from.theta[c];
-            e[i] =
-                energy
-              ? (from.rhoE[c] - 0.5*(from.rhoU[c] & u))/from.rho[c]
-              : 0;
+            const vector u(from.rhoU[c] / from.rho[c]);
+            rho0[i] = from.rho[c] / from.theta[c];
+            e[i] = energy ? (from.rhoE[c] - 0.5 * (from.rhoU[c] & u)) / from.rho[c] : 0;
             to.W[c].u = u;
         }
         thermo_.equation().pressures(n, rho0, e, p, c2, Gamma);
@@ -105,9 +83,7 @@ Foam::mpm::ownPressure::found Foam::mpm::ownPressure::general
             to.U[c] = w.u;
             to.rho0[c] = w.rho;
 
-            const scalar r =
-                (cmptMag(w.u) & rates.directions[c])
-              + std::sqrt(c2[i])*rates.all[c];
+            const scalar r = (cmptMag(w.u) & rates.directions[c]) + std::sqrt(c2[i]) * rates.all[c];
             if (!(w.rho > 0 && c2[i] > 0 && r < GREAT))
             {
                 result.bad = result.bad < 0 ? c : result.bad;
@@ -120,26 +96,20 @@ Foam::mpm::ownPressure::found Foam::mpm::ownPressure::general
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::ownPressure::conserve
-(
-    const conserved& to,
-    const scalarField& p,
-    const vectorField& U,
-    const scalar* T,
-    const scalarField& rho0
-) const
+void Foam::mpm::ownPressure::conserve(
+    const conserved& to, const scalarField& p, const vectorField& U, const scalar* T,
+    const scalarField& rho0) const
 {
     if (thermo_.isGammaLaw())
     {
-        const scalar iGm1 = 1/(thermo_.gamma() - 1);
+        const scalar iGm1 = 1 / (thermo_.gamma() - 1);
         forAll(to.rho, c)
         {
-            to.rho[c] = to.theta[c]*thermo_.rho(p[c], T ? T[c] : 1);
-            to.rhoU[c] = to.rho[c]*U[c];
+            to.rho[c] = to.theta[c] * thermo_.rho(p[c], T ? T[c] : 1);
+            to.rhoU[c] = to.rho[c] * U[c];
             if (thermo_.hasEnergy())
             {
-                to.rhoE[c] =
-                    to.theta[c]*p[c]*iGm1 + 0.5*to.rho[c]*magSqr(U[c]);
+                to.rhoE[c] = to.theta[c] * p[c] * iGm1 + 0.5 * to.rho[c] * magSqr(U[c]);
             }
         }
         return;
@@ -151,14 +121,10 @@ void Foam::mpm::ownPressure::conserve
     if (thermo_.hasEnergy())
     {
         scalarField e(n), c2(n), Gamma(n);
-        equation.energies
-        (
-            n, rho.cdata(), p.cdata(), e.data(), c2.data(), Gamma.data()
-        );
+        equation.energies(n, rho.cdata(), p.cdata(), e.data(), c2.data(), Gamma.data());
         forAll(e, c)
         {
-            to.rhoE[c] =
-                to.theta[c]*rho[c]*(e[c] + 0.5*magSqr(U[c]));
+            to.rhoE[c] = to.theta[c] * rho[c] * (e[c] + 0.5 * magSqr(U[c]));
         }
     }
     else
@@ -168,11 +134,10 @@ void Foam::mpm::ownPressure::conserve
     }
     forAll(rho, c)
     {
-        to.rho[c] = to.theta[c]*rho[c];
-        to.rhoU[c] = to.rho[c]*U[c];
+        to.rho[c] = to.theta[c] * rho[c];
+        to.rhoU[c] = to.rho[c] * U[c];
     }
 }
-
 
 bool Foam::mpm::ownPressure::markBad(const conserved& s, boolList& bad) const
 {
@@ -195,9 +160,8 @@ bool Foam::mpm::ownPressure::markBad(const conserved& s, boolList& bad) const
         for (label i = 0; i < n; ++i)
         {
             const label c = first + i;
-            rho0[i] = s.rho[c]/s.theta[c];
-            e[i] =
-                (s.rhoE[c] - 0.5*magSqr(s.rhoU[c])/s.rho[c])/s.rho[c];
+            rho0[i] = s.rho[c] / s.theta[c];
+            e[i] = (s.rhoE[c] - 0.5 * magSqr(s.rhoU[c]) / s.rho[c]) / s.rho[c];
         }
         thermo_.equation().pressures(n, rho0, e, p, c2, Gamma);
         for (label i = 0; i < n; ++i)
@@ -208,5 +172,3 @@ bool Foam::mpm::ownPressure::markBad(const conserved& s, boolList& bad) const
     }
     return none;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "reconstruction.H"
 #include "limitedGradients.H"
@@ -41,14 +35,12 @@ string words(const UList<token>& tokens)
     return text;
 }
 
-
 //- Fatal for a scheme that there is not, with those that make sense here:
 //  limited ones for any range of values
 template<class Type>
 void checkScheme(const fvMesh& mesh, const word& key, const string& scheme)
 {
-    const auto& known =
-        *surfaceInterpolationScheme<Type>::MeshFluxConstructorTablePtr_;
+    const auto& known = *surfaceInterpolationScheme<Type>::MeshFluxConstructorTablePtr_;
     const word name(scheme.substr(0, scheme.find(' ')));
     if (known.found(name))
     {
@@ -71,11 +63,7 @@ void checkScheme(const fvMesh& mesh, const word& key, const string& scheme)
     }
     if (!tetrahedra)
     {
-        for
-        (
-            const word s :
-            {"MUSCL", "UMIST", "OSPRE", "QUICK", "SFCD", "limitedLinear"}
-        )
+        for (const word s : {"MUSCL", "UMIST", "OSPRE", "QUICK", "SFCD", "limitedLinear"})
         {
             if (known.found(s + V))
             {
@@ -84,12 +72,10 @@ void checkScheme(const fvMesh& mesh, const word& key, const string& scheme)
         }
     }
     FatalIOErrorInFunction(mesh.schemesDict().subDict("interpolationSchemes"))
-        << "Unknown scheme " << name << " of " << key
-        << mpm::meant(name, valid).c_str() << nl << nl
+        << "Unknown scheme " << name << " of " << key << mpm::meant(name, valid).c_str() << nl << nl
         << "Valid schemes on this mesh are: " << flatOutput(valid) << nl
         << "upwind is of first order; MLP is for all three, on any cells"
-        << (tetrahedra ? "." : "; limitedLinear takes a number: 1.")
-        << exit(FatalIOError);
+        << (tetrahedra ? "." : "; limitedLinear takes a number: 1.") << exit(FatalIOError);
 }
 
 }
@@ -98,8 +84,7 @@ void checkScheme(const fvMesh& mesh, const word& key, const string& scheme)
 
 void Foam::mpm::reconstruction::readSchemes()
 {
-    const dictionary& dict =
-        requiredDict(mesh_.schemesDict(), "interpolationSchemes");
+    const dictionary& dict = requiredDict(mesh_.schemesDict(), "interpolationSchemes");
 
     const wordList fields({"rho", "U", "p"});
     forAll(fields, i)
@@ -113,10 +98,8 @@ void Foam::mpm::reconstruction::readSchemes()
         {
             FatalIOErrorInFunction(dict)
                 << "Entry " << key << " is missing in " << dict.name()
-                << ". The gas needs, for example," << nl
-                << "    reconstruct(rho) vanLeer;" << nl
-                << "    reconstruct(U)   vanLeerV;" << nl
-                << "    reconstruct(p)   vanLeer;" << nl
+                << ". The gas needs, for example," << nl << "    reconstruct(rho) vanLeer;" << nl
+                << "    reconstruct(U)   vanLeerV;" << nl << "    reconstruct(p)   vanLeer;" << nl
                 << "or upwind for all three (first order); reconstruct(T) may"
                 << " stand for reconstruct(p)." << exit(FatalIOError);
         }
@@ -125,9 +108,7 @@ void Foam::mpm::reconstruction::readSchemes()
         scheme_[i] = words(dict.lookupEntry(key, keyType::REGEX).stream());
     }
 
-    upwind_ =
-        scheme_[0] == "upwind" && scheme_[1] == "upwind"
-     && scheme_[2] == "upwind";
+    upwind_ = scheme_[0] == "upwind" && scheme_[1] == "upwind" && scheme_[2] == "upwind";
 
     label nMLP = 0;
     for (const string& scheme : scheme_)
@@ -138,11 +119,9 @@ void Foam::mpm::reconstruction::readSchemes()
     if (nMLP && !byCells_)
     {
         FatalIOErrorInFunction(dict)
-            << "The scheme MLP is for all three: " << key_[0] << " is "
-            << scheme_[0].c_str() << ", " << key_[1] << ' '
-            << scheme_[1].c_str() << ", " << key_[2] << ' '
-            << scheme_[2].c_str() << " in " << dict.name() << "."
-            << exit(FatalIOError);
+            << "The scheme MLP is for all three: " << key_[0] << " is " << scheme_[0].c_str()
+            << ", " << key_[1] << ' ' << scheme_[1].c_str() << ", " << key_[2] << ' '
+            << scheme_[2].c_str() << " in " << dict.name() << "." << exit(FatalIOError);
     }
 
     const dictionary& grad = requiredDict(mesh_.schemesDict(), "gradSchemes");
@@ -158,22 +137,14 @@ void Foam::mpm::reconstruction::readSchemes()
     own_.clear();
     for (const word name : {"vanLeer", "vanAlbada", "Minmod", "SuperBee"})
     {
-        if
-        (
-            gaussLinear && scheme_[0] == name && scheme_[2] == name
-         && scheme_[1] == name + "V"
-        )
+        if (gaussLinear && scheme_[0] == name && scheme_[2] == name && scheme_[1] == name + "V")
         {
             own_ = name;
         }
     }
 }
 
-
-void Foam::mpm::reconstruction::gradient
-(
-    const phase& of
-)
+void Foam::mpm::reconstruction::gradient(const phase& of)
 {
     const UList<gasState>& W = of.W;
     const UList<gasState>& Wb = of.Wb;
@@ -191,9 +162,9 @@ void Foam::mpm::reconstruction::gradient
         const gasState& P = W[own[f]];
         const gasState& N = W[nei[f]];
         const scalar wf = w[f];
-        const vector rho((wf*P.rho + (1 - wf)*N.rho)*S[f]);
-        const vector p((wf*P.p + (1 - wf)*N.p)*S[f]);
-        const tensor u(S[f]*(wf*P.u + (1 - wf)*N.u));
+        const vector rho((wf * P.rho + (1 - wf) * N.rho) * S[f]);
+        const vector p((wf * P.p + (1 - wf) * N.p) * S[f]);
+        const tensor u(S[f] * (wf * P.u + (1 - wf) * N.u));
         gradients& gP = grad_[own[f]];
         gradients& gN = grad_[nei[f]];
         gP.rho += rho;
@@ -204,33 +175,32 @@ void Foam::mpm::reconstruction::gradient
         gN.u -= u;
         if (jump)
         {
-            gP.p -= (1 - wf)*jump[f]*S[f];
-            gN.p -= wf*jump[f]*S[f];
+            gP.p -= (1 - wf) * jump[f] * S[f];
+            gN.p -= wf * jump[f] * S[f];
         }
     }
     for (const label f : boundary_)
     {
         const gasState& B = Wb[f - nInternal];
         gradients& g = grad_[own[f]];
-        g.rho += B.rho*S[f];
-        g.p += (jump ? B.p - jump[f] : B.p)*S[f];
-        g.u += S[f]*B.u;
+        g.rho += B.rho * S[f];
+        g.p += (jump ? B.p - jump[f] : B.p) * S[f];
+        g.u += S[f] * B.u;
     }
     for (const label f : coupledList_)
     {
         const label patchi = mesh_.boundaryMesh().whichPatch(f);
         const scalar wf =
-            mesh_.weights().boundaryField()[patchi]
-            [f - mesh_.boundaryMesh()[patchi].start()];
+            mesh_.weights().boundaryField()[patchi][f - mesh_.boundaryMesh()[patchi].start()];
         const gasState& P = W[own[f]];
         const gasState& N = Wb[f - nInternal];
         gradients& g = grad_[own[f]];
-        g.rho += (wf*P.rho + (1 - wf)*N.rho)*S[f];
-        g.p += (wf*P.p + (1 - wf)*N.p)*S[f];
-        g.u += S[f]*(wf*P.u + (1 - wf)*N.u);
+        g.rho += (wf * P.rho + (1 - wf) * N.rho) * S[f];
+        g.p += (wf * P.p + (1 - wf) * N.p) * S[f];
+        g.u += S[f] * (wf * P.u + (1 - wf) * N.u);
         if (jump)
         {
-            g.p -= (1 - wf)*jump[f]*S[f];
+            g.p -= (1 - wf) * jump[f] * S[f];
         }
     }
 
@@ -239,27 +209,23 @@ void Foam::mpm::reconstruction::gradient
     {
         const gasState& P = W[own[f]];
         gradients& g = grad_[own[f]];
-        g.rho += P.rho*S[f];
-        g.p += P.p*S[f];
-        g.u += S[f]*P.u;
+        g.rho += P.rho * S[f];
+        g.p += P.p * S[f];
+        g.u += S[f] * P.u;
     }
 
     const scalarField& V = mesh_.V();
     forAll(grad_, c)
     {
-        const scalar iV = 1/V[c];
+        const scalar iV = 1 / V[c];
         grad_[c].rho *= iV;
         grad_[c].p *= iV;
         grad_[c].u *= iV;
     }
 }
 
-
 template<template<class> class Limiter, class Scalar, class Vector>
-void Foam::mpm::reconstruction::limited
-(
-    const phase& of
-)
+void Foam::mpm::reconstruction::limited(const phase& of)
 {
     const UList<gasState>& W = of.W;
     const UList<gasState>& Wb = of.Wb;
@@ -275,23 +241,15 @@ void Foam::mpm::reconstruction::limited
     const label nInternal = mesh_.nInternalFaces();
 
     // Of the side of P: W_P + limiter (1 - w) (W_N - W_P)
-    const auto side = [&]
-    (
-        const gasState& P,
-        const gasState& N,
-        const gradients& g,
-        const scalar wf,
-        const vector& d,
-        const scalar rest
-    ) -> gasState
+    const auto side = [&](const gasState& P, const gasState& N, const gradients& g, const scalar wf,
+                          const vector& d, const scalar rest) -> gasState
     {
         gasState r;
         const scalar v = 1 - wf;
-        r.rho = P.rho + v*limit.limiter(wf, 1, P.rho, N.rho, g.rho, g.rho, d)
-           *(N.rho - P.rho);
+        r.rho = P.rho + v * limit.limiter(wf, 1, P.rho, N.rho, g.rho, g.rho, d) * (N.rho - P.rho);
         const scalar p = N.p - rest;
-        r.p = P.p + v*limit.limiter(wf, 1, P.p, p, g.p, g.p, d)*(p - P.p);
-        r.u = P.u + v*limitV.limiter(wf, 1, P.u, N.u, g.u, g.u, d)*(N.u - P.u);
+        r.p = P.p + v * limit.limiter(wf, 1, P.p, p, g.p, g.p, d) * (p - P.p);
+        r.u = P.u + v * limitV.limiter(wf, 1, P.u, N.u, g.u, g.u, d) * (N.u - P.u);
         return r;
     };
 
@@ -309,52 +267,29 @@ void Foam::mpm::reconstruction::limited
         const label i = f - mesh_.boundaryMesh()[patchi].start();
         const label P = own[f];
         const fvPatch& patch = mesh_.boundary()[patchi];
-        faces_[f].own = side
-        (
-            W[P], Wb[f - nInternal], grad_[P], patch.weights()[i],
-            patch.delta()()[i], jump ? jump[f] : 0
-        );
+        faces_[f].own = side(
+            W[P], Wb[f - nInternal], grad_[P], patch.weights()[i], patch.delta()()[i],
+            jump ? jump[f] : 0);
     }
 }
 
-
-Foam::surfaceScalarField Foam::mpm::reconstruction::direction
-(
-    const scalar sign
-) const
+Foam::surfaceScalarField Foam::mpm::reconstruction::direction(const scalar sign) const
 {
-    return surfaceScalarField
-    (
-        IOobject("direction", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("sign", dimless, sign)
-    );
+    return surfaceScalarField(
+        IOobject("direction", mesh_.time().timeName(), mesh_), mesh_,
+        dimensionedScalar("sign", dimless, sign));
 }
-
 
 template<class Type>
 Foam::tmp<Foam::surfaceInterpolationScheme<Type>>
-Foam::mpm::reconstruction::scheme
-(
-    const label i,
-    const surfaceScalarField& direction
-) const
+Foam::mpm::reconstruction::scheme(const label i, const surfaceScalarField& direction) const
 {
-    return surfaceInterpolationScheme<Type>::New
-    (
-        mesh_,
-        direction,
-        mesh_.schemesDict().subDict("interpolationSchemes").lookup(key_[i])
-    );
+    return surfaceInterpolationScheme<Type>::New(
+        mesh_, direction, mesh_.schemesDict().subDict("interpolationSchemes").lookup(key_[i]));
 }
 
-
-void Foam::mpm::reconstruction::interpolated
-(
-    const volScalarField& rho,
-    const volVectorField& U,
-    const volScalarField& p
-)
+void Foam::mpm::reconstruction::interpolated(
+    const volScalarField& rho, const volVectorField& U, const volScalarField& p)
 {
     for (const bool owner : {true, false})
     {
@@ -364,9 +299,7 @@ void Foam::mpm::reconstruction::interpolated
         const auto p_f = scheme<scalar>(2, to)->interpolate(p);
 
         const auto set = [&](const label f, const gasState& s)
-        {
-            (owner ? faces_[f].own : faces_[f].nei) = s;
-        };
+        { (owner ? faces_[f].own : faces_[f].nei) = s; };
         for (label f = 0; f < mesh_.nInternalFaces(); ++f)
         {
             set(f, {rho_f()[f], U_f()[f], p_f()[f]});
@@ -375,19 +308,12 @@ void Foam::mpm::reconstruction::interpolated
         {
             const label patchi = mesh_.boundaryMesh().whichPatch(f);
             const label i = f - mesh_.boundaryMesh()[patchi].start();
-            set
-            (
-                f,
-                {
-                    rho_f().boundaryField()[patchi][i],
-                    U_f().boundaryField()[patchi][i],
-                    p_f().boundaryField()[patchi][i]
-                }
-            );
+            set(f,
+                {rho_f().boundaryField()[patchi][i], U_f().boundaryField()[patchi][i],
+                 p_f().boundaryField()[patchi][i]});
         }
     }
 }
-
 
 void Foam::mpm::reconstruction::refuseTetrahedra() const
 {
@@ -405,29 +331,20 @@ void Foam::mpm::reconstruction::refuseTetrahedra() const
         return;
     }
     FatalIOErrorInFunction(mesh_.schemesDict())
-        << "Cell " << tet << " at " << mesh_.cellCentres()[tet]
-        << " is a tetrahedron, where " << key_[0] << ' '
-        << scheme_[0].c_str() << ", " << key_[1] << ' ' << scheme_[1].c_str()
-        << ", " << key_[2] << ' ' << scheme_[2].c_str()
-        << " grow without bound." << nl << "Valid there are MLP or upwind for"
+        << "Cell " << tet << " at " << mesh_.cellCentres()[tet] << " is a tetrahedron, where "
+        << key_[0] << ' ' << scheme_[0].c_str() << ", " << key_[1] << ' ' << scheme_[1].c_str()
+        << ", " << key_[2] << ' ' << scheme_[2].c_str() << " grow without bound." << nl
+        << "Valid there are MLP or upwind for"
         << " all three; vanLeer, vanAlbada, Minmod and SuperBee (of U with V"
         << " behind the name) become MLP." << exit(FatalIOError);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::reconstruction::reconstruction
-(
-    const fvMesh& mesh,
-    const coupledFaces& coupled,
-    const labelList& boundaryFaces,
-    const labelList& coupledFaceList
-)
-:
-    mesh_(mesh),
-    coupled_(coupled),
-    boundary_(boundaryFaces),
-    coupledList_(coupledFaceList)
+Foam::mpm::reconstruction::reconstruction(
+    const fvMesh& mesh, const coupledFaces& coupled, const labelList& boundaryFaces,
+    const labelList& coupledFaceList) :
+    mesh_(mesh), coupled_(coupled), boundary_(boundaryFaces), coupledList_(coupledFaceList)
 {
     readSchemes();
 
@@ -453,10 +370,7 @@ Foam::mpm::reconstruction::reconstruction
             byCells_ = true;
             skew_.clear();
         }
-        grad_.setSize
-        (
-            !byCells_ && (own_.size() || skew_.size()) ? mesh.nCells() : 0
-        );
+        grad_.setSize(!byCells_ && (own_.size() || skew_.size()) ? mesh.nCells() : 0);
         rates_.setSize(mesh.nCells());
         swap_.setSize(mesh.nFaces() - mesh.nInternalFaces());
     }
@@ -474,20 +388,17 @@ Foam::mpm::reconstruction::reconstruction
     }
 }
 
-
 Foam::mpm::reconstruction::~reconstruction() = default;
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::string Foam::mpm::reconstruction::description() const
 {
-    return
-        "rho " + scheme_[0] + ", U " + scheme_[1] + ", p " + scheme_[2]
-      + (byCells_ && own_.size() ? ", on these cells: MLP" : "")
-      + (upwind_ || byCells_ || own_.size() ? "" : " (by OpenFOAM's general schemes)")
-      + (skew_.size() ? ", corrected on skewed faces" : "");
+    return "rho " + scheme_[0] + ", U " + scheme_[1] + ", p " + scheme_[2]
+        + (byCells_ && own_.size() ? ", on these cells: MLP" : "")
+        + (upwind_ || byCells_ || own_.size() ? "" : " (by OpenFOAM's general schemes)")
+        + (skew_.size() ? ", corrected on skewed faces" : "");
 }
-
 
 void Foam::mpm::reconstruction::checkWeight() const
 {
@@ -495,23 +406,16 @@ void Foam::mpm::reconstruction::checkWeight() const
     {
         FatalIOErrorInFunction(mesh_.schemesDict())
             << "Several fluids under gravity need upwind, MLP, or vanLeer,"
-            << " vanAlbada, Minmod or SuperBee for " << key_[0] << ", "
-            << key_[1] << " (with V behind the name) and " << key_[2]
-            << " and gradients by Gauss linear; here these are "
-            << description().c_str() << exit(FatalIOError);
+            << " vanAlbada, Minmod or SuperBee for " << key_[0] << ", " << key_[1]
+            << " (with V behind the name) and " << key_[2]
+            << " and gradients by Gauss linear; here these are " << description().c_str()
+            << exit(FatalIOError);
     }
 }
 
-
-void Foam::mpm::reconstruction::update
-(
-    const scalar dt,
-    const phase& of,
-    const volScalarField& rho,
-    const volVectorField& U,
-    const volScalarField& p,
-    const boolUList* nearSolid
-)
+void Foam::mpm::reconstruction::update(
+    const scalar dt, const phase& of, const volScalarField& rho, const volVectorField& U,
+    const volScalarField& p, const boolUList* nearSolid)
 {
     const UList<gasState>& W = of.W;
     const UList<gasState>& Wb = of.Wb;
@@ -571,5 +475,3 @@ void Foam::mpm::reconstruction::update
     }
     halfStep(dt, of, nearSolid);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "reconstruction.H"
 #include "limitedGradients.H"
@@ -20,9 +14,7 @@ void Foam::mpm::reconstruction::fromSlopes()
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
     const auto side = [&](const label f, const label c)
-    {
-        return limitedGradients::fromLanes(slopes.at(c, Cf[f] - C[c]));
-    };
+    { return limitedGradients::fromLanes(slopes.at(c, Cf[f] - C[c])); };
     for (label f = 0; f < mesh_.nInternalFaces(); ++f)
     {
         faces_[f].own = side(f, own[f]);
@@ -34,12 +26,7 @@ void Foam::mpm::reconstruction::fromSlopes()
     }
 }
 
-
-void Foam::mpm::reconstruction::sidesOfBoundary
-(
-    const phase& of,
-    const boolUList* nearSolid
-)
+void Foam::mpm::reconstruction::sidesOfBoundary(const phase& of, const boolUList* nearSolid)
 {
     const vectorField& C = mesh_.cellCentres();
     const vectorField& Cf = mesh_.faceCentres();
@@ -59,20 +46,15 @@ void Foam::mpm::reconstruction::sidesOfBoundary
             {
                 // The pressure of the boundary is that at the foot of the
                 // normal
-                const vector along(d - (d & S[f])/magSqr(S[f])*S[f]);
+                const vector along(d - (d & S[f]) / magSqr(S[f]) * S[f]);
                 s.p = slopes_->at(c, along)[4];
             }
         }
     }
 }
 
-
 template<class IsNear>
-void Foam::mpm::reconstruction::setNearSolid
-(
-    const UList<gasState>& W,
-    const IsNear& isNear
-)
+void Foam::mpm::reconstruction::setNearSolid(const UList<gasState>& W, const IsNear& isNear)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -93,14 +75,9 @@ void Foam::mpm::reconstruction::setNearSolid
     }
 }
 
-
 template<bool General>
-void Foam::mpm::reconstruction::changes
-(
-    const scalar dt,
-    const phase& of,
-    const boolUList* nearSolid
-)
+void Foam::mpm::reconstruction::changes(
+    const scalar dt, const phase& of, const boolUList* nearSolid)
 {
     const vectorField& S = mesh_.faceAreas();
     const labelUList& own = mesh_.faceOwner();
@@ -110,12 +87,7 @@ void Foam::mpm::reconstruction::changes
     const scalar gamma = General ? 0 : of.thermo->gamma();
 
     rates_ = rates{0, 0, 0, Zero, Zero};
-    const auto add = [&]
-    (
-        const label c,
-        const gasState& w,
-        const vector& s
-    )
+    const auto add = [&](const label c, const gasState& w, const vector& s)
     {
         const gasState& W0 = W[c];
         rates& r = rates_[c];
@@ -123,10 +95,10 @@ void Foam::mpm::reconstruction::changes
         const vector du(w.u - W0.u);
         const scalar dp = w.p - W0.p;
         r.div += du & s;
-        r.rho += us*(w.rho - W0.rho);
-        r.p += us*dp;
-        r.u += us*du;
-        r.gradP += dp*s;
+        r.rho += us * (w.rho - W0.rho);
+        r.p += us * dp;
+        r.u += us * du;
+        r.gradP += dp * s;
     };
     for (label f = 0; f < nInternal; ++f)
     {
@@ -142,8 +114,8 @@ void Foam::mpm::reconstruction::changes
         add(own[f], of.Wb[f - nInternal], S[f]);
         if (of.jump)
         {
-            rates_[own[f]].gradP -= (*of.jump)[f]*S[f];
-            rates_[own[f]].p -= (*of.jump)[f]*(W[own[f]].u & S[f]);
+            rates_[own[f]].gradP -= (*of.jump)[f] * S[f];
+            rates_[own[f]].p -= (*of.jump)[f] * (W[own[f]].u & S[f]);
         }
     }
     for (const label f : wedge_)
@@ -157,21 +129,16 @@ void Foam::mpm::reconstruction::changes
     {
         rates& r = rates_[c];
         const gasState& w = W[c];
-        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5*dt/V[c];
-        r.rho = h*(r.rho + w.rho*r.div);
-        r.u = h*(r.u + r.gradP/w.rho);
-        r.p = h*(r.p + (General ? of.t[c].K : gamma*w.p)*r.div);
+        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5 * dt / V[c];
+        r.rho = h * (r.rho + w.rho * r.div);
+        r.u = h * (r.u + r.gradP / w.rho);
+        r.p = h * (r.p + (General ? of.t[c].K : gamma * w.p) * r.div);
     }
 }
 
-
 template<bool General>
-void Foam::mpm::reconstruction::slopeChanges
-(
-    const scalar dt,
-    const phase& of,
-    const boolUList* nearSolid
-)
+void Foam::mpm::reconstruction::slopeChanges(
+    const scalar dt, const phase& of, const boolUList* nearSolid)
 {
     const UList<gasState>& W = of.W;
     const scalarField& V = mesh_.V();
@@ -183,35 +150,28 @@ void Foam::mpm::reconstruction::slopeChanges
     for (const label f : wedge_)
     {
         // u_r/r
-        rates_[own[f]].div -= (W[own[f]].u & S[f])/V[own[f]];
+        rates_[own[f]].div -= (W[own[f]].u & S[f]) / V[own[f]];
     }
     forAll(rates_, c)
     {
         const gasState& w = W[c];
-        const limitedGradients::state
-            x = slopes_->slope(c, 0),
-            y = slopes_->slope(c, 1),
-            z = slopes_->slope(c, 2),
-            along = x*w.u.x() + y*w.u.y() + z*w.u.z();
+        const limitedGradients::state x = slopes_->slope(c, 0), y = slopes_->slope(c, 1),
+                                      z = slopes_->slope(c, 2),
+                                      along = x * w.u.x() + y * w.u.y() + z * w.u.z();
 
         rates& r = rates_[c];
-        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5*dt;
+        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5 * dt;
         const scalar div = r.div + x[1] + y[2] + z[3];
         const gasState change = limitedGradients::fromLanes(along);
-        r.rho = h*(change.rho + w.rho*div);
-        r.u = h*(change.u + vector(x[4], y[4], z[4])/w.rho);
-        r.p = h*(change.p + (General ? of.t[c].K : gamma*w.p)*div);
+        r.rho = h * (change.rho + w.rho * div);
+        r.u = h * (change.u + vector(x[4], y[4], z[4]) / w.rho);
+        r.p = h * (change.p + (General ? of.t[c].K : gamma * w.p) * div);
     }
 }
 
-
 template<bool General>
-void Foam::mpm::reconstruction::predict
-(
-    const scalar dt,
-    const phase& of,
-    const boolUList* nearSolid
-)
+void Foam::mpm::reconstruction::predict(
+    const scalar dt, const phase& of, const boolUList* nearSolid)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -221,12 +181,9 @@ void Foam::mpm::reconstruction::predict
     const label nCells = W.size();
     const auto isNear = [&](const label f)
     {
-        return
-            nearSolid
-         && (
-                (*nearSolid)[own[f]]
-             || (*nearSolid)[f < nInternal ? nei[f] : nCells + f - nInternal]
-            );
+        return nearSolid
+            && ((*nearSolid)[own[f]]
+                || (*nearSolid)[f < nInternal ? nei[f] : nCells + f - nInternal]);
     };
     if (nearSolid)
     {
@@ -248,15 +205,7 @@ void Foam::mpm::reconstruction::predict
         s.rho += r.rho;
         s.u += r.u;
         s.p += r.p;
-        if
-        (
-            s.rho < 0.1*w.rho
-         || (
-                General
-              ? s.p < w.p - 0.9*of.t[c].strength
-              : s.p < 0.1*w.p
-            )
-        )
+        if (s.rho < 0.1 * w.rho || (General ? s.p < w.p - 0.9 * of.t[c].strength : s.p < 0.1 * w.p))
         {
             s = w;
         }
@@ -298,17 +247,15 @@ void Foam::mpm::reconstruction::predict
     }
 }
 
-
 void Foam::mpm::reconstruction::setTerms(const phase& of)
 {
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
 
-    const auto repair =
-        [](gasState& s, stateTerms& t, const gasState& w, const stateTerms& tw)
+    const auto repair = [](gasState& s, stateTerms& t, const gasState& w, const stateTerms& tw)
     {
-        if (!(t.K > 0.01*tw.K))
+        if (!(t.K > 0.01 * tw.K))
         {
             s = w;
             t = tw;
@@ -316,18 +263,12 @@ void Foam::mpm::reconstruction::setTerms(const phase& of)
     };
     const auto set = [&](const label n, const auto& face)
     {
-        of.thermo->terms
-        (
-            n,
-            [&](const label i) -> const gasState& { return faces_[face(i)].own; },
-            [&](const label i) -> stateTerms& { return terms_[face(i)].own; }
-        );
-        of.thermo->terms
-        (
-            n,
-            [&](const label i) -> const gasState& { return faces_[face(i)].nei; },
-            [&](const label i) -> stateTerms& { return terms_[face(i)].nei; }
-        );
+        of.thermo->terms(
+            n, [&](const label i) -> const gasState& { return faces_[face(i)].own; },
+            [&](const label i) -> stateTerms& { return terms_[face(i)].own; });
+        of.thermo->terms(
+            n, [&](const label i) -> const gasState& { return faces_[face(i)].nei; },
+            [&](const label i) -> stateTerms& { return terms_[face(i)].nei; });
         for (label i = 0; i < n; ++i)
         {
             const label f = face(i), b = f - nInternal;
@@ -351,13 +292,8 @@ void Foam::mpm::reconstruction::setTerms(const phase& of)
     }
 }
 
-
-void Foam::mpm::reconstruction::halfStep
-(
-    const scalar dt,
-    const phase& of,
-    const boolUList* nearSolid
-)
+void Foam::mpm::reconstruction::halfStep(
+    const scalar dt, const phase& of, const boolUList* nearSolid)
 {
     if (of.thermo && of.thermo->isGammaLaw())
     {
@@ -374,7 +310,6 @@ void Foam::mpm::reconstruction::halfStep
     }
 }
 
-
 void Foam::mpm::reconstruction::measureRest(const vector& g)
 {
     // That of g.x, as p of a fluid of density 1
@@ -389,10 +324,9 @@ void Foam::mpm::reconstruction::measureRest(const vector& g)
     forAll(behind, i)
     {
         const label f = nInternal + i;
-        const vector n(S[f]/mag(S[f]));
+        const vector n(S[f] / mag(S[f]));
         behind[i] = cells[mesh_.faceOwner()[f]];
-        foot_[i] =
-            (g & n)*(n & (mesh_.faceCentres()[f] - C[mesh_.faceOwner()[f]]));
+        foot_[i] = (g & n) * (n & (mesh_.faceCentres()[f] - C[mesh_.faceOwner()[f]]));
     }
     coupled_.swap(behind);
     for (const label f : boundary_)
@@ -410,7 +344,6 @@ void Foam::mpm::reconstruction::measureRest(const vector& g)
     }
 }
 
-
 void Foam::mpm::reconstruction::slopesAboveRest(const phase& of)
 {
     if (rest_.empty())
@@ -426,16 +359,15 @@ void Foam::mpm::reconstruction::slopesAboveRest(const phase& of)
         gasState& w = restBehind_[f - nInternal];
         if (w.p == of.W[c].p)
         {
-            w.p += of.W[c].rho*foot_[f - nInternal];
+            w.p += of.W[c].rho * foot_[f - nInternal];
         }
     }
     slopes_->update(of.W, restBehind_);
     forAll(of.W, c)
     {
-        slopes_->atRest(c, of.W[c].rho*rest_[c]);
+        slopes_->atRest(c, of.W[c].rho * rest_[c]);
     }
 }
-
 
 void Foam::mpm::reconstruction::measureSkew()
 {
@@ -449,8 +381,8 @@ void Foam::mpm::reconstruction::measureSkew()
     {
         const vector& P = C[own[f]];
         const vector d(C[mesh_.faceNeighbour()[f]] - P);
-        skew_[f] = Cf[f] - P - (1 - mesh_.weights()[f])*d;
-        most = max(most, mag(skew_[f])/mag(d));
+        skew_[f] = Cf[f] - P - (1 - mesh_.weights()[f]) * d;
+        most = max(most, mag(skew_[f]) / mag(d));
     }
     for (const fvPatch& patch : mesh_.boundary())
     {
@@ -461,9 +393,8 @@ void Foam::mpm::reconstruction::measureSkew()
             {
                 const label f = patch.start() + i;
                 const vector& d = delta[i];
-                skew_[f] =
-                    Cf[f] - C[own[f]] - (1 - patch.weights()[i])*d;
-                most = max(most, mag(skew_[f])/mag(d));
+                skew_[f] = Cf[f] - C[own[f]] - (1 - patch.weights()[i]) * d;
+                most = max(most, mag(skew_[f]) / mag(d));
             }
         }
     }
@@ -473,12 +404,7 @@ void Foam::mpm::reconstruction::measureSkew()
     }
 }
 
-
-void Foam::mpm::reconstruction::leastSquares
-(
-    const UList<gasState>& W,
-    const UList<gasState>& Wb
-)
+void Foam::mpm::reconstruction::leastSquares(const UList<gasState>& W, const UList<gasState>& Wb)
 {
     const leastSquaresVectors& vectors = leastSquaresVectors::New(mesh_);
     const surfaceVectorField& v = vectors.pVectors();
@@ -488,18 +414,13 @@ void Foam::mpm::reconstruction::leastSquares
     const label nInternal = mesh_.nInternalFaces();
 
     grad_ = gradients{Zero, Zero, Zero};
-    const auto add = [&]
-    (
-        const label c,
-        const gasState& N,
-        const vector& v
-    )
+    const auto add = [&](const label c, const gasState& N, const vector& v)
     {
         const gasState& P = W[c];
         gradients& g = grad_[c];
-        g.rho += (N.rho - P.rho)*v;
-        g.p += (N.p - P.p)*v;
-        g.u += v*(N.u - P.u);
+        g.rho += (N.rho - P.rho) * v;
+        g.p += (N.p - P.p) * v;
+        g.u += v * (N.u - P.u);
     };
     for (label f = 0; f < nInternal; ++f)
     {
@@ -511,23 +432,13 @@ void Foam::mpm::reconstruction::leastSquares
         for (const label f : *list)
         {
             const label patchi = mesh_.boundaryMesh().whichPatch(f);
-            add
-            (
-                own[f],
-                Wb[f - nInternal],
-                v.boundaryField()[patchi]
-                [f - mesh_.boundaryMesh()[patchi].start()]
-            );
+            add(own[f], Wb[f - nInternal],
+                v.boundaryField()[patchi][f - mesh_.boundaryMesh()[patchi].start()]);
         }
     }
 }
 
-
-void Foam::mpm::reconstruction::addSkew
-(
-    const UList<gasState>& W,
-    const UList<gasState>& Wb
-)
+void Foam::mpm::reconstruction::addSkew(const UList<gasState>& W, const UList<gasState>& Wb)
 {
     const scalarField& w = mesh_.weights();
     const labelUList& own = mesh_.faceOwner();
@@ -536,26 +447,14 @@ void Foam::mpm::reconstruction::addSkew
 
     // The limiter is the way from P on the line over that without it
     const auto part = [](const scalar to, const scalar whole)
+    { return mag(whole) > VSMALL ? max(scalar(0), min(to / whole, scalar(1))) : 0; };
+    const auto shift = [&](gasState& s, const gasState& P, const gasState& N, const gradients& g,
+                           const scalar v, const vector& d)
     {
-        return
-            mag(whole) > VSMALL
-          ? max(scalar(0), min(to/whole, scalar(1)))
-          : 0;
-    };
-    const auto shift = [&]
-    (
-        gasState& s,
-        const gasState& P,
-        const gasState& N,
-        const gradients& g,
-        const scalar v,
-        const vector& d
-    )
-    {
-        s.rho += part(s.rho - P.rho, v*(N.rho - P.rho))*(d & g.rho);
-        s.p += part(s.p - P.p, v*(N.p - P.p))*(d & g.p);
+        s.rho += part(s.rho - P.rho, v * (N.rho - P.rho)) * (d & g.rho);
+        s.p += part(s.p - P.p, v * (N.p - P.p)) * (d & g.p);
         const vector du(N.u - P.u);
-        s.u += part((s.u - P.u) & du, v*magSqr(du))*(d & g.u);
+        s.u += part((s.u - P.u) & du, v * magSqr(du)) * (d & g.u);
     };
 
     for (label f = 0; f < nInternal; ++f)
@@ -568,12 +467,8 @@ void Foam::mpm::reconstruction::addSkew
     {
         const label patchi = mesh_.boundaryMesh().whichPatch(f);
         const label i = f - mesh_.boundaryMesh()[patchi].start();
-        shift
-        (
+        shift(
             faces_[f].own, W[own[f]], Wb[f - nInternal], grad_[own[f]],
-            1 - mesh_.boundary()[patchi].weights()[i], skew_[f]
-        );
+            1 - mesh_.boundary()[patchi].weights()[i], skew_[f]);
     }
 }
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::blastProbes
@@ -71,25 +68,22 @@ constexpr scalar never = -ROOTVGREAT;
 //- A number that may not be there yet
 void writeNumber(Ostream& os, const scalar v)
 {
-    os  << tab;
+    os << tab;
     if (v == never)
     {
-        os  << "nan";
+        os << "nan";
     }
     else
     {
-        os  << v;
+        os << v;
     }
 }
 
 }
 
-class blastProbes
-:
-    public flowOutput
+class blastProbes : public flowOutput
 {
 public:
-
     //- What is known of a probe
     struct history
     {
@@ -121,9 +115,7 @@ public:
             {
                 const scalar a = p - ambient, dt = time - t;
                 const auto when = [&](const scalar level)
-                {
-                    return t + dt*(level - a)/(b - a);
-                };
+                { return t + dt * (level - a) / (b - a); };
                 if (arrival == never && b >= threshold)
                 {
                     arrival = when(threshold);
@@ -134,15 +126,15 @@ public:
                 }
 
                 // Trapezia on both sides of zero
-                if (a*b >= 0)
+                if (a * b >= 0)
                 {
-                    (a + b > 0 ? positive : negative) += 0.5*dt*(a + b);
+                    (a + b > 0 ? positive : negative) += 0.5 * dt * (a + b);
                 }
                 else
                 {
-                    const scalar first = dt*a/(a - b);
-                    (a > 0 ? positive : negative) += 0.5*first*a;
-                    (b > 0 ? positive : negative) += 0.5*(dt - first)*b;
+                    const scalar first = dt * a / (a - b);
+                    (a > 0 ? positive : negative) += 0.5 * first * a;
+                    (b > 0 ? positive : negative) += 0.5 * (dt - first) * b;
                 }
             }
             t = time;
@@ -151,7 +143,6 @@ public:
     };
 
 private:
-
     word field_;
     pointField places_;
     wordList patches_;
@@ -170,7 +161,7 @@ private:
         {
             for (label d = 0; d < 4; ++d)
             {
-                if (mag(a[d] - b[d]) > 1e-9*(mag(a[0]) + mag(b[0])))
+                if (mag(a[d] - b[d]) > 1e-9 * (mag(a[0]) + mag(b[0])))
                 {
                     return a[d] < b[d];
                 }
@@ -190,9 +181,8 @@ private:
                 {
                     const vector& S = mesh_.faceAreas()[f];
                     const scalar out =
-                        (mesh_.faceOwner()[f] == c ? 1 : -1)
-                       *((x - mesh_.faceCentres()[f]) & S);
-                    if (out > 1e-9*mag(S)*std::cbrt(mesh_.cellVolumes()[c]))
+                        (mesh_.faceOwner()[f] == c ? 1 : -1) * ((x - mesh_.faceCentres()[f]) & S);
+                    if (out > 1e-9 * mag(S) * std::cbrt(mesh_.cellVolumes()[c]))
                     {
                         return false;
                     }
@@ -260,16 +250,14 @@ private:
                 }
                 FatalIOErrorInFunction(dict_)
                     << "Patch " << name << " is not in the mesh." << nl << nl
-                    << "Valid patches are: " << flatOutput(valid)
-                    << exit(FatalIOError);
+                    << "Valid patches are: " << flatOutput(valid) << exit(FatalIOError);
             }
         }
     }
 
     void warnOfSolid() const
     {
-        const auto* flow =
-            mesh_.findObject<mpm::eulerianFlow::handle>("eulerianFlow");
+        const auto* flow = mesh_.findObject<mpm::eulerianFlow::handle>("eulerianFlow");
         scalarField theta(places_.size(), -1);
         forAll(cells_, i)
         {
@@ -283,9 +271,8 @@ private:
         {
             if (theta[i] >= 0 && theta[i] < 0.5)
             {
-                WarningInFunction
-                    << name() << ": place " << places_[i] << " is in solid, "
-                    << field_ << " there is that of the pores." << endl;
+                WarningInFunction << name() << ": place " << places_[i] << " is in solid, "
+                                  << field_ << " there is that of the pores." << endl;
             }
         }
     }
@@ -295,7 +282,7 @@ private:
     {
         const volScalarField& f = mesh_.lookupObject<volScalarField>(field_);
         const label n = places_.size();
-        scalarField v(n + 2*patches_.size(), Zero);
+        scalarField v(n + 2 * patches_.size(), Zero);
         forAll(cells_, i)
         {
             if (cells_[i] >= 0)
@@ -310,8 +297,8 @@ private:
             const scalarField& b = f.boundaryField()[patchi];
             forAll(b, i)
             {
-                v[n + 2*j] += area[i]*b[i];
-                v[n + 2*j + 1] += area[i];
+                v[n + 2 * j] += area[i] * b[i];
+                v[n + 2 * j + 1] += area[i];
             }
         }
 
@@ -320,7 +307,7 @@ private:
         Pstream::listCombineScatter(v);
         forAll(patches_, j)
         {
-            v[n + j] = v[n + 2*j]/max(v[n + 2*j + 1], VSMALL);
+            v[n + j] = v[n + 2 * j] / max(v[n + 2 * j + 1], VSMALL);
         }
         v.setSize(n + patches_.size());
         return v;
@@ -332,15 +319,15 @@ private:
         {
             return;
         }
-        OFstream os(folder_/"summary.dat");
+        OFstream os(folder_ / "summary.dat");
         os.precision(writePrecision_);
-        os  << "# At " << time_.value() << " s. Probes are places, then patches"
-            << nl << "# Probe\tx[m]\ty[m]\tz[m]\tambient\tarrival[s]\tpeak"
-            << "\tpeakTime[s]\tduration[s]\tpositiveImpulse\tnegativeImpulse" << nl;
+        os << "# At " << time_.value() << " s. Probes are places, then patches" << nl
+           << "# Probe\tx[m]\ty[m]\tz[m]\tambient\tarrival[s]\tpeak"
+           << "\tpeakTime[s]\tduration[s]\tpositiveImpulse\tnegativeImpulse" << nl;
         forAll(histories_, i)
         {
             const history& h = histories_[i];
-            os  << i;
+            os << i;
             for (direction d = 0; d < 3; ++d)
             {
                 writeNumber(os, i < places_.size() ? places_[i][d] : never);
@@ -352,7 +339,7 @@ private:
             writeNumber(os, h.end == never ? never : h.end - h.arrival);
             writeNumber(os, h.positive);
             writeNumber(os, h.negative);
-            os  << nl;
+            os << nl;
         }
     }
 
@@ -368,8 +355,7 @@ private:
         {
             FatalIOErrorInFunction(dict_)
                 << "There is no scalar field " << field_ << "." << nl << nl
-                << "Valid fields are: "
-                << flatOutput(mesh_.sortedNames<volScalarField>())
+                << "Valid fields are: " << flatOutput(mesh_.sortedNames<volScalarField>())
                 << exit(FatalIOError);
         }
         places_ = dict_.getOrDefault<pointField>("probeLocations", pointField());
@@ -377,8 +363,8 @@ private:
         if (places_.empty() && patches_.empty())
         {
             FatalIOErrorInFunction(dict_)
-                << "One of the entries (probeLocations patches) is missing in "
-                << dict_.name() << exit(FatalIOError);
+                << "One of the entries (probeLocations patches) is missing in " << dict_.name()
+                << exit(FatalIOError);
         }
         findCells();
         findPatches();
@@ -386,18 +372,17 @@ private:
 
         const label n = places_.size() + patches_.size();
         histories_ = List<history>(n);
-        if (kept.size() == n*history::size)
+        if (kept.size() == n * history::size)
         {
             forAll(kept, i)
             {
-                histories_[i/history::size].begin()[i % history::size] = kept[i];
+                histories_[i / history::size].begin()[i % history::size] = kept[i];
             }
         }
         else if (kept.size())
         {
-            WarningInFunction
-                << name() << " had other probes when " << time_.timeName()
-                << " was written: histories start anew." << endl;
+            WarningInFunction << name() << " had other probes when " << time_.timeName()
+                              << " was written: histories start anew." << endl;
         }
         const scalarList now(values());
         forAll(histories_, i)
@@ -406,27 +391,25 @@ private:
             if (h.t == never)
             {
                 h.ambient = dict_.getOrDefault<scalar>("ambient", now[i]);
-                h.threshold =
-                    dict_.found("threshold")
-                  ? mpm::positive(dict_, "threshold")
-                  : 0.01*mag(h.ambient);
+                h.threshold = dict_.found("threshold") ? mpm::positive(dict_, "threshold")
+                                                       : 0.01 * mag(h.ambient);
             }
         }
 
         OStringStream os;
-        os  << "Probes: ";
+        os << "Probes: ";
         forAll(places_, i)
         {
-            os  << i << " at " << places_[i] << ", ";
+            os << i << " at " << places_[i] << ", ";
         }
         forAll(patches_, i)
         {
-            os  << places_.size() + i << " patch " << patches_[i] << ", ";
+            os << places_.size() + i << " patch " << patches_[i] << ", ";
         }
-        os  << "field " << field_ << nl << "Time[s]";
+        os << "field " << field_ << nl << "Time[s]";
         for (label i = 0; i < n; ++i)
         {
-            os  << tab << i;
+            os << tab << i;
         }
         setFiles({field_}, {os.str()});
     }
@@ -447,9 +430,9 @@ private:
             Ostream& os = row(0);
             for (const history& h : histories_)
             {
-                os  << tab << h.p;
+                os << tab << h.p;
             }
-            os  << endl;
+            os << endl;
         }
         if (time_.writeTime())
         {
@@ -461,27 +444,21 @@ private:
 
     scalarList kept() const override
     {
-        scalarList all(histories_.size()*history::size);
+        scalarList all(histories_.size() * history::size);
         forAll(all, i)
         {
-            all[i] = histories_[i/history::size].begin()[i % history::size];
+            all[i] = histories_[i / history::size].begin()[i % history::size];
         }
         return all;
     }
 
 public:
-
     TypeName("blastProbes");
 
     using flowOutput::flowOutput;
 };
 
 defineTypeNameAndDebug(blastProbes, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, blastProbes, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, blastProbes, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

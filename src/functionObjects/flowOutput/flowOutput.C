@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "flowOutput.H"
 #include "IOdictionary.H"
@@ -15,28 +9,18 @@ License
 
 namespace Foam::functionObjects
 {
-    defineTypeName(flowOutput::record);
+defineTypeName(flowOutput::record);
 }
 
 // * * * * * * * * * * * * * * * * Record  * * * * * * * * * * * * * * * * * //
 
-Foam::functionObjects::flowOutput::record::record(const flowOutput& of)
-:
-    regIOobject
-    (
-        IOobject
-        (
-            of.name(),
-            of.time_.timeName(),
-            "uniform"/word("functionObjects"),
-            of.time_,
-            IOobject::NO_READ,
-            IOobject::AUTO_WRITE
-        )
-    ),
+Foam::functionObjects::flowOutput::record::record(const flowOutput& of) :
+    regIOobject(IOobject(
+        of.name(), of.time_.timeName(), "uniform" / word("functionObjects"), of.time_,
+        IOobject::NO_READ, IOobject::AUTO_WRITE)),
     of_(of)
-{}
-
+{
+}
 
 bool Foam::functionObjects::flowOutput::record::writeData(Ostream& os) const
 {
@@ -53,23 +37,10 @@ void Foam::functionObjects::flowOutput::start()
     scalarList kept;
     if (record_.empty())
     {
-        IOobject io
-        (
-            name(),
-            time_.timeName(),
-            "uniform"/word("functionObjects"),
-            time_,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        );
-        if
-        (
-            returnReduce
-            (
-                io.typeHeaderOk<IOdictionary>(true), andOp<bool>()
-            )
-        )
+        IOobject io(
+            name(), time_.timeName(), "uniform" / word("functionObjects"), time_,
+            IOobject::MUST_READ, IOobject::NO_WRITE, false);
+        if (returnReduce(io.typeHeaderOk<IOdictionary>(true), andOp<bool>()))
         {
             kept = IOdictionary(io).get<scalarList>("state");
         }
@@ -90,11 +61,7 @@ void Foam::functionObjects::flowOutput::start()
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-void Foam::functionObjects::flowOutput::setFiles
-(
-    const wordList& names,
-    const List<string>& headers
-)
+void Foam::functionObjects::flowOutput::setFiles(const wordList& names, const List<string>& headers)
 {
     if (names != fileNames_)
     {
@@ -120,7 +87,6 @@ void Foam::functionObjects::flowOutput::setFiles
     }
 }
 
-
 Foam::Ostream& Foam::functionObjects::flowOutput::row(const label filei)
 {
     OFstream& os = files_[filei];
@@ -131,17 +97,11 @@ Foam::Ostream& Foam::functionObjects::flowOutput::row(const label filei)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::functionObjects::flowOutput::flowOutput
-(
-    const word& name,
-    const Time& runTime,
-    const dictionary& dict
-)
-:
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name),
-    ready_(false)
-{}
+Foam::functionObjects::flowOutput::flowOutput(
+    const word& name, const Time& runTime, const dictionary& dict) :
+    fvMeshFunctionObject(name, runTime, dict), writeFile(mesh_, name), ready_(false)
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -166,14 +126,12 @@ bool Foam::functionObjects::flowOutput::read(const dictionary& dict)
     return true;
 }
 
-
 bool Foam::functionObjects::flowOutput::execute()
 {
     if (!mesh_.foundObject<volScalarField>("p"))
     {
-        FatalErrorInFunction
-            << type() << " " << name() << ": there is no gas and no fluid."
-            << exit(FatalError);
+        FatalErrorInFunction << type() << " " << name() << ": there is no gas and no fluid."
+                             << exit(FatalError);
     }
     if (!ready_)
     {
@@ -184,13 +142,11 @@ bool Foam::functionObjects::flowOutput::execute()
     return true;
 }
 
-
 bool Foam::functionObjects::flowOutput::write()
 {
     writeRows();
     return true;
 }
-
 
 bool Foam::functionObjects::flowOutput::end()
 {
@@ -200,5 +156,3 @@ bool Foam::functionObjects::flowOutput::end()
     }
     return true;
 }
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::fluidBalance
@@ -45,9 +42,7 @@ Usage
 namespace Foam::functionObjects
 {
 
-class fluidBalance
-:
-    public flowOutput
+class fluidBalance : public flowOutput
 {
 
     //- Mass of each fluid, momentum and energy of the first row; what came in
@@ -56,8 +51,7 @@ class fluidBalance
 
     const mpm::eulerianFlow& flow() const
     {
-        return
-            mesh_.lookupObject<mpm::eulerianFlow::handle>("eulerianFlow").flow();
+        return mesh_.lookupObject<mpm::eulerianFlow::handle>("eulerianFlow").flow();
     }
 
     wordList keywords() const override { return {}; }
@@ -67,8 +61,8 @@ class fluidBalance
         if (!mesh_.foundObject<mpm::eulerianFlow::handle>("eulerianFlow"))
         {
             FatalIOErrorInFunction(dict_)
-                << type() << " " << name() << ": there is no gas and no fluid."
-                << nl << "It works with materialPointFoam." << exit(FatalIOError);
+                << type() << " " << name() << ": there is no gas and no fluid." << nl
+                << "It works with materialPointFoam." << exit(FatalIOError);
         }
         mpm::eulerianFlow& flow = const_cast<mpm::eulerianFlow&>(this->flow());
         if (!flow.hasBudget())
@@ -77,22 +71,16 @@ class fluidBalance
         }
         const wordList names(flow.fluidNames());
         const label n = names.size();
-        if (first_.empty() && kept.size() == 2*(n + 4))
+        if (first_.empty() && kept.size() == 2 * (n + 4))
         {
             first_ = SubList<scalar>(kept, n + 4);
             before_ = SubList<scalar>(kept, n + 4, n + 4);
         }
 
-        const string part
-        (
-            "Time[s]\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]\tinternal[J]"
-            "\tkinetic[J]\tvolume[m3]\tmassIn[kg]\tmassRest[kg]"
-        );
-        const string all
-        (
-            "\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]\trestx[kg.m/s]"
-            "\tresty[kg.m/s]\trestz[kg.m/s]\tenergyRest[J]"
-        );
+        const string part("Time[s]\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]\tinternal[J]"
+                          "\tkinetic[J]\tvolume[m3]\tmassIn[kg]\tmassRest[kg]");
+        const string all("\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]\trestx[kg.m/s]"
+                         "\tresty[kg.m/s]\trestz[kg.m/s]\tenergyRest[J]");
         wordList files(names);
         List<string> headers(n, "Sums of a fluid\n" + part);
         if (n == 1)
@@ -115,31 +103,28 @@ class fluidBalance
         const List<sums> mine(flow().fluidContents());
         const label n = mine.size();
         constexpr label width = 7;
-        scalarField s(width*(n + 1), Zero);
+        scalarField s(width * (n + 1), Zero);
         forAll(mine, k)
         {
             const sums& a = mine[k];
-            const scalar row[width] =
-            {
-                a.mass, a.momentum.x(), a.momentum.y(), a.momentum.z(), a.internal,
-                a.kinetic, a.volume
-            };
+            const scalar row[width] = {a.mass,     a.momentum.x(), a.momentum.y(), a.momentum.z(),
+                                       a.internal, a.kinetic,      a.volume};
             for (label j = 0; j < width; ++j)
             {
-                s[width*k + j] = row[j];
-                s[width*n + j] += row[j];
+                s[width * k + j] = row[j];
+                s[width * n + j] += row[j];
             }
         }
         Pstream::listCombineGather(s, plusEqOp<scalar>());
         Pstream::listCombineScatter(s);
         const scalarList in(gained());
-        const scalar* total = s.cdata() + width*n;
+        const scalar* total = s.cdata() + width * n;
         if (first_.empty())
         {
             first_.setSize(n + 4);
             for (label k = 0; k < n; ++k)
             {
-                first_[k] = s[width*k] - in[k];
+                first_[k] = s[width * k] - in[k];
             }
             for (label d = 0; d < 3; ++d)
             {
@@ -162,25 +147,25 @@ class fluidBalance
             Ostream& os = row(k);
             for (label j = 0; j < width; ++j)
             {
-                os  << tab << s[width*k + j];
+                os << tab << s[width * k + j];
             }
-            const scalar rest = k < n ? s[width*k] - in[k] - first_[k] : massRest;
-            os  << tab << (k < n ? in[k] : massIn) << tab << rest;
+            const scalar rest = k < n ? s[width * k] - in[k] - first_[k] : massRest;
+            os << tab << (k < n ? in[k] : massIn) << tab << rest;
             massIn += k < n ? in[k] : 0;
             massRest += rest;
             if (whole)
             {
                 for (label d = 0; d < 4; ++d)
                 {
-                    os  << tab << in[n + d];
+                    os << tab << in[n + d];
                 }
                 for (label d = 0; d < 3; ++d)
                 {
-                    os  << tab << total[1 + d] - in[n + d] - first_[n + d];
+                    os << tab << total[1 + d] - in[n + d] - first_[n + d];
                 }
-                os  << tab << total[4] + total[5] - in[n + 3] - first_[n + 3];
+                os << tab << total[4] + total[5] - in[n + 3] - first_[n + 3];
             }
-            os  << endl;
+            os << endl;
         }
     }
 
@@ -218,18 +203,12 @@ class fluidBalance
     }
 
 public:
-
     TypeName("fluidBalance");
 
     using flowOutput::flowOutput;
 };
 
 defineTypeNameAndDebug(fluidBalance, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, fluidBalance, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, fluidBalance, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

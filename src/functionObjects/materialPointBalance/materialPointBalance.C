@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::materialPointBalance
@@ -91,18 +88,16 @@ struct sums
 
     void write(Ostream& os, const bool erodes) const
     {
-        os  << tab << nPoints << tab << mass << tabs{momentum}
-            << tabs{angularMomentum} << tab << kinetic << tab << strain << tab << kinetic + strain
-            << tab << nFailed;
+        os << tab << nPoints << tab << mass << tabs{momentum} << tabs{angularMomentum} << tab
+           << kinetic << tab << strain << tab << kinetic + strain << tab << nFailed;
         if (erodes)
         {
-            os  << tab << eroded.n << tab << eroded.mass
-                << tabs{eroded.momentum} << tab << eroded.kinetic << tab << eroded.stored;
+            os << tab << eroded.n << tab << eroded.mass << tabs{eroded.momentum} << tab
+               << eroded.kinetic << tab << eroded.stored;
         }
-        os  << endl;
+        os << endl;
     }
 };
-
 
 //- Over the points of all processors
 sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
@@ -125,7 +120,7 @@ sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
             const int c = grid.direction(d);
             arm[c] = cloud.x()[d][p] - origin[c];
         }
-        s.angularMomentum += cloud.mass()[0][p]*(arm ^ cloud.velocity(p));
+        s.angularMomentum += cloud.mass()[0][p] * (arm ^ cloud.velocity(p));
     }
     if (const mpm::column* damage = cloud.damage())
     {
@@ -147,9 +142,7 @@ sums sumsOf(const mpm::materialPointPhase& phase, const point& origin)
 
 }
 
-class materialPointBalance
-:
-    public materialPointOutput
+class materialPointBalance : public materialPointOutput
 {
     point origin_ = Zero;
     wordList phases_;
@@ -176,24 +169,20 @@ class materialPointBalance
             OStringStream os;
             if (i < phases_.size())
             {
-                os  << "Phase " << phases_[i];
+                os << "Phase " << phases_[i];
             }
             else
             {
-                os  << "Sum of " << joined(phases_).c_str();
+                os << "Sum of " << joined(phases_).c_str();
             }
-            os  << ", angular momentum about " << origin_ << nl
-                << "\tnPoints\tmass[kg]"
-                << "\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
-                << "\tLx[kg.m2/s]\tLy[kg.m2/s]\tLz[kg.m2/s]"
-                << "\tkinetic[J]\tstrain[J]\ttotal[J]\tnFailed"
-                << (
-                       points.erosion().erodes()
-                     ? "\tnEroded\terodedMass[kg]\terodedPx[kg.m/s]"
-                       "\terodedPy[kg.m/s]\terodedPz[kg.m/s]"
-                       "\terodedKinetic[J]\terodedStrain[J]"
-                     : ""
-                   );
+            os << ", angular momentum about " << origin_ << nl << "\tnPoints\tmass[kg]"
+               << "\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
+               << "\tLx[kg.m2/s]\tLy[kg.m2/s]\tLz[kg.m2/s]"
+               << "\tkinetic[J]\tstrain[J]\ttotal[J]\tnFailed"
+               << (points.erosion().erodes() ? "\tnEroded\terodedMass[kg]\terodedPx[kg.m/s]"
+                                               "\terodedPy[kg.m/s]\terodedPz[kg.m/s]"
+                                               "\terodedKinetic[J]\terodedStrain[J]"
+                                             : "");
             headers[i] = os.str();
         }
         if (const mpm::pointCoupling* gas = points.coupling())
@@ -213,19 +202,15 @@ class materialPointBalance
             impulse_ = Zero;
 
             files.append(gas->phaseName());
-            headers.append
-            (
-                "Gas " + gas->phaseName() + ", mass, impulse and energy through the"
-                " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
-                "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]"
-            );
+            headers.append(
+                "Gas " + gas->phaseName()
+                + ", mass, impulse and energy through the"
+                  " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
+                  "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]");
             files.append(word("mixture"));
-            headers.append
-            (
-                "Gas and all points, impulse of boundaries, gravity and rigid phases"
-                "\n\tmass[kg]\tmassRest[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
-                "\tJx[N.s]\tJy[N.s]\tJz[N.s]\trestx[N.s]\tresty[N.s]\trestz[N.s]"
-            );
+            headers.append("Gas and all points, impulse of boundaries, gravity and rigid phases"
+                           "\n\tmass[kg]\tmassRest[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
+                           "\tJx[N.s]\tJy[N.s]\tJz[N.s]\trestx[N.s]\tresty[N.s]\trestz[N.s]");
         }
         setFiles(files, headers);
     }
@@ -282,18 +267,14 @@ class materialPointBalance
         if (Pstream::master())
         {
             const label i = phases_.size() + 1;
-            row(i)
-                << tab << gas.mass << tabs{gas.momentum} << tab << gas.energy
-                << tab << gas.massIn << tabs{gas.boundaryImpulse} << tab
-                << gas.boundary << endl;
-            row(i + 1)
-                << tab << mass << tab << mass - gas.massIn - mass0_ << tabs{P}
-                << tabs{J} << tabs{P - J - momentum0_} << endl;
+            row(i) << tab << gas.mass << tabs{gas.momentum} << tab << gas.energy << tab
+                   << gas.massIn << tabs{gas.boundaryImpulse} << tab << gas.boundary << endl;
+            row(i + 1) << tab << mass << tab << mass - gas.massIn - mass0_ << tabs{P} << tabs{J}
+                       << tabs{P - J - momentum0_} << endl;
         }
     }
 
 public:
-
     TypeName("materialPointBalance");
 
     using materialPointOutput::materialPointOutput;
@@ -321,18 +302,13 @@ public:
             }
         }
         reduce(J, sumOp<vector>());
-        impulse_ += J + mass*points.deltaT()*points.g();
+        impulse_ += J + mass * points.deltaT() * points.g();
 
         return true;
     }
 };
 
 defineTypeNameAndDebug(materialPointBalance, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, materialPointBalance, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, materialPointBalance, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::materialPointEnergy
@@ -54,9 +51,7 @@ Usage
 namespace Foam::functionObjects
 {
 
-class materialPointEnergy
-:
-    public materialPointOutput
+class materialPointEnergy : public materialPointOutput
 {
     virtual wordList keywords() const { return wordList(); }
 
@@ -66,17 +61,13 @@ class materialPointEnergy
         {
             points.energy().startBudget();
         }
-        string header
-        (
-            "Energy budget of all phases\n"
-            "\tkinetic[J]\tstrain[J]\ttotal[J]\ttransfer[J]\tboundary[J]"
-            "\texternal[J]\tresidual[J]\tfailure[J]"
-        );
+        string header("Energy budget of all phases\n"
+                      "\tkinetic[J]\tstrain[J]\ttotal[J]\ttransfer[J]\tboundary[J]"
+                      "\texternal[J]\tresidual[J]\tfailure[J]");
         if (points.coupling())
         {
-            header +=
-                "\tgas[J]\tgasGained[J]\tgasBoundary[J]\tgasExternal[J]"
-                "\tgasRigid[J]\tgasDry[J]\tgasFixups[J]";
+            header += "\tgas[J]\tgasGained[J]\tgasBoundary[J]\tgasExternal[J]"
+                      "\tgasRigid[J]\tgasDry[J]\tgasFixups[J]";
         }
         if (points.erosion().erodes())
         {
@@ -115,71 +106,59 @@ class materialPointEnergy
         if (const mpm::energyBudget* b = points.energy().budget())
         {
             Ostream& os = row(0);
-            os  << tab << b->kinetic << tab << b->strain
-                << tab << b->kinetic + b->strain << tab << b->transfer()
-                << tab << b->work.boundary << tab << b->work.external
-                << tab << b->residual() << tab << b->losses.failure;
+            os << tab << b->kinetic << tab << b->strain << tab << b->kinetic + b->strain << tab
+               << b->transfer() << tab << b->work.boundary << tab << b->work.external << tab
+               << b->residual() << tab << b->losses.failure;
             if (b->hasGas)
             {
                 const mpm::gasBudget& g = b->gas;
-                for
-                (
-                    const scalar e :
-                    {
-                        g.energy, g.energy - g.energy0, g.boundary, g.external,
-                        g.rigid, g.dry, g.fixups
-                    }
-                )
+                for (const scalar e :
+                     {g.energy, g.energy - g.energy0, g.boundary, g.external, g.rigid, g.dry,
+                      g.fixups})
                 {
-                    os  << tab << e;
+                    os << tab << e;
                 }
             }
             if (points.erosion().erodes())
             {
-                os  << tab << b->erosion();
+                os << tab << b->erosion();
             }
-            os  << tab << b->losses.dissipation;
+            os << tab << b->losses.dissipation;
             if (!b->hasGas)
             {
-                os  << tab << b->remap();
+                os << tab << b->remap();
             }
             if (points.damps())
             {
-                os  << tab << b->damping;
+                os << tab << b->damping;
             }
             if (points.energy().hasContact())
             {
-                os  << tab << b->work.contact;
+                os << tab << b->work.contact;
             }
             if (b->hasGas)
             {
-                os  << tab << b->lastStep();
+                os << tab << b->lastStep();
                 if (points.coupling()->exchangesHeat())
                 {
-                    os  << tab << b->gas.heat;
+                    os << tab << b->gas.heat;
                 }
                 if (points.coupling()->pressesGrains())
                 {
-                    os  << tab << b->gas.granular;
+                    os << tab << b->gas.granular;
                 }
             }
-            os  << endl;
+            os << endl;
         }
     }
 
 public:
-
     TypeName("materialPointEnergy");
 
     using materialPointOutput::materialPointOutput;
 };
 
 defineTypeNameAndDebug(materialPointEnergy, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, materialPointEnergy, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, materialPointEnergy, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

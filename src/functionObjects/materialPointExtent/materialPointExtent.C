@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::materialPointExtent
@@ -47,17 +44,12 @@ Usage
 namespace Foam::functionObjects
 {
 
-class materialPointExtent
-:
-    public materialPointOutput
+class materialPointExtent : public materialPointOutput
 {
     bool halfSize_ = false;
     wordList phases_;
 
-    wordList keywords() const override
-    {
-        return {"phase", "phases", "halfSize"};
-    }
+    wordList keywords() const override { return {"phase", "phases", "halfSize"}; }
 
     void prepare(const mpm::materialPointSystem& points) override
     {
@@ -71,15 +63,13 @@ class materialPointExtent
             {
                 FatalIOErrorInFunction(dict_)
                     << "Points have no half-size with this shape function of"
-                    << " fvSolution.materialPoints; leave out halfSize."
-                    << exit(FatalIOError);
+                    << " fvSolution.materialPoints; leave out halfSize." << exit(FatalIOError);
             }
-            headers[phasei] =
-                "Phase " + phases_[phasei] + ", coordinates of points"
-              + (halfSize_ ? " -+ their half-size" : "")
-              + "\n\tmin_x[m]\tmin_y[m]\tmin_z[m]\tmax_x[m]\tmax_y[m]\tmax_z[m]"
-                "\tcentre_x[m]\tcentre_y[m]\tcentre_z[m]\tmaxMagU[m/s]"
-                "\tmaxSigma[Pa]\tmin_p[Pa]\tmax_p[Pa]";
+            headers[phasei] = "Phase " + phases_[phasei] + ", coordinates of points"
+                + (halfSize_ ? " -+ their half-size" : "")
+                + "\n\tmin_x[m]\tmin_y[m]\tmin_z[m]\tmax_x[m]\tmax_y[m]\tmax_z[m]"
+                  "\tcentre_x[m]\tcentre_y[m]\tcentre_z[m]\tmaxMagU[m/s]"
+                  "\tmaxSigma[Pa]\tmin_p[Pa]\tmax_p[Pa]";
         }
         setFiles(phases_, headers);
     }
@@ -88,8 +78,7 @@ class materialPointExtent
     {
         forAll(phases_, phasei)
         {
-            const mpm::materialPointCloud& cloud =
-                phase(points, phases_[phasei]).cloud();
+            const mpm::materialPointCloud& cloud = phase(points, phases_[phasei]).cloud();
             const mpm::pointGrid& grid = cloud.grid();
 
             vector low(vector::max), high(vector::min), centre(Zero);
@@ -110,16 +99,16 @@ class materialPointExtent
                     high = max(high, x + h);
 
                     mass += cloud.mass()[0][p];
-                    centre += cloud.mass()[0][p]*x;
+                    centre += cloud.mass()[0][p] * x;
                     maxU2 = max(maxU2, magSqr(cloud.velocity(p)));
 
                     const symmTensor sigma(cloud.sigma(p));
-                    const scalar mean = tr(sigma)/3;
+                    const scalar mean = tr(sigma) / 3;
                     minP = min(minP, -mean);
                     maxP = max(maxP, -mean);
 
                     // No principal value is larger than this
-                    if (mean + std::sqrt(2.0/3.0)*mag(dev(sigma)) > maxSigma)
+                    if (mean + std::sqrt(2.0 / 3.0) * mag(dev(sigma)) > maxSigma)
                     {
                         const tensor t(sigma);
                         double s[9];
@@ -148,26 +137,19 @@ class materialPointExtent
             {
                 continue;
             }
-            row(phasei)
-                << tabs{low} << tabs{high} << tabs{centre/max(mass, VSMALL)} << tab
-                << std::sqrt(maxU2) << tab << maxSigma << tab << minP << tab
-                << maxP << endl;
+            row(phasei) << tabs{low} << tabs{high} << tabs{centre / max(mass, VSMALL)} << tab
+                        << std::sqrt(maxU2) << tab << maxSigma << tab << minP << tab << maxP
+                        << endl;
         }
     }
 
 public:
-
     TypeName("materialPointExtent");
 
     using materialPointOutput::materialPointOutput;
 };
 
 defineTypeNameAndDebug(materialPointExtent, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, materialPointExtent, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, materialPointExtent, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::materialPointFields
@@ -61,25 +58,19 @@ namespace
 //- Dimensions of a unit of mpm::pointQuantity; none for an unknown one
 dimensionSet dimensionsOf(const std::string& unit)
 {
-    return
-        unit == "[m/s]" ? dimVelocity
-      : unit == "[m]" ? dimLength
-      : unit == "[Pa]" ? dimPressure
-      : unit == "[m3]" ? dimVolume
-      : unit == "[kg]" ? dimMass
-      : unit == "[kg/m3]" ? dimDensity
-      : dimless;
+    return unit == "[m/s]"  ? dimVelocity
+        : unit == "[m]"     ? dimLength
+        : unit == "[Pa]"    ? dimPressure
+        : unit == "[m3]"    ? dimVolume
+        : unit == "[kg]"    ? dimMass
+        : unit == "[kg/m3]" ? dimDensity
+                            : dimless;
 }
-
 
 //- Call f(point, node, S_l(x_p)) for all points and the nodes they reach
 template<class Function>
-void forWeights
-(
-    const mpm::pointGridTransfer& passes,
-    const mpm::materialPointCloud& cloud,
-    const Function& f
-)
+void forWeights(
+    const mpm::pointGridTransfer& passes, const mpm::materialPointCloud& cloud, const Function& f)
 {
     DynamicList<label> nodes;
     DynamicList<scalar> S, gradS;
@@ -108,9 +99,7 @@ void forWeights
 
 }
 
-class materialPointFields
-:
-    public materialPointOutput
+class materialPointFields : public materialPointOutput
 {
     wordList fields_;
     wordList phases_;
@@ -127,12 +116,8 @@ class materialPointFields
         if (fields_.empty())
         {
             FatalIOErrorInFunction(dict_)
-                << "The list of fields is empty." << nl << nl
-                << "Valid fields are: alpha "
-                << flatOutput
-                   (
-                       mpm::pointQuantity::names(phase(points, phases_[0]))
-                   ) << nl
+                << "The list of fields is empty." << nl << nl << "Valid fields are: alpha "
+                << flatOutput(mpm::pointQuantity::names(phase(points, phases_[0]))) << nl
                 << exit(FatalIOError);
         }
 
@@ -148,8 +133,7 @@ class materialPointFields
                 {
                     // Unknown names end here
                     mpm::pointQuantity(dict_, material, field, nullptr);
-                    needsStart =
-                        needsStart || mpm::pointQuantity::needsStart(field);
+                    needsStart = needsStart || mpm::pointQuantity::needsStart(field);
                 }
             }
             if (needsStart)
@@ -176,12 +160,8 @@ class materialPointFields
     }
 
     //- Write a field of a phase
-    void writeQuantity
-    (
-        const mpm::materialPointSystem& points,
-        const label phasei,
-        const word& field
-    )
+    void
+    writeQuantity(const mpm::materialPointSystem& points, const label phasei, const word& field)
     {
         const mpm::materialPointPhase& material = phase(points, phases_[phasei]);
         const mpm::materialPointCloud& cloud = material.cloud();
@@ -195,43 +175,31 @@ class materialPointFields
         if (field == "alpha")
         {
             scalarField V(grid.nNodes(), Zero);
-            forWeights
-            (
-                points.gridTransfer(),
-                cloud,
+            forWeights(
+                points.gridTransfer(), cloud,
                 [&](const label p, const label n, const scalar S)
-                {
-                    V[n] += cloud.volume()[0][p]*S;
-                }
-            );
+                { V[n] += cloud.volume()[0][p] * S; });
             shared.sum(V.data(), 1, 1);
             const scalarList all(points.gridTransfer().nodeVolumes(grid, true));
             forAll(V, n)
             {
-                V[n] = all[n] > 0 ? V[n]/all[n] : 0;
+                V[n] = all[n] > 0 ? V[n] / all[n] : 0;
             }
             writeField<scalar>(grid, name, dimless, V);
             return;
         }
 
-        const mpm::pointQuantity q
-        (
-            dict_,
-            material,
-            field,
-            start_.set(phasei) ? &start_[phasei] : nullptr
-        );
+        const mpm::pointQuantity q(
+            dict_, material, field, start_.set(phasei) ? &start_[phasei] : nullptr);
         const mpm::column& weight =
             field.substr(0, field.find('_')) == "U" ? cloud.mass() : cloud.volume();
 
         const int size = q.size();
-        scalarField sum(size*grid.nNodes(), Zero), sumW(grid.nNodes(), Zero);
+        scalarField sum(size * grid.nNodes(), Zero), sumW(grid.nNodes(), Zero);
         scalar v[mpm::pointQuantity::maxSize];
         label last = -1;
-        forWeights
-        (
-            points.gridTransfer(),
-            cloud,
+        forWeights(
+            points.gridTransfer(), cloud,
             [&](const label p, const label n, const scalar S)
             {
                 if (p != last)
@@ -239,14 +207,13 @@ class materialPointFields
                     q.get(p, v);
                     last = p;
                 }
-                const scalar w = weight[0][p]*S;
+                const scalar w = weight[0][p] * S;
                 sumW[n] += w;
                 for (int c = 0; c < size; ++c)
                 {
-                    sum[size*n + c] += w*v[c];
+                    sum[size * n + c] += w * v[c];
                 }
-            }
-        );
+            });
         shared.sum(sum.data(), size, size);
         shared.sum(sumW.data(), 1, 1);
         forAll(sumW, n)
@@ -254,64 +221,52 @@ class materialPointFields
             // Weights are never negative: they are 0 only without points
             for (int c = 0; c < size; ++c)
             {
-                sum[size*n + c] = sumW[n] > 0 ? sum[size*n + c]/sumW[n] : 0;
+                sum[size * n + c] = sumW[n] > 0 ? sum[size * n + c] / sumW[n] : 0;
             }
         }
 
         const dimensionSet dimensions(dimensionsOf(q.unit()));
         switch (size)
         {
-            case 1: writeField<scalar>(grid, name, dimensions, sum); break;
-            case 3: writeField<vector>(grid, name, dimensions, sum); break;
-            case 6: writeField<symmTensor>(grid, name, dimensions, sum); break;
-            default: writeField<tensor>(grid, name, dimensions, sum);
+        case 1:
+            writeField<scalar>(grid, name, dimensions, sum);
+            break;
+        case 3:
+            writeField<vector>(grid, name, dimensions, sum);
+            break;
+        case 6:
+            writeField<symmTensor>(grid, name, dimensions, sum);
+            break;
+        default:
+            writeField<tensor>(grid, name, dimensions, sum);
         }
     }
 
     //- Write values, one row of components per node
     template<class Type>
-    void writeField
-    (
-        const mpm::pointGrid& grid,
-        const word& name,
-        const dimensionSet& dimensions,
-        const UList<scalar>& values
-    ) const;
+    void writeField(
+        const mpm::pointGrid& grid, const word& name, const dimensionSet& dimensions,
+        const UList<scalar>& values) const;
 
 public:
-
     TypeName("materialPointFields");
 
     using materialPointOutput::materialPointOutput;
 };
 
 template<class Type>
-void materialPointFields::writeField
-(
-    const mpm::pointGrid& grid,
-    const word& name,
-    const dimensionSet& dimensions,
-    const UList<scalar>& values
-) const
+void materialPointFields::writeField(
+    const mpm::pointGrid& grid, const word& name, const dimensionSet& dimensions,
+    const UList<scalar>& values) const
 {
-    GeometricField<Type, pointPatchField, pointMesh> field
-    (
-        IOobject
-        (
-            name,
-            mesh_.time().timeName(),
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        pointMesh::New(mesh_),
-        dimensioned<Type>(dimensions, Zero)
-    );
+    GeometricField<Type, pointPatchField, pointMesh> field(
+        IOobject(
+            name, mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
+        pointMesh::New(mesh_), dimensioned<Type>(dimensions, Zero));
     const int n = pTraits<Type>::nComponents;
     forAll(field, pointi)
     {
-        const label at = n*grid.pointToNode()[pointi];
+        const label at = n * grid.pointToNode()[pointi];
         for (direction c = 0; c < n; ++c)
         {
             setComponent(field[pointi], c) = values[at + c];
@@ -321,11 +276,6 @@ void materialPointFields::writeField
 }
 
 defineTypeNameAndDebug(materialPointFields, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, materialPointFields, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, materialPointFields, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointOutput.H"
 #include <sstream>
@@ -13,17 +7,12 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::mpm::materialPointSystem*
-Foam::functionObjects::materialPointOutput::findPoints() const
+const Foam::mpm::materialPointSystem* Foam::functionObjects::materialPointOutput::findPoints() const
 {
     return mesh_.cfindObject<mpm::materialPointSystem>("materialPointSystem");
 }
 
-
-Foam::OFstream* Foam::functionObjects::materialPointOutput::openFile
-(
-    const word& name
-) const
+Foam::OFstream* Foam::functionObjects::materialPointOutput::openFile(const word& name) const
 {
     const Time& runTime = mesh_.time();
 
@@ -34,7 +23,7 @@ Foam::OFstream* Foam::functionObjects::materialPointOutput::openFile
     }
 
     // Existing files are not overwritten
-    const fileName path(baseFileDir()/prefix_/Time::timeName(t)/name);
+    const fileName path(baseFileDir() / prefix_ / Time::timeName(t) / name);
     fileName free(path + ".dat");
     for (int i = 1; isFile(free); ++i)
     {
@@ -45,8 +34,7 @@ Foam::OFstream* Foam::functionObjects::materialPointOutput::openFile
     OFstream* os = new OFstream(free);
     if (!os->good())
     {
-        FatalErrorInFunction
-            << "Cannot write " << free << exit(FatalError);
+        FatalErrorInFunction << "Cannot write " << free << exit(FatalError);
     }
     initStream(*os);
     os->width(0);
@@ -56,17 +44,15 @@ Foam::OFstream* Foam::functionObjects::materialPointOutput::openFile
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-const Foam::mpm::materialPointSystem&
-Foam::functionObjects::materialPointOutput::system()
+const Foam::mpm::materialPointSystem& Foam::functionObjects::materialPointOutput::system()
 {
     const mpm::materialPointSystem* points = findPoints();
 
     if (!points)
     {
-        FatalErrorInFunction
-            << type() << " " << name() << ": there are no material points."
-            << nl << "This function object works with materialPointFoam and"
-            << " materialPointFoam -postProcess." << exit(FatalError);
+        FatalErrorInFunction << type() << " " << name() << ": there are no material points." << nl
+                             << "This function object works with materialPointFoam and"
+                             << " materialPointFoam -postProcess." << exit(FatalError);
     }
     if (!ready_)
     {
@@ -76,11 +62,8 @@ Foam::functionObjects::materialPointOutput::system()
     return *points;
 }
 
-
-Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases
-(
-    const mpm::materialPointSystem& points
-) const
+Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases(
+    const mpm::materialPointSystem& points) const
 {
     DynamicList<word> valid;
     for (const mpm::materialPointPhase& p : points.phases())
@@ -94,8 +77,7 @@ Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases
         if (dict_.found("phases"))
         {
             FatalIOErrorInFunction(dict_)
-                << "Give either phase or phases, not both."
-                << exit(FatalIOError);
+                << "Give either phase or phases, not both." << exit(FatalIOError);
         }
         names.setSize(1, dict_.get<word>("phase"));
     }
@@ -114,33 +96,25 @@ Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases
         {
             FatalIOErrorInFunction(dict_)
                 << "Unknown phase " << names[i] << nl << nl
-                << "Valid phases are: " << wordList(valid) << nl
-                << exit(FatalIOError);
+                << "Valid phases are: " << wordList(valid) << nl << exit(FatalIOError);
         }
         if (names.find(names[i]) != i)
         {
             FatalIOErrorInFunction(dict_)
-                << "Phase " << names[i] << " is listed twice."
-                << exit(FatalIOError);
+                << "Phase " << names[i] << " is listed twice." << exit(FatalIOError);
         }
     }
     if (names.empty())
     {
         FatalIOErrorInFunction(dict_)
-            << "The list of phases is empty." << nl << nl
-            << "Valid phases are: " << wordList(valid) << nl
-            << exit(FatalIOError);
+            << "The list of phases is empty." << nl << nl << "Valid phases are: " << wordList(valid)
+            << nl << exit(FatalIOError);
     }
     return names;
 }
 
-
-const Foam::mpm::materialPointPhase&
-Foam::functionObjects::materialPointOutput::phase
-(
-    const mpm::materialPointSystem& points,
-    const word& name
-)
+const Foam::mpm::materialPointPhase& Foam::functionObjects::materialPointOutput::phase(
+    const mpm::materialPointSystem& points, const word& name)
 {
     for (const mpm::materialPointPhase& p : points.phases())
     {
@@ -149,17 +123,12 @@ Foam::functionObjects::materialPointOutput::phase
             return p;
         }
     }
-    FatalErrorInFunction
-        << "There is no phase " << name << "." << exit(FatalError);
+    FatalErrorInFunction << "There is no phase " << name << "." << exit(FatalError);
 
     return points.phases()[0];
 }
 
-
-Foam::string Foam::functionObjects::materialPointOutput::joined
-(
-    const wordList& names
-)
+Foam::string Foam::functionObjects::materialPointOutput::joined(const wordList& names)
 {
     string all;
     for (const word& name : names)
@@ -169,12 +138,8 @@ Foam::string Foam::functionObjects::materialPointOutput::joined
     return all;
 }
 
-
-void Foam::functionObjects::materialPointOutput::setFiles
-(
-    const wordList& names,
-    const List<string>& headers
-)
+void Foam::functionObjects::materialPointOutput::setFiles(
+    const wordList& names, const List<string>& headers)
 {
     if (names != fileNames_ || headers != headers_)
     {
@@ -185,11 +150,7 @@ void Foam::functionObjects::materialPointOutput::setFiles
     }
 }
 
-
-Foam::Ostream& Foam::functionObjects::materialPointOutput::row
-(
-    const label filei
-)
+Foam::Ostream& Foam::functionObjects::materialPointOutput::row(const label filei)
 {
     const Time& runTime = mesh_.time();
 
@@ -203,38 +164,30 @@ Foam::Ostream& Foam::functionObjects::materialPointOutput::row
         std::getline(lines, line);
         while (std::getline(lines, next))
         {
-            os  << "# " << line.c_str() << nl;
+            os << "# " << line.c_str() << nl;
             line = next;
         }
-        os  << "# Time[s]" << line.c_str() << endl;
+        os << "# Time[s]" << line.c_str() << endl;
     }
 
     OFstream& os = files_[filei];
-    os  << (useUserTime_ ? runTime.timeOutputValue() : runTime.value());
+    os << (useUserTime_ ? runTime.timeOutputValue() : runTime.value());
     return os;
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::functionObjects::materialPointOutput::materialPointOutput
-(
-    const word& name,
-    const Time& runTime,
-    const dictionary& dict
-)
-:
+Foam::functionObjects::materialPointOutput::materialPointOutput(
+    const word& name, const Time& runTime, const dictionary& dict) :
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name),
     ready_(false),
     sampled_(true),
 
     // A startTime of controlDict is no start of -postProcess
-    late_
-    (
-        functionObject::postProcess
-     || runTime.timeIndex() > runTime.startTimeIndex()
-    )
-{}
+    late_(functionObject::postProcess || runTime.timeIndex() > runTime.startTimeIndex())
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -266,7 +219,6 @@ bool Foam::functionObjects::materialPointOutput::read(const dictionary& dict)
     return true;
 }
 
-
 bool Foam::functionObjects::materialPointOutput::write()
 {
     const mpm::materialPointSystem& points = system();
@@ -277,5 +229,3 @@ bool Foam::functionObjects::materialPointOutput::write()
     }
     return true;
 }
-
-// ************************************************************************* //

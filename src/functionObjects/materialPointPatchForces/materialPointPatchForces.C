@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::materialPointPatchForces
@@ -63,9 +60,7 @@ Usage
 namespace Foam::functionObjects
 {
 
-class materialPointPatchForces
-:
-    public materialPointOutput
+class materialPointPatchForces : public materialPointOutput
 {
     point origin_ = Zero;
     wordList patches_;
@@ -81,18 +76,14 @@ class materialPointPatchForces
     vectorField impulse_, moment_;
     scalar duration_ = 0;
 
-    wordList keywords() const override
-    {
-        return {"patches", "velocityFields", "origin"};
-    }
+    wordList keywords() const override { return {"patches", "velocityFields", "origin"}; }
 
     void prepare(const mpm::materialPointSystem& points) override
     {
         if (functionObject::postProcess)
         {
-            WarningInFunction
-                << "Forces on patches belong to time steps: " << type() << ' '
-                << name() << " writes nothing with -postProcess." << endl;
+            WarningInFunction << "Forces on patches belong to time steps: " << type() << ' '
+                              << name() << " writes nothing with -postProcess." << endl;
             fields_.clear();
             return;
         }
@@ -116,15 +107,14 @@ class materialPointPatchForces
             OStringStream os;
             if (i < patches_.size())
             {
-                os  << "Patch " << patches_[i];
+                os << "Patch " << patches_[i];
             }
             else
             {
-                os  << "Sum of " << joined(patches_).c_str();
+                os << "Sum of " << joined(patches_).c_str();
             }
-            os  << ", mean force and moment about " << origin_ << " on it since"
-                << " the row before" << nl
-                << "\tFx[N]\tFy[N]\tFz[N]\tMx[N.m]\tMy[N.m]\tMz[N.m]";
+            os << ", mean force and moment about " << origin_ << " on it since"
+               << " the row before" << nl << "\tFx[N]\tFy[N]\tFz[N]\tMx[N.m]\tMy[N.m]\tMz[N.m]";
             headers[i] = os.str();
         }
         setFiles(files, headers);
@@ -142,8 +132,7 @@ class materialPointPatchForces
             forAll(impulse_, i)
             {
                 Ostream& os = row(i);
-                os  << tabs{impulse_[i]/duration_} << tabs{moment_[i]/duration_}
-                    << endl;
+                os << tabs{impulse_[i] / duration_} << tabs{moment_[i] / duration_} << endl;
             }
         }
         impulse_ = vectorField(patches_.size(), Zero);
@@ -160,10 +149,7 @@ class materialPointPatchForces
         {
             valid[fieldi] = points.fields()[fieldi].name();
         }
-        const wordList names
-        (
-            dict_.getOrDefault<wordList>("velocityFields", valid)
-        );
+        const wordList names(dict_.getOrDefault<wordList>("velocityFields", valid));
 
         fields_.clear();
         for (const word& name : names)
@@ -172,8 +158,8 @@ class materialPointPatchForces
             if (fieldi < 0 || fields_.found(fieldi))
             {
                 FatalIOErrorInFunction(dict_)
-                    << (fieldi < 0 ? "Unknown velocity field " : "Velocity field ")
-                    << name << (fieldi < 0 ? "" : " is listed twice.") << nl << nl
+                    << (fieldi < 0 ? "Unknown velocity field " : "Velocity field ") << name
+                    << (fieldi < 0 ? "" : " is listed twice.") << nl << nl
                     << "Valid velocity fields are: " << flatOutput(valid) << nl
                     << exit(FatalIOError);
             }
@@ -183,8 +169,7 @@ class materialPointPatchForces
         {
             FatalIOErrorInFunction(dict_)
                 << "The list of velocity fields is empty." << nl << nl
-                << "Valid velocity fields are: " << flatOutput(valid) << nl
-                << exit(FatalIOError);
+                << "Valid velocity fields are: " << flatOutput(valid) << nl << exit(FatalIOError);
         }
         for (const label fieldi : fields_)
         {
@@ -199,11 +184,7 @@ class materialPointPatchForces
         labelList holds(mesh.size(), label(0));
         for (const label fieldi : fields_)
         {
-            for
-            (
-                const mpm::nodeReactions::part& p :
-                points.fields()[fieldi].reactions()->parts()
-            )
+            for (const mpm::nodeReactions::part& p : points.fields()[fieldi].reactions()->parts())
             {
                 holds[p.patch] = 1;
             }
@@ -226,8 +207,7 @@ class materialPointPatchForces
         {
             FatalIOErrorInFunction(dict_)
                 << "The list of patches is empty." << nl << nl
-                << "Valid patches are: " << flatOutput(valid) << nl
-                << exit(FatalIOError);
+                << "Valid patches are: " << flatOutput(valid) << nl << exit(FatalIOError);
         }
         place_ = labelList(mesh.size(), label(-1));
         forAll(patches_, i)
@@ -238,13 +218,10 @@ class materialPointPatchForces
             {
                 FatalIOErrorInFunction(dict_)
                     << "Patch " << name
-                    <<
-                    (
-                        patchi < 0 ? " is not in the mesh."
-                      : !valid.found(name) ? " fixes no velocity: points cannot"
-                        " push it."
-                      : " is listed twice."
-                    )
+                    << (patchi < 0               ? " is not in the mesh."
+                            : !valid.found(name) ? " fixes no velocity: points cannot"
+                                                   " push it."
+                                                 : " is listed twice.")
                     << nl << nl << "Valid patches are: " << flatOutput(valid) << nl
                     << exit(FatalIOError);
             }
@@ -253,7 +230,6 @@ class materialPointPatchForces
     }
 
 public:
-
     TypeName("materialPointPatchForces");
 
     using materialPointOutput::materialPointOutput;
@@ -266,8 +242,7 @@ public:
 
         for (const label fieldi : fields_)
         {
-            const mpm::nodeReactions& reactions =
-                *points.fields()[fieldi].reactions();
+            const mpm::nodeReactions& reactions = *points.fields()[fieldi].reactions();
 
             for (const mpm::nodeReactions::part& p : reactions.parts())
             {
@@ -298,11 +273,6 @@ public:
 };
 
 defineTypeNameAndDebug(materialPointPatchForces, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, materialPointPatchForces, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, materialPointPatchForces, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::materialPointProbes
@@ -65,9 +62,7 @@ Usage
 namespace Foam::functionObjects
 {
 
-class materialPointProbes
-:
-    public materialPointOutput
+class materialPointProbes : public materialPointOutput
 {
     word phase_;
     wordList fields_;
@@ -80,10 +75,7 @@ class materialPointProbes
     //- Only if something refers to the start
     autoPtr<mpm::startState> start_;
 
-    wordList keywords() const override
-    {
-        return {"phase", "fields", "points", "operation"};
-    }
+    wordList keywords() const override { return {"phase", "fields", "points", "operation"}; }
 
     void prepare(const mpm::materialPointSystem& points) override
     {
@@ -96,19 +88,14 @@ class materialPointProbes
         {
             FatalIOErrorInFunction(dict_)
                 << "The list of fields is empty." << nl << nl
-                << "Valid fields are: "
-                << flatOutput(mpm::pointQuantity::names(material)) << nl
+                << "Valid fields are: " << flatOutput(mpm::pointQuantity::names(material)) << nl
                 << exit(FatalIOError);
         }
 
         const dictionary& pointsDict = dict_.subDict("points");
-        operation_ = mpm::oneOfOrDefault
-        (
-            dict_,
-            "operation",
-            pointsDict.found("box") ? "mean" : "none",
-            {"none", "mean", "min", "max"}
-        );
+        operation_ = mpm::oneOfOrDefault(
+            dict_, "operation", pointsDict.found("box") ? "mean" : "none",
+            {"none", "mean", "min", "max"});
 
         // Unknown names end here
         bool needsStart = !pointsDict.found("ids");
@@ -132,41 +119,33 @@ class materialPointProbes
         List<string> headers(fields_.size());
         forAll(fields_, fieldi)
         {
-            const mpm::pointQuantity q
-            (
-                dict_,
-                material,
-                fields_[fieldi],
-                start_ ? &*start_ : nullptr
-            );
+            const mpm::pointQuantity q(
+                dict_, material, fields_[fieldi], start_ ? &*start_ : nullptr);
             OStringStream os;
-            os  << "Phase " << phase_ << ", "
-                << (each ? "" : (operation_ + " of ").c_str())
-                << id_.size() << " points" << nl;
+            os << "Phase " << phase_ << ", " << (each ? "" : (operation_ + " of ").c_str())
+               << id_.size() << " points" << nl;
             for (label i = 0; start_ && i < (each ? id_.size() : 0); ++i)
             {
-                os  << "Point " << id_[i] << " was at "
-                    << start_->x()[start_->find(id_[i])] << " at time "
-                    << start_->time() << nl;
+                os << "Point " << id_[i] << " was at " << start_->x()[start_->find(id_[i])]
+                   << " at time " << start_->time() << nl;
             }
             for (label i = 0; i < (each ? id_.size() : 1); ++i)
             {
                 for (const word& title : q.titles())
                 {
-                    os  << tab << title.c_str();
+                    os << tab << title.c_str();
                     if (each)
                     {
-                        os  << '(' << id_[i] << ')';
+                        os << '(' << id_[i] << ')';
                     }
-                    os  << q.unit().c_str();
+                    os << q.unit().c_str();
                 }
             }
             headers[fieldi] = os.str();
         }
         setFiles(fields_, headers);
 
-        Info<< type() << ' ' << name() << ": " << id_.size() << " points of "
-            << phase_ << endl;
+        Info << type() << ' ' << name() << ": " << id_.size() << " points of " << phase_ << endl;
     }
 
     void sample(const mpm::materialPointSystem& points) override
@@ -192,32 +171,26 @@ class materialPointProbes
         Pstream::listCombineScatter(found);
         if (found.found(0) && !points.erosion().nGone(points.indexOf(phase_)))
         {
-            FatalErrorInFunction
-                << type() << ' ' << name() << ": point " << id_[found.find(0)]
-                << " of " << phase_ << " is no longer there." << exit(FatalError);
+            FatalErrorInFunction << type() << ' ' << name() << ": point " << id_[found.find(0)]
+                                 << " of " << phase_ << " is no longer there." << exit(FatalError);
         }
         Pstream::listCombineGather(V, plusEqOp<scalar>());
 
         forAll(fields_, fieldi)
         {
-            const mpm::pointQuantity q
-            (
-                dict_,
-                material,
-                fields_[fieldi],
-                start_ ? &*start_ : nullptr
-            );
+            const mpm::pointQuantity q(
+                dict_, material, fields_[fieldi], start_ ? &*start_ : nullptr);
             // One processor has a point; the others add zero. The master works in
             // the order of the list, whatever processors hold the points
             const int n = q.size();
-            scalarField values(n*place.size(), Zero);
+            scalarField values(n * place.size(), Zero);
             forAll(place, i)
             {
                 if (place[i] >= 0)
                 {
                     scalar v[mpm::pointQuantity::maxSize];
                     q.get(place[i], v);
-                    std::copy_n(v, n, &values[n*i]);
+                    std::copy_n(v, n, &values[n * i]);
                 }
             }
             Pstream::listCombineGather(values, plusEqOp<scalar>());
@@ -229,12 +202,7 @@ class materialPointProbes
     }
 
     //- Fill id_ according to the entry points
-    void select
-    (
-        const mpm::materialPointPhase& phase,
-        const dictionary& dict,
-        const label nEroded
-    )
+    void select(const mpm::materialPointPhase& phase, const dictionary& dict, const label nEroded)
     {
         mpm::checkKeywords(dict, {"ids", "nearest", "box"});
         if (dict.size() != 1)
@@ -261,7 +229,7 @@ class materialPointProbes
         if (id_.empty())
         {
             FatalIOErrorInFunction(dict)
-                << "There are no points in the list."  << exit(FatalIOError);
+                << "There are no points in the list." << exit(FatalIOError);
         }
         labelList sorted(id_);
         Foam::sort(sorted);
@@ -270,8 +238,7 @@ class materialPointProbes
             if (sorted[i] == sorted[i - 1])
             {
                 FatalIOErrorInFunction(dict)
-                    << "Point " << sorted[i] << " is chosen twice."
-                    << exit(FatalIOError);
+                    << "Point " << sorted[i] << " is chosen twice." << exit(FatalIOError);
             }
         }
         checkIds(phase, dict, nEroded);
@@ -301,13 +268,8 @@ class materialPointProbes
     }
 
     //- The values of all points, n of each, with their volumes V [m3]
-    void writeRow
-    (
-        Ostream& os,
-        const int n,
-        const UList<scalar>& values,
-        const UList<scalar>& V
-    ) const
+    void
+    writeRow(Ostream& os, const int n, const UList<scalar>& values, const UList<scalar>& V) const
     {
         // A volume of 0: eroded
         const scalar none = std::numeric_limits<scalar>::quiet_NaN();
@@ -317,7 +279,7 @@ class materialPointProbes
             {
                 for (int c = 0; c < n; ++c)
                 {
-                    os  << tab << (V[i] > 0 ? values[n*i + c] : none);
+                    os << tab << (V[i] > 0 ? values[n * i + c] : none);
                 }
             }
         }
@@ -328,39 +290,28 @@ class materialPointProbes
                 scalar result = none, sum = 0, volume = 0;
                 forAll(V, i)
                 {
-                    const scalar v = values[n*i + c];
+                    const scalar v = values[n * i + c];
                     const bool first = !(volume > 0);
-                    sum += V[i]*v;
+                    sum += V[i] * v;
                     volume += V[i];
-                    if
-                    (
-                        V[i] > 0
-                     && (
-                            first
-                         || (operation_ == "min" ? v < result : v > result)
-                        )
-                    )
+                    if (V[i] > 0 && (first || (operation_ == "min" ? v < result : v > result)))
                     {
                         result = v;
                     }
                 }
                 if (operation_ == "mean" && volume > 0)
                 {
-                    result = sum/volume;
+                    result = sum / volume;
                 }
-                os  << tab << result;
+                os << tab << result;
             }
         }
-        os  << endl;
+        os << endl;
     }
 
     //- Fatal if more points are missing than have eroded
-    void checkIds
-    (
-        const mpm::materialPointPhase& phase,
-        const dictionary& dict,
-        const label nEroded
-    ) const
+    void checkIds(
+        const mpm::materialPointPhase& phase, const dictionary& dict, const label nEroded) const
     {
         const mpm::materialPointCloud& cloud = phase.cloud();
         labelList there(cloud.size());
@@ -388,10 +339,9 @@ class materialPointProbes
             const label n = returnReduce(there.size(), sumOp<label>());
             const label first = gMin(there), last = gMax(there);
             FatalIOErrorInFunction(dict)
-                << "Unknown id " << id_[known.find(false)] << " of phase "
-                << phase_ << nl << nl << "It has " << n
-                << " points with ids from " << first << " to " << last << "." << nl
-                << exit(FatalIOError);
+                << "Unknown id " << id_[known.find(false)] << " of phase " << phase_ << nl << nl
+                << "It has " << n << " points with ids from " << first << " to " << last << "."
+                << nl << exit(FatalIOError);
         }
     }
 
@@ -427,11 +377,7 @@ class materialPointProbes
                 }
                 // The lowest id of points at the same distance
                 const label id = start_->id()[p];
-                if
-                (
-                    distance2 < best[i]
-                 || (distance2 == best[i] && id < id_[i])
-                )
+                if (distance2 < best[i] || (distance2 == best[i] && id < id_[i]))
                 {
                     best[i] = distance2;
                     id_[i] = id;
@@ -467,9 +413,8 @@ class materialPointProbes
         }
         if (!right)
         {
-            FatalIOErrorInFunction(dict)
-                << "Entry box must be two corners, (xmin ymin zmin)"
-                << " (xmax ymax zmax)." << exit(FatalIOError);
+            FatalIOErrorInFunction(dict) << "Entry box must be two corners, (xmin ymin zmin)"
+                                         << " (xmax ymax zmax)." << exit(FatalIOError);
         }
 
         DynamicList<label> ids;
@@ -502,28 +447,20 @@ class materialPointProbes
         if (id_.empty())
         {
             const boundBox all(start_->x(), true);
-            FatalIOErrorInFunction(dict)
-                << "At time " << start_->time() << " no point of phase " << phase_
-                << " is in the box " << low << ' ' << high << nl << nl
-                << "Its points are in the box "
-                << all.min() << ' ' << all.max() << nl
-                << exit(FatalIOError);
+            FatalIOErrorInFunction(dict) << "At time " << start_->time() << " no point of phase "
+                                         << phase_ << " is in the box " << low << ' ' << high << nl
+                                         << nl << "Its points are in the box " << all.min() << ' '
+                                         << all.max() << nl << exit(FatalIOError);
         }
     }
 
 public:
-
     TypeName("materialPointProbes");
 
     using materialPointOutput::materialPointOutput;
 };
 
 defineTypeNameAndDebug(materialPointProbes, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, materialPointProbes, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, materialPointProbes, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::materialPointSeparation
@@ -80,9 +77,7 @@ List<Type> gathered(const UList<Type>& mine)
 
 }
 
-class materialPointSeparation
-:
-    public materialPointOutput
+class materialPointSeparation : public materialPointOutput
 {
     wordList phases_;
 
@@ -96,17 +91,10 @@ class materialPointSeparation
         phases_ = selectedPhases(points);
         if (!dict_.found("phase") && !dict_.found("phases"))
         {
-            phases_ = wordList
-            (
-                subsetList<word>
-                (
-                    phases_,
-                    [&](const word& name)
-                    {
-                        return !points.erosion().isDebris(points.indexOf(name));
-                    }
-                )
-            );
+            phases_ = wordList(subsetList<word>(
+                phases_,
+                [&](const word& name)
+                { return !points.erosion().isDebris(points.indexOf(name)); }));
         }
         pairs_.setSize(phases_.size());
         List<string> headers(phases_.size());
@@ -124,11 +112,10 @@ class materialPointSeparation
                     pair = labelPair(id[pair.first()], id[pair.second()]);
                 }
             }
-            headers[phasei] =
-                "Phase " + phases_[phasei] + ", neighbours at time " + start.time()
-              + " and those of them more than a cell apart; failed: a point has"
-                " damage 1\n\tpairs\tapart\tfailedPairs\tfailedApart"
-                "\tlargest[cells]";
+            headers[phasei] = "Phase " + phases_[phasei] + ", neighbours at time " + start.time()
+                + " and those of them more than a cell apart; failed: a point has"
+                  " damage 1\n\tpairs\tapart\tfailedPairs\tfailedApart"
+                  "\tlargest[cells]";
         }
         setFiles(phases_, headers);
     }
@@ -138,8 +125,7 @@ class materialPointSeparation
         const mpm::pointGrid& grid = points.grid();
         forAll(phases_, phasei)
         {
-            const mpm::materialPointCloud& cloud =
-                phase(points, phases_[phasei]).cloud();
+            const mpm::materialPointCloud& cloud = phase(points, phases_[phasei]).cloud();
             const label n = cloud.size();
             labelList id(n);
             vectorField x(n), h(n, Zero);
@@ -153,8 +139,7 @@ class materialPointSeparation
                     x[p] = cloud.position(p, celli);
                     for (int d = 0; d < grid.nDim(); ++d)
                     {
-                        h[p][grid.direction(d)] =
-                            mpm::separationWatch::extent(grid, celli, d);
+                        h[p][grid.direction(d)] = mpm::separationWatch::extent(grid, celli, d);
                     }
                     damage[p] = cloud.damage() ? (*cloud.damage())[0][p] : 0;
                 }
@@ -182,34 +167,24 @@ class materialPointSeparation
                 for (int d = 0; d < grid.nDim(); ++d)
                 {
                     const int c = grid.direction(d);
-                    distance = max
-                    (
-                        distance,
-                        mag(x[q][c] - x[p][c])/max(h[p][c], h[q][c])
-                    );
+                    distance = max(distance, mag(x[q][c] - x[p][c]) / max(h[p][c], h[q][c]));
                 }
                 const int failed = damage[p] >= 1 || damage[q] >= 1;
                 ++nPairs[failed];
                 nApart[failed] += distance > 1;
                 largest = failed ? largest : max(largest, distance);
             }
-            row(phasei)
-                << tab << nPairs[0] << tab << nApart[0] << tab << nPairs[1] << tab
-                << nApart[1] << tab << largest << endl;
-            Info<< type() << ' ' << phases_[phasei] << ": more than a cell apart "
-                << nApart[0] << " of " << nPairs[0]
-                << " pairs of neighbours without failure, " << nApart[1] << " of "
-                << nPairs[1] << " failed" << endl;
+            row(phasei) << tab << nPairs[0] << tab << nApart[0] << tab << nPairs[1] << tab
+                        << nApart[1] << tab << largest << endl;
+            Info << type() << ' ' << phases_[phasei] << ": more than a cell apart " << nApart[0]
+                 << " of " << nPairs[0] << " pairs of neighbours without failure, " << nApart[1]
+                 << " of " << nPairs[1] << " failed" << endl;
         }
     }
 
     //- Neighbours among points at X with half sizes l, by place
-    static List<labelPair> neighbours
-    (
-        const mpm::pointGrid& grid,
-        const vectorField& X,
-        const vectorField& l
-    )
+    static List<labelPair>
+    neighbours(const mpm::pointGrid& grid, const vectorField& X, const vectorField& l)
     {
         // Bins as wide as neighbours can be apart; those of a point and the next
         // ones hold them all
@@ -218,17 +193,17 @@ class materialPointSeparation
         forAll(X, p)
         {
             low = min(low, X[p]);
-            width = max(width, 3.0001*l[p]);
+            width = max(width, 3.0001 * l[p]);
         }
         const auto binOf = [&](const label p, const int d)
         {
             const int c = grid.direction(d);
-            return std::int64_t(std::floor((X[p][c] - low[c])/width[c]));
+            return std::int64_t(std::floor((X[p][c] - low[c]) / width[c]));
         };
-        const auto keyOf = [](const std::int64_t (&bin)[3])
+        const auto keyOf = [](const std::int64_t(&bin)[3])
         {
             constexpr std::int64_t n = std::int64_t(1) << 21;
-            return (bin[2]*n + bin[1])*n + bin[0];
+            return (bin[2] * n + bin[1]) * n + bin[0];
         };
         std::unordered_map<std::int64_t, DynamicList<label>> bins;
         forAll(X, p)
@@ -247,7 +222,7 @@ class materialPointSeparation
             for (int d = 0; d < D; ++d)
             {
                 const int c = grid.direction(d);
-                const scalar r = mag(X[q][c] - X[p][c])/(l[p][c] + l[q][c]);
+                const scalar r = mag(X[q][c] - X[p][c]) / (l[p][c] + l[q][c]);
                 if (!(r < 1.5))
                 {
                     return false;
@@ -257,7 +232,7 @@ class materialPointSeparation
             return nBeside == D - 1;
         };
 
-        DynamicList<labelPair> pairs(D*X.size());
+        DynamicList<labelPair> pairs(D * X.size());
         forAll(X, p)
         {
             std::int64_t at[3] = {1, 1, 1};
@@ -267,9 +242,9 @@ class materialPointSeparation
             }
             for (int n = 0; n < (D == 1 ? 3 : D == 2 ? 9 : 27); ++n)
             {
-                const std::int64_t bin[3] =
-                    {at[0] + n % 3 - 1, at[1] + (D > 1 ? n/3 % 3 - 1 : 0),
-                     at[2] + (D > 2 ? n/9 - 1 : 0)};
+                const std::int64_t bin[3] = {
+                    at[0] + n % 3 - 1, at[1] + (D > 1 ? n / 3 % 3 - 1 : 0),
+                    at[2] + (D > 2 ? n / 9 - 1 : 0)};
                 const auto found = bins.find(keyOf(bin));
                 if (found == bins.end())
                 {
@@ -288,18 +263,12 @@ class materialPointSeparation
     }
 
 public:
-
     TypeName("materialPointSeparation");
 
     using materialPointOutput::materialPointOutput;
 };
 
 defineTypeNameAndDebug(materialPointSeparation, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, materialPointSeparation, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, materialPointSeparation, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::functionObjects::materialPointXT
@@ -57,9 +54,7 @@ Usage
 namespace Foam::functionObjects
 {
 
-class materialPointXT
-:
-    public materialPointOutput
+class materialPointXT : public materialPointOutput
 {
     wordList phases_;
     word field_;
@@ -85,8 +80,7 @@ class materialPointXT
         {
             FatalIOErrorInFunction(dict_)
                 << "Entry range is (" << range.first() << ' ' << range.second()
-                << "); the first value must be smaller than the second."
-                << exit(FatalIOError);
+                << "); the first value must be smaller than the second." << exit(FatalIOError);
         }
 
         const wordList axes({"x", "y", "z"});
@@ -100,8 +94,7 @@ class materialPointXT
         {
             FatalIOErrorInFunction(dict_)
                 << "Direction " << axes[c] << " is not computed." << nl << nl
-                << "Valid directions are: " << wordList(computed) << nl
-                << exit(FatalIOError);
+                << "Valid directions are: " << wordList(computed) << nl << exit(FatalIOError);
         }
 
         std::string unit;
@@ -114,10 +107,8 @@ class materialPointXT
             if (q.size() > 1)
             {
                 FatalIOErrorInFunction(dict_)
-                    << "Field " << field_ << " has " << q.size()
-                    << " components; choose one." << nl << nl
-                    << "Valid choices are: " << q.titles() << nl
-                    << exit(FatalIOError);
+                    << "Field " << field_ << " has " << q.size() << " components; choose one." << nl
+                    << nl << "Valid choices are: " << q.titles() << nl << exit(FatalIOError);
             }
             unit = q.unit();
             start_.set(i, new mpm::startState(dict_, material));
@@ -126,14 +117,13 @@ class materialPointXT
 
         OStringStream os;
         os.precision(writePrecision_);
-        os  << field_ << unit.c_str() << " of " << joined(phases_).c_str()
-            << ", mean over bins of " << axes[c] << " at time "
-            << start_[0].time() << nl
-            << "Columns: time, then bins, whose centres [m] are" << nl;
-        const scalar width = (range.second() - range.first())/nBins_;
+        os << field_ << unit.c_str() << " of " << joined(phases_).c_str() << ", mean over bins of "
+           << axes[c] << " at time " << start_[0].time() << nl
+           << "Columns: time, then bins, whose centres [m] are" << nl;
+        const scalar width = (range.second() - range.first()) / nBins_;
         for (label b = 0; b < nBins_; ++b)
         {
-            os  << tab << range.first() + (b + 0.5)*width;
+            os << tab << range.first() + (b + 0.5) * width;
         }
         setFiles(wordList(1, field_), List<string>(1, os.str()));
     }
@@ -158,7 +148,7 @@ class materialPointXT
                     scalar v[mpm::pointQuantity::maxSize];
                     q.get(p, v);
                     const scalar V = cloud.volume()[0][p];
-                    sum[b] += V*v[0];
+                    sum[b] += V * v[0];
                     volume[b] += V;
                 }
             }
@@ -173,9 +163,9 @@ class materialPointXT
         Ostream& os = row(0);
         forAll(sum, b)
         {
-            os  << tab << (volume[b] > 0 ? sum[b]/volume[b] : 0);
+            os << tab << (volume[b] > 0 ? sum[b] / volume[b] : 0);
         }
-        os  << endl;
+        os << endl;
     }
 
     //- Bins of all points along component c of the start position
@@ -206,11 +196,7 @@ class materialPointXT
             nIn += x.size();
             forAll(x, p)
             {
-                bin_[i][p] = min
-                (
-                    nBins_ - 1,
-                    label(nBins_*((x[p][c] - low)/(high - low)))
-                );
+                bin_[i][p] = min(nBins_ - 1, label(nBins_ * ((x[p][c] - low) / (high - low))));
                 used[bin_[i][p]] = true;
             }
         }
@@ -219,10 +205,9 @@ class materialPointXT
 
         if (!nIn)
         {
-            FatalIOErrorInFunction(dict_)
-                << "At the start no point is in the range (" << low << ' ' << high
-                << ")." << nl << nl << "They are in (" << first << ' ' << last
-                << ")." << nl << exit(FatalIOError);
+            FatalIOErrorInFunction(dict_) << "At the start no point is in the range (" << low << ' '
+                                          << high << ")." << nl << nl << "They are in (" << first
+                                          << ' ' << last << ")." << nl << exit(FatalIOError);
         }
 
         label nEmpty = 0;
@@ -230,24 +215,17 @@ class materialPointXT
         {
             nEmpty += !filled;
         }
-        Info<< type() << ' ' << name() << ": " << nIn << " of " << nPoints
-            << " points in " << nBins_ << " bins, " << nEmpty << " of them empty"
-            << endl;
+        Info << type() << ' ' << name() << ": " << nIn << " of " << nPoints << " points in "
+             << nBins_ << " bins, " << nEmpty << " of them empty" << endl;
     }
 
 public:
-
     TypeName("materialPointXT");
 
     using materialPointOutput::materialPointOutput;
 };
 
 defineTypeNameAndDebug(materialPointXT, 0);
-addTemplateToRunTimeSelectionTable
-(
-    functionObject, whenMade, materialPointXT, dictionary
-);
+addTemplateToRunTimeSelectionTable(functionObject, whenMade, materialPointXT, dictionary);
 
 } // End namespace Foam::functionObjects
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointQuantity.H"
 #include "FlatOutput.H"
@@ -21,8 +15,20 @@ using namespace Foam::mpm;
 
 enum quantities
 {
-    VELOCITY, POSITION, DISPLACEMENT, STRESS, PRESSURE, EQUIVALENT, LARGEST,
-    DAMAGE, VOLUME, MASS, DENSITY, JACOBIAN, TEMPERATURE, HISTORY
+    VELOCITY,
+    POSITION,
+    DISPLACEMENT,
+    STRESS,
+    PRESSURE,
+    EQUIVALENT,
+    LARGEST,
+    DAMAGE,
+    VOLUME,
+    MASS,
+    DENSITY,
+    JACOBIAN,
+    TEMPERATURE,
+    HISTORY
 };
 
 const struct
@@ -30,64 +36,38 @@ const struct
     const char* name;
     int rank;
     const char* unit;
-}
-known[] =
-{
-    {"U", 3, "[m/s]"},
-    {"x", 3, "[m]"},
-    {"displacement", 3, "[m]"},
-    {"sigma", 6, "[Pa]"},
-    {"pPoint", 1, "[Pa]"},
-    {"sigmaEq", 1, "[Pa]"},
-    {"sigmaMax", 1, "[Pa]"},
-    {"damage", 1, "[-]"},
-    {"V", 1, "[m3]"},
-    {"m", 1, "[kg]"},
-    {"rho", 1, "[kg/m3]"},
-    {"J", 1, "[-]"},
-    {"T", 1, "[K]"}
-};
-
+} known[] = {{"U", 3, "[m/s]"},       {"x", 3, "[m]"},       {"displacement", 3, "[m]"},
+             {"sigma", 6, "[Pa]"},    {"pPoint", 1, "[Pa]"}, {"sigmaEq", 1, "[Pa]"},
+             {"sigmaMax", 1, "[Pa]"}, {"damage", 1, "[-]"},  {"V", 1, "[m3]"},
+             {"m", 1, "[kg]"},        {"rho", 1, "[kg/m3]"}, {"J", 1, "[-]"},
+             {"T", 1, "[K]"}};
 
 //- Clouds have damage and a temperature only where asked for
 bool has(const materialPointCloud& cloud, const int quantity)
 {
-    return
-        quantity == DAMAGE ? bool(cloud.damage())
-      : quantity == TEMPERATURE ? bool(cloud.temperature())
-      : true;
+    return quantity == DAMAGE     ? bool(cloud.damage())
+        : quantity == TEMPERATURE ? bool(cloud.temperature())
+                                  : true;
 }
-
 
 const char* const* componentNames(const int rank)
 {
     static const char* const vectors[] = {"x", "y", "z"};
-    static const char* const symmetric[] =
-        {"xx", "xy", "xz", "yy", "yz", "zz"};
-    static const char* const tensors[] =
-        {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
+    static const char* const symmetric[] = {"xx", "xy", "xz", "yy", "yz", "zz"};
+    static const char* const tensors[] = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
 
     return rank == 3 ? vectors : rank == 6 ? symmetric : tensors;
 }
 
-
 int rankOf(const column& history)
 {
-    return
-        history.kind() == column::scalars ? 1
-      : history.kind() == column::tensors ? 9
-      : 6;
+    return history.kind() == column::scalars ? 1 : history.kind() == column::tensors ? 9 : 6;
 }
 
-
 //- A history column as OpenFOAM has it
-void historyValues
-(
-    const materialPointCloud& cloud,
-    const column& h,
-    const label p,
-    scalar (&values)[pointQuantity::maxSize]
-)
+void historyValues(
+    const materialPointCloud& cloud, const column& h, const label p,
+    scalar (&values)[pointQuantity::maxSize])
 {
     if (h.kind() == column::scalars)
     {
@@ -108,20 +88,10 @@ void historyValues
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointQuantity::pointQuantity
-(
-    const dictionary& dict,
-    const materialPointPhase& phase,
-    const word& name,
-    const startState* start
-)
-:
-    phase_(phase),
-    start_(start),
-    name_(name),
-    quantity_(-1),
-    rank_(1),
-    component_(-1)
+Foam::mpm::pointQuantity::pointQuantity(
+    const dictionary& dict, const materialPointPhase& phase, const word& name,
+    const startState* start) :
+    phase_(phase), start_(start), name_(name), quantity_(-1), rank_(1), component_(-1)
 {
     const UPtrList<column>& history = phase.cloud().history();
 
@@ -129,14 +99,8 @@ Foam::mpm::pointQuantity::pointQuantity
     {
         for (int i = 0; i < HISTORY; ++i)
         {
-            if
-            (
-                has(phase.cloud(), i)
-             && (
-                    asked == known[i].name
-                 || (i == PRESSURE && asked == "p")
-                )
-            )
+            if (has(phase.cloud(), i)
+                && (asked == known[i].name || (i == PRESSURE && asked == "p")))
             {
                 quantity_ = i;
                 rank_ = known[i].rank;
@@ -174,8 +138,8 @@ Foam::mpm::pointQuantity::pointQuantity
     if (!found)
     {
         FatalIOErrorInFunction(dict)
-            << "Unknown field " << name << " of phase " << phase.name() << nl
-            << nl << "Valid fields are: " << flatOutput(names(phase)) << nl
+            << "Unknown field " << name << " of phase " << phase.name() << nl << nl
+            << "Valid fields are: " << flatOutput(names(phase)) << nl
             << "and components of vectors and tensors, such as U_y and"
             << " sigma_xy." << nl << exit(FatalIOError);
     }
@@ -188,7 +152,6 @@ bool Foam::mpm::pointQuantity::needsStart(const word& name)
     const std::string base(name.substr(0, name.find('_')));
     return base == "displacement" || base == "J";
 }
-
 
 Foam::wordList Foam::mpm::pointQuantity::names(const materialPointPhase& phase)
 {
@@ -207,7 +170,6 @@ Foam::wordList Foam::mpm::pointQuantity::names(const materialPointPhase& phase)
     return wordList(std::move(result));
 }
 
-
 Foam::wordList Foam::mpm::pointQuantity::titles() const
 {
     wordList result(size(), name_);
@@ -221,26 +183,19 @@ Foam::wordList Foam::mpm::pointQuantity::titles() const
     return result;
 }
 
-
-void Foam::mpm::pointQuantity::get
-(
-    const label p,
-    scalar (&values)[maxSize]
-) const
+void Foam::mpm::pointQuantity::get(const label p, scalar (&values)[maxSize]) const
 {
     const materialPointCloud& cloud = phase_.cloud();
 
-    const label first =
-        quantity_ == DISPLACEMENT || quantity_ == JACOBIAN
-      ? start_->find(label(cloud.id()[0][p]))
-      : 0;
+    const label first = quantity_ == DISPLACEMENT || quantity_ == JACOBIAN
+        ? start_->find(label(cloud.id()[0][p]))
+        : 0;
     if (first < 0)
     {
-        FatalErrorInFunction
-            << "Material point " << label(cloud.id()[0][p]) << " of "
-            << phase_.name() << " was not there at the start, time "
-            << start_->time() << ": it has no " << name_ << "."
-            << exit(FatalError);
+        FatalErrorInFunction << "Material point " << label(cloud.id()[0][p]) << " of "
+                             << phase_.name() << " was not there at the start, time "
+                             << start_->time() << ": it has no " << name_ << "."
+                             << exit(FatalError);
     }
 
     const auto copy = [&](const auto& v)
@@ -253,79 +208,73 @@ void Foam::mpm::pointQuantity::get
 
     switch (quantity_)
     {
-        case VELOCITY:
-            copy(cloud.velocity(p));
-            break;
+    case VELOCITY:
+        copy(cloud.velocity(p));
+        break;
 
-        case POSITION:
-            copy(positionOf(cloud, p));
-            break;
+    case POSITION:
+        copy(positionOf(cloud, p));
+        break;
 
-        case DISPLACEMENT:
+    case DISPLACEMENT:
+    {
+        const vector moved(positionOf(cloud, p) - start_->x()[first]);
+        std::fill_n(values, 3, scalar(0));
+        for (int d = 0; d < cloud.grid().nDim(); ++d)
         {
-            const vector moved(positionOf(cloud, p) - start_->x()[first]);
-            std::fill_n(values, 3, scalar(0));
-            for (int d = 0; d < cloud.grid().nDim(); ++d)
-            {
-                const int c = cloud.grid().direction(d);
-                values[c] = moved[c];
-            }
-            break;
+            const int c = cloud.grid().direction(d);
+            values[c] = moved[c];
         }
+        break;
+    }
 
-        case STRESS:
-            copy(cloud.sigma(p));
-            break;
+    case STRESS:
+        copy(cloud.sigma(p));
+        break;
 
-        case PRESSURE:
-            values[0] = -tr(cloud.sigma(p))/3;
-            break;
+    case PRESSURE:
+        values[0] = -tr(cloud.sigma(p)) / 3;
+        break;
 
-        case EQUIVALENT:
-            values[0] = std::sqrt(1.5)*mag(dev(cloud.sigma(p)));
-            break;
+    case EQUIVALENT:
+        values[0] = std::sqrt(1.5) * mag(dev(cloud.sigma(p)));
+        break;
 
-        case LARGEST:
-        {
-            const tensor t(cloud.sigma(p));
-            double s[9];
-            std::copy(t.begin(), t.end(), s);
-            values[0] = largestPrincipal(s);
-            break;
-        }
+    case LARGEST:
+    {
+        const tensor t(cloud.sigma(p));
+        double s[9];
+        std::copy(t.begin(), t.end(), s);
+        values[0] = largestPrincipal(s);
+        break;
+    }
 
-        case DAMAGE:
-            values[0] = (*cloud.damage())[0][p];
-            break;
+    case DAMAGE:
+        values[0] = (*cloud.damage())[0][p];
+        break;
 
-        case VOLUME:
-            values[0] = cloud.volume()[0][p];
-            break;
+    case VOLUME:
+        values[0] = cloud.volume()[0][p];
+        break;
 
-        case MASS:
-            values[0] = cloud.mass()[0][p];
-            break;
+    case MASS:
+        values[0] = cloud.mass()[0][p];
+        break;
 
-        case DENSITY:
-            values[0] = cloud.mass()[0][p]/cloud.volume()[0][p];
-            break;
+    case DENSITY:
+        values[0] = cloud.mass()[0][p] / cloud.volume()[0][p];
+        break;
 
-        case JACOBIAN:
-            values[0] = cloud.volume()[0][p]/start_->V()[first];
-            break;
+    case JACOBIAN:
+        values[0] = cloud.volume()[0][p] / start_->V()[first];
+        break;
 
-        case TEMPERATURE:
-            values[0] = (*cloud.temperature())[0][p];
-            break;
+    case TEMPERATURE:
+        values[0] = (*cloud.temperature())[0][p];
+        break;
 
-        default:
-            historyValues
-            (
-                cloud,
-                cloud.history()[quantity_ - HISTORY],
-                p,
-                values
-            );
+    default:
+        historyValues(cloud, cloud.history()[quantity_ - HISTORY], p, values);
     }
 
     if (component_ > 0)
@@ -333,5 +282,3 @@ void Foam::mpm::pointQuantity::get
         values[0] = values[component_];
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "startState.H"
 #include "IOField.H"
@@ -21,48 +15,26 @@ using namespace Foam;
 
 bool hasFile(const cloud& c, const word& time, const word& field)
 {
-    const fileName path
-    (
-        c.time().path()/time/c.db().dbDir()/cloud::prefix/c.name()/field
-    );
+    const fileName path(c.time().path() / time / c.db().dbDir() / cloud::prefix / c.name() / field);
     return isFile(path) || isFile(path + ".gz");
 }
 
-
 template<class Type>
-void readFile
-(
-    const dictionary& dict,
-    const cloud& c,
-    const word& time,
-    const word& field,
-    Field<Type>& values,
-    const label n
-)
+void readFile(
+    const dictionary& dict, const cloud& c, const word& time, const word& field,
+    Field<Type>& values, const label n)
 {
-    IOField<Type> f
-    (
-        IOobject
-        (
-            field,
-            time,
-            cloud::prefix/c.name(),
-            c.db(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
+    IOField<Type> f(IOobject(
+        field, time, cloud::prefix / c.name(), c.db(), IOobject::MUST_READ, IOobject::NO_WRITE,
+        false));
     if (n >= 0 && f.size() != n)
     {
         FatalIOErrorInFunction(dict)
-            << "Field " << f.objectPath() << " has " << f.size()
-            << " values for " << n << " material points."
-            << exit(FatalIOError);
+            << "Field " << f.objectPath() << " has " << f.size() << " values for " << n
+            << " material points." << exit(FatalIOError);
     }
     values.transfer(f);
 }
-
 
 //- The values to keep, those of all processors one after the other
 template<class Container>
@@ -103,18 +75,10 @@ void shareValues(const boolList& keep, Container& values)
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::point Foam::mpm::positionOf
-(
-    const materialPointCloud& cloud,
-    const label pointi
-)
+Foam::point Foam::mpm::positionOf(const materialPointCloud& cloud, const label pointi)
 {
     const labelList& start = cloud.start();
-    const label k = label
-    (
-        std::upper_bound(start.begin(), start.end(), pointi)
-      - start.begin()
-    ) - 1;
+    const label k = label(std::upper_bound(start.begin(), start.end(), pointi) - start.begin()) - 1;
 
     return cloud.position(pointi, cloud.cells()[k]);
 }
@@ -145,14 +109,9 @@ Foam::word Foam::mpm::startState::firstTime(const cloud& c)
     return word::null;
 }
 
-
-void Foam::mpm::startState::read
-(
-    const dictionary& dict,
-    const materialPointCloud& cloud,
-    const word& time,
-    const bool withHalfSize
-)
+void Foam::mpm::startState::read(
+    const dictionary& dict, const materialPointCloud& cloud, const word& time,
+    const bool withHalfSize)
 {
     const bool hasPoints = hasFile(cloud, time, "m");
     wordList fields({"x", "V"});
@@ -167,11 +126,10 @@ void Foam::mpm::startState::read
         {
             FatalIOErrorInFunction(dict)
                 << "The start positions of phase " << cloud.name()
-                << " are needed. The run started at time " << time
-                << ", but its folder " << cloud::prefix/cloud.name()
-                << " has no file " << field << ", which setMaterialPoints and"
-                << " materialPointFoam write."
-                << exit(FatalIOError);
+                << " are needed. The run started at time " << time << ", but its folder "
+                << cloud::prefix / cloud.name() << " has no file " << field
+                << ", which setMaterialPoints and"
+                << " materialPointFoam write." << exit(FatalIOError);
         }
     }
     if (!hasPoints)
@@ -201,12 +159,8 @@ void Foam::mpm::startState::read
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::startState::startState
-(
-    const dictionary& dict,
-    const materialPointPhase& phase,
-    const bool withHalfSize
-)
+Foam::mpm::startState::startState(
+    const dictionary& dict, const materialPointPhase& phase, const bool withHalfSize)
 {
     const materialPointCloud& cloud = phase.cloud();
     const Time& runTime = cloud.time();
@@ -224,11 +178,9 @@ Foam::mpm::startState::startState
     {
         FatalIOErrorInFunction(dict)
             << "The start positions of phase " << phase.name()
-            << " are needed, but no time folder up to "
-            << runTime.timeName() << " in " << runTime.path() << " has "
-            << cloud::prefix/phase.name() << "." << nl
-            << "Keep the folder of the time at which the run started."
-            << exit(FatalIOError);
+            << " are needed, but no time folder up to " << runTime.timeName() << " in "
+            << runTime.path() << " has " << cloud::prefix / phase.name() << "." << nl
+            << "Keep the folder of the time at which the run started." << exit(FatalIOError);
     }
 
     if (!now || withHalfSize)
@@ -260,5 +212,3 @@ void Foam::mpm::startState::share(const boolList& keep)
     shareValues(keep, V_);
     table_ = idTable(id_, id_.size());
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "cloudColumn.H"
 #include <algorithm>
@@ -37,13 +31,11 @@ void Foam::mpm::cloudColumn::grow(const label n, const label nOld)
     }
 }
 
-
 Foam::label Foam::mpm::cloudColumn::nDoubles() const
 {
     const bool kept = kept_ && kept_->capacity();
-    return nComponents()*(1 + bool(new_) + kept);
+    return nComponents() * (1 + bool(new_) + kept);
 }
-
 
 void Foam::mpm::cloudColumn::fill(const label first, const label end)
 {
@@ -52,7 +44,6 @@ void Foam::mpm::cloudColumn::fill(const label first, const label end)
         std::fill((*this)[i] + first, (*this)[i] + end, rules_.initialValue);
     }
 }
-
 
 void Foam::mpm::cloudColumn::keep(const label n)
 {
@@ -63,7 +54,6 @@ void Foam::mpm::cloudColumn::keep(const label n)
     }
 }
 
-
 void Foam::mpm::cloudColumn::restore(const label n)
 {
     if (kept_)
@@ -71,5 +61,3 @@ void Foam::mpm::cloudColumn::restore(const label n)
         copyValues(*kept_, *this, n);
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointCloud.H"
 #include <algorithm>
@@ -13,13 +7,12 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(materialPointCloud, 0);
+defineTypeNameAndDebug(materialPointCloud, 0);
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelList
-Foam::mpm::materialPointCloud::cellsOfPoints(const label n) const
+Foam::labelList Foam::mpm::materialPointCloud::cellsOfPoints(const label n) const
 {
     labelList cell(n, label(-1));
     forCells([&](const label p, const label celli) { cell[p] = celli; });
@@ -28,12 +21,7 @@ Foam::mpm::materialPointCloud::cellsOfPoints(const label n) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::materialPointCloud::materialPointCloud
-(
-    const pointGrid& grid,
-    const word& name
-)
-:
+Foam::mpm::materialPointCloud::materialPointCloud(const pointGrid& grid, const word& name) :
     cloud(grid.mesh(), name),
     grid_(grid),
     n_(0),
@@ -45,57 +33,22 @@ Foam::mpm::materialPointCloud::materialPointCloud
     sorted_(false),
     count_(grid.nCells(), label(0)),
     first_(grid.nCells(), label(0)),
-    x_
-    (
-        declare
-        (
-            "x",
-            column::vectors,
-            columnRules(columnRules::key).position().withTentative()
-        )
-    ),
-    U_
-    (
-        declare
-        (
-            "U",
-            column::vectors,
-            columnRules(columnRules::sinceStart, "velocity").withTentative()
-        )
-    ),
-    mass_
-    (
-        declare
-        (
-            "m",
-            column::scalars,
-            columnRules(columnRules::key, "mass")
-           .positive(VGREAT, "finite and greater than 0")
-        )
-    ),
-    volume_
-    (
-        declare
-        (
-            "V",
-            column::scalars,
-            columnRules(columnRules::required, "volume").changesWithStress()
-           .positive
-            (
-                1e3*grid.mesh().bounds().volume(),
-                "greater than 0 and not far above that of the mesh"
-            )
-        )
-    ),
-    stress_
-    (
-        declare
-        (
-            "sigma",
-            column::stresses,
-            columnRules(columnRules::sinceStart, "stress").changesWithStress()
-        )
-    ),
+    x_(declare("x", column::vectors, columnRules(columnRules::key).position().withTentative())),
+    U_(declare(
+        "U", column::vectors, columnRules(columnRules::sinceStart, "velocity").withTentative())),
+    mass_(declare(
+        "m", column::scalars,
+        columnRules(columnRules::key, "mass").positive(VGREAT, "finite and greater than 0"))),
+    volume_(declare(
+        "V", column::scalars,
+        columnRules(columnRules::required, "volume")
+            .changesWithStress()
+            .positive(
+                1e3 * grid.mesh().bounds().volume(),
+                "greater than 0 and not far above that of the mesh"))),
+    stress_(declare(
+        "sigma", column::stresses,
+        columnRules(columnRules::sinceStart, "stress").changesWithStress())),
     // Written and read as labels: writePoints(), readIds()
     id_(declare("id", column::scalars, columnRules(columnRules::none))),
     xNew_(x_.tentative()),
@@ -110,7 +63,8 @@ Foam::mpm::materialPointCloud::materialPointCloud
     displacement_(nullptr),
     gasPressure_(nullptr),
     gasForce_(nullptr)
-{}
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -120,12 +74,7 @@ Foam::label Foam::mpm::materialPointCloud::cellOf(const label pointi) const
     return cells_[label(next - start_.begin()) - 1];
 }
 
-
-Foam::point Foam::mpm::materialPointCloud::position
-(
-    const label pointi,
-    const label celli
-) const
+Foam::point Foam::mpm::materialPointCloud::position(const label pointi, const label celli) const
 {
     point p(grid_.mesh().cellCentres()[celli]);
     for (int d = 0; d < grid_.nDim(); ++d)
@@ -134,7 +83,6 @@ Foam::point Foam::mpm::materialPointCloud::position
     }
     return p;
 }
-
 
 void Foam::mpm::materialPointCloud::add(const UList<newPoint>& points)
 {
@@ -167,10 +115,9 @@ void Foam::mpm::materialPointCloud::add(const UList<newPoint>& points)
         }
         if (celli < 0)
         {
-            FatalErrorInFunction
-                << "Material point " << nextId_ << " of " << name()
-                << " at " << from.x << " lies outside the mesh "
-                << grid_.mesh().bounds() << "." << exit(FatalError);
+            FatalErrorInFunction << "Material point " << nextId_ << " of " << name() << " at "
+                                 << from.x << " lies outside the mesh " << grid_.mesh().bounds()
+                                 << "." << exit(FatalError);
         }
         cell[p] = near = celli;
 
@@ -202,19 +149,13 @@ void Foam::mpm::materialPointCloud::add(const UList<newPoint>& points)
     order(cell);
 }
 
-
-void Foam::mpm::materialPointCloud::take
-(
-    materialPointCloud& from,
-    const UList<label>& cells
-)
+void Foam::mpm::materialPointCloud::take(materialPointCloud& from, const UList<label>& cells)
 {
     const label n = n_ + cells.size();
     reserve(n);
 
     // A column that the source lacks starts from its initial values
-    forCarried
-    (
+    forCarried(
         [&](cloudColumn& c)
         {
             const cloudColumn* source = from.findColumn(c.name());
@@ -228,8 +169,7 @@ void Foam::mpm::materialPointCloud::take
                 const scalar* values = (*source)[i] + from.n_;
                 std::copy(values, values + cells.size(), c[i] + n_);
             }
-        }
-    );
+        });
 
     labelList cell(cellsOfPoints(n));
     forAll(cells, i)
@@ -241,5 +181,3 @@ void Foam::mpm::materialPointCloud::take
     order(cell);
     sorted_ = false;
 }
-
-// ************************************************************************* //

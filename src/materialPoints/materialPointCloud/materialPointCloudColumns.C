@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointCloud.H"
 #include "pointBlock.H"
@@ -12,12 +6,8 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::mpm::cloudColumn& Foam::mpm::materialPointCloud::declare
-(
-    const word& name,
-    const column::kinds kind,
-    const columnRules& rules
-)
+Foam::mpm::cloudColumn& Foam::mpm::materialPointCloud::declare(
+    const word& name, const column::kinds kind, const columnRules& rules)
 {
     autoPtr<cloudColumn> c(new cloudColumn(name, kind, grid_.nDim(), rules));
     if (columns_.size() && columns_.first()[0])
@@ -29,13 +19,12 @@ Foam::mpm::cloudColumn& Foam::mpm::materialPointCloud::declare
     return columns_.last();
 }
 
-
 void Foam::mpm::materialPointCloud::reserve(label n)
 {
     if (n > x_.capacity() || x_.capacity() == 0)
     {
         // Grow by a tenth at least: a full cloud is likely to grow again
-        n = max(n, label(1.1*x_.capacity()));
+        n = max(n, label(1.1 * x_.capacity()));
         const label nOld = n_ + nArrived_;
         for (cloudColumn& c : columns_)
         {
@@ -45,14 +34,9 @@ void Foam::mpm::materialPointCloud::reserve(label n)
     }
 }
 
-
 template<class Column, class Function>
-void Foam::mpm::materialPointCloud::forComponents
-(
-    Column& c,
-    const label pointi,
-    const Function& f
-) const
+void Foam::mpm::materialPointCloud::forComponents(
+    Column& c, const label pointi, const Function& f) const
 {
     // Computed directions first, the others after them
     const int D = grid_.nDim();
@@ -65,7 +49,8 @@ void Foam::mpm::materialPointCloud::forComponents
     }
     for (int d = D, e = 0; d < 3; ++d)
     {
-        while (used[e]) ++e;
+        while (used[e])
+            ++e;
         dir[d] = e;
         used[e] = true;
     }
@@ -78,11 +63,10 @@ void Foam::mpm::materialPointCloud::forComponents
             const bool inside = i < D && j < D;
             if (inside || (kind == column::stresses && i == j))
             {
-                const int slot =
-                    kind == column::stresses ? symmSlot(i, j)
-                  : kind == column::strains ? strainSlot(D, i, j)
-                  : i*D + j;
-                f(c[slot][pointi], 3*dir[i] + dir[j]);
+                const int slot = kind == column::stresses ? symmSlot(i, j)
+                    : kind == column::strains             ? strainSlot(D, i, j)
+                                                          : i * D + j;
+                f(c[slot][pointi], 3 * dir[i] + dir[j]);
             }
         }
     }
@@ -90,28 +74,21 @@ void Foam::mpm::materialPointCloud::forComponents
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::mpm::cloudColumn& Foam::mpm::materialPointCloud::need
-(
-    const word& name,
-    const column::kinds kind,
-    const columnRules& rules
-)
+Foam::mpm::cloudColumn& Foam::mpm::materialPointCloud::need(
+    const word& name, const column::kinds kind, const columnRules& rules)
 {
     cloudColumn* c = findColumn(name);
     if (c && c->kind() != kind)
     {
-        FatalErrorInFunction
-            << "Column " << name << " of phase " << this->name()
-            << " is asked for with " << column::nComponents(kind, grid_.nDim())
-            << " components, but it is there with " << c->nComponents()
-            << "; give one of both another name." << exit(FatalError);
+        FatalErrorInFunction << "Column " << name << " of phase " << this->name()
+                             << " is asked for with " << column::nComponents(kind, grid_.nDim())
+                             << " components, but it is there with " << c->nComponents()
+                             << "; give one of both another name." << exit(FatalError);
     }
     return c ? *c : declare(name, kind, rules);
 }
 
-
-Foam::mpm::cloudColumn*
-Foam::mpm::materialPointCloud::findColumn(const word& name)
+Foam::mpm::cloudColumn* Foam::mpm::materialPointCloud::findColumn(const word& name)
 {
     for (cloudColumn& c : columns_)
     {
@@ -123,103 +100,62 @@ Foam::mpm::materialPointCloud::findColumn(const word& name)
     return nullptr;
 }
 
-
 void Foam::mpm::materialPointCloud::needHalfSize()
 {
-    halfSize_ = &need
-    (
-        "halfSize",
-        column::vectors,
+    halfSize_ = &need(
+        "halfSize", column::vectors,
         columnRules(columnRules::required)
-       .positive(VGREAT, "greater than 0 in the computed directions")
-    );
+            .positive(VGREAT, "greater than 0 in the computed directions"));
 }
-
 
 void Foam::mpm::materialPointCloud::needDamage()
 {
-    damage_ = &need
-    (
-        "damage",
-        column::scalars,
-        columnRules(columnRules::sinceRun).fraction().changesWithStress()
-    );
+    damage_ = &need(
+        "damage", column::scalars,
+        columnRules(columnRules::sinceRun).fraction().changesWithStress());
 }
-
 
 void Foam::mpm::materialPointCloud::needStrength()
 {
     strength_ = &need("strength", column::scalars, columnRules());
 }
 
-
 void Foam::mpm::materialPointCloud::needReference()
 {
     // Absent if another tool made the points: they start where they are
-    reference_ = &need
-    (
-        "X",
-        column::vectors,
-        columnRules(columnRules::sinceRun, "reference position")
-       .position().orElse("x")
-    );
+    reference_ = &need(
+        "X", column::vectors,
+        columnRules(columnRules::sinceRun, "reference position").position().orElse("x"));
 }
-
 
 void Foam::mpm::materialPointCloud::needTemperature()
 {
-    temperature_ = &need
-    (
-        "T",
-        column::scalars,
+    temperature_ = &need(
+        "T", column::scalars,
         columnRules(columnRules::required, "temperature")
-       .positive(1e9, "greater than 0 and less than 1e9 K")
-       .remedy
-        (
-            "heatTransfer",
-            "Run setMaterialPoints, with the entry temperature in its regions."
-        )
-    );
+            .positive(1e9, "greater than 0 and less than 1e9 K")
+            .remedy(
+                "heatTransfer",
+                "Run setMaterialPoints, with the entry temperature in its regions."));
 }
-
 
 void Foam::mpm::materialPointCloud::needAffine()
 {
     // Absent if the time was written with another transfer
-    affine_ = &need
-    (
-        "C",
-        column::tensors,
-        columnRules(columnRules::optional).withTentative()
-    );
+    affine_ = &need("C", column::tensors, columnRules(columnRules::optional).withTentative());
 }
 
-
-void Foam::mpm::materialPointCloud::needHistory
-(
-    const word& name,
-    const column::kinds kind
-)
+void Foam::mpm::materialPointCloud::needHistory(const word& name, const column::kinds kind)
 {
     if (findColumn(name))
     {
-        FatalErrorInFunction
-            << "Column " << name << " of phase " << this->name()
-            << " is asked for twice: the law, the failure model and what else"
-            << " the phase has (heatTransfer: T) do not go together."
-            << exit(FatalError);
+        FatalErrorInFunction << "Column " << name << " of phase " << this->name()
+                             << " is asked for twice: the law, the failure model and what else"
+                             << " the phase has (heatTransfer: T) do not go together."
+                             << exit(FatalError);
     }
-    history_.append
-    (
-        &need
-        (
-            name,
-            kind,
-            columnRules(columnRules::sinceRun).changesWithStress()
-        )
-    );
+    history_.append(&need(name, kind, columnRules(columnRules::sinceRun).changesWithStress()));
 }
-
 
 void Foam::mpm::materialPointCloud::needGas()
 {
@@ -230,12 +166,7 @@ void Foam::mpm::materialPointCloud::needGas()
     gasForce_ = &need("gasForce", column::vectors, buffer);
 }
 
-
-Foam::mpm::pointBlock Foam::mpm::materialPointCloud::block
-(
-    const label first,
-    const label n
-)
+Foam::mpm::pointBlock Foam::mpm::materialPointCloud::block(const label first, const label n)
 {
     pointBlock b;
     b.nDim = grid_.nDim();
@@ -267,7 +198,6 @@ Foam::mpm::pointBlock Foam::mpm::materialPointCloud::block
     return b;
 }
 
-
 Foam::scalar Foam::mpm::materialPointCloud::bytesPerPoint() const
 {
     // The columns and scratch
@@ -276,58 +206,32 @@ Foam::scalar Foam::mpm::materialPointCloud::bytesPerPoint() const
     {
         nDoubles += c.nDoubles();
     }
-    return
-        (
-            scalar(sizeof(scalar))*nDoubles*(x_.capacity() + column::padding)
-          + sizeof(label)*scalar
-            (
-                from_.size() + cells_.size() + start_.size()
-              + oldCells_.size() + oldStart_.size() + count_.size()
-              + first_.size()
-            )
-        )/max(n_, label(1));
+    return (scalar(sizeof(scalar)) * nDoubles * (x_.capacity() + column::padding)
+            + sizeof(label)
+                * scalar(
+                    from_.size() + cells_.size() + start_.size() + oldCells_.size()
+                    + oldStart_.size() + count_.size() + first_.size()))
+        / max(n_, label(1));
 }
 
-
-Foam::tensor Foam::mpm::materialPointCloud::tensorOf
-(
-    const column& c,
-    const label pointi
-) const
+Foam::tensor Foam::mpm::materialPointCloud::tensorOf(const column& c, const label pointi) const
 {
     tensor t(Zero);
-    forComponents
-    (c, pointi, [&](const scalar& a, const int i) { t[i] = a; });
+    forComponents(c, pointi, [&](const scalar& a, const int i) { t[i] = a; });
     return t;
 }
 
-
-void Foam::mpm::materialPointCloud::setTensor
-(
-    column& c,
-    const label pointi,
-    const tensor& t
-) const
+void Foam::mpm::materialPointCloud::setTensor(column& c, const label pointi, const tensor& t) const
 {
     forComponents(c, pointi, [&](scalar& a, const int i) { a = t[i]; });
 }
 
-
-void Foam::mpm::materialPointCloud::setSigma
-(
-    const label pointi,
-    const symmTensor& sigma
-)
+void Foam::mpm::materialPointCloud::setSigma(const label pointi, const symmTensor& sigma)
 {
     setTensor(stress_, pointi, tensor(sigma));
 }
 
-
-Foam::vector Foam::mpm::materialPointCloud::vectorOf
-(
-    const column& c,
-    const label pointi
-) const
+Foam::vector Foam::mpm::materialPointCloud::vectorOf(const column& c, const label pointi) const
 {
     vector v(Zero);
     for (int d = 0; d < grid_.nDim(); ++d)
@@ -337,18 +241,15 @@ Foam::vector Foam::mpm::materialPointCloud::vectorOf
     return v;
 }
 
-
 Foam::vector Foam::mpm::materialPointCloud::velocity(const label pointi) const
 {
     return vectorOf(U_, pointi);
 }
 
-
 Foam::symmTensor Foam::mpm::materialPointCloud::sigma(const label pointi) const
 {
     return symm(tensorOf(stress_, pointi));
 }
-
 
 void Foam::mpm::materialPointCloud::keepStress()
 {
@@ -358,7 +259,6 @@ void Foam::mpm::materialPointCloud::keepStress()
     }
 }
 
-
 void Foam::mpm::materialPointCloud::restoreStress()
 {
     for (cloudColumn& c : columns_)
@@ -366,5 +266,3 @@ void Foam::mpm::materialPointCloud::restoreStress()
         c.restore(n_);
     }
 }
-
-// ************************************************************************* //

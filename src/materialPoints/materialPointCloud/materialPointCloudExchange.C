@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointCloud.H"
 #include "outflowPatches.H"
@@ -29,44 +23,26 @@ void Foam::mpm::materialPointCloud::pack(const UList<cellChange>& cellChanges)
         {
             continue;
         }
-        DynamicList<scalar>& rows =
-            leaving_[findSortedIndex(procs_, grid_.ghostProc(mv.cell))];
+        DynamicList<scalar>& rows = leaving_[findSortedIndex(procs_, grid_.ghostProc(mv.cell))];
 
         rows.append(grid_.ghostCell(mv.cell));
         toRow(mv.point, rows);
     }
 }
 
-
 void Foam::mpm::materialPointCloud::sendRows()
 {
     const int tag = UPstream::msgType();
     const auto receive = [&](const label i, void* to, const std::size_t bytes)
     {
-        UIPstream::read
-        (
-            UPstream::commsTypes::nonBlocking,
-            procs_[i],
-            static_cast<char*>(to),
-            bytes,
-            tag
-        );
+        UIPstream::read(
+            UPstream::commsTypes::nonBlocking, procs_[i], static_cast<char*>(to), bytes, tag);
     };
-    const auto send = [&]
-    (
-        const label i,
-        const void* from,
-        const std::size_t bytes
-    )
+    const auto send = [&](const label i, const void* from, const std::size_t bytes)
     {
-        UOPstream::write
-        (
-            UPstream::commsTypes::nonBlocking,
-            procs_[i],
-            static_cast<const char*>(from),
-            bytes,
-            tag
-        );
+        UOPstream::write(
+            UPstream::commsTypes::nonBlocking, procs_[i], static_cast<const char*>(from), bytes,
+            tag);
     };
 
     // First the number of values, then the values
@@ -89,33 +65,28 @@ void Foam::mpm::materialPointCloud::sendRows()
         arriving_[i].setSize(nReceive[i]);
         if (nReceive[i])
         {
-            receive(i, arriving_[i].data(), nReceive[i]*sizeof(scalar));
+            receive(i, arriving_[i].data(), nReceive[i] * sizeof(scalar));
         }
     }
     forAll(procs_, i)
     {
         if (nSend[i])
         {
-            send(i, leaving_[i].cdata(), nSend[i]*sizeof(scalar));
+            send(i, leaving_[i].cdata(), nSend[i] * sizeof(scalar));
         }
     }
     UPstream::waitRequests(request);
 }
 
-
-void Foam::mpm::materialPointCloud::unpack
-(
-    DynamicList<cellChange>& cellChanges,
-    const wallPatches* walls,
-    const bool last
-)
+void Foam::mpm::materialPointCloud::unpack(
+    DynamicList<cellChange>& cellChanges, const wallPatches* walls, const bool last)
 {
     // A row is the cell followed by all columns
     const label row = 1 + rowSize();
     label n = 0;
     for (const DynamicList<scalar>& rows : arriving_)
     {
-        n += rows.size()/row;
+        n += rows.size() / row;
     }
     if (!n)
     {
@@ -177,15 +148,9 @@ Foam::label Foam::mpm::materialPointCloud::rowSize()
     return n;
 }
 
-
-void Foam::mpm::materialPointCloud::toRow
-(
-    const label pointi,
-    DynamicList<scalar>& row
-)
+void Foam::mpm::materialPointCloud::toRow(const label pointi, DynamicList<scalar>& row)
 {
-    forCarried
-    (
+    forCarried(
         [&](cloudColumn& c)
         {
             const column& from = c.tentative();
@@ -193,19 +158,12 @@ void Foam::mpm::materialPointCloud::toRow
             {
                 row.append(from[i][pointi]);
             }
-        }
-    );
+        });
 }
 
-
-void Foam::mpm::materialPointCloud::fromRow
-(
-    const scalar* row,
-    const label pointi
-)
+void Foam::mpm::materialPointCloud::fromRow(const scalar* row, const label pointi)
 {
-    forCarried
-    (
+    forCarried(
         [&](cloudColumn& c)
         {
             column& to = c.tentative();
@@ -213,16 +171,11 @@ void Foam::mpm::materialPointCloud::fromRow
             {
                 to[i][pointi] = *row++;
             }
-        }
-    );
+        });
 }
 
-
-void Foam::mpm::materialPointCloud::exchange
-(
-    DynamicList<cellChange>& cellChanges,
-    const wallPatches* walls
-)
+void Foam::mpm::materialPointCloud::exchange(
+    DynamicList<cellChange>& cellChanges, const wallPatches* walls)
 {
     if (!Pstream::parRun())
     {
@@ -252,49 +205,40 @@ void Foam::mpm::materialPointCloud::exchange
         {
             for (label m = first; m < cellChanges.size(); ++m)
             {
-                more =
-                    more
-                 || (
-                        cellChanges[m].cell >= grid_.nCells()
-                     && cellChanges[m].cell != outflowPatches::gone
-                    );
+                more = more
+                    || (cellChanges[m].cell >= grid_.nCells()
+                        && cellChanges[m].cell != outflowPatches::gone);
             }
             reduce(more, orOp<bool>());
         }
     }
 }
 
-
 Foam::mpm::pointRows Foam::mpm::materialPointCloud::rows()
 {
     pointRows rows;
-    forCarried
-    (
+    forCarried(
         [&](const column& c)
         {
             rows.columns.append(c.name());
             rows.nComponents.append(c.nComponents());
-        }
-    );
+        });
     const label size = rows.rowSize();
-    rows.values.setSize(size*n_);
+    rows.values.setSize(size * n_);
     label at = 0;
-    forCarried
-    (
+    forCarried(
         [&](const column& c)
         {
             for (int i = 0; i < c.nComponents(); ++i, ++at)
             {
                 for (label p = 0; p < n_; ++p)
                 {
-                    rows.values[size*p + at] = c[i][p];
+                    rows.values[size * p + at] = c[i][p];
                 }
             }
-        }
-    );
+        });
     return rows;
 }
-
 
 Foam::label Foam::mpm::materialPointCloud::setRows(const pointRows& rows)
 {
@@ -323,7 +267,7 @@ Foam::label Foam::mpm::materialPointCloud::setRows(const pointRows& rows)
         {
             for (label p = 0; p < n; ++p)
             {
-                (*c)[i][p] = rows.values[size*p + at + i];
+                (*c)[i][p] = rows.values[size * p + at + i];
             }
         }
         at += nComponents;
@@ -343,5 +287,3 @@ Foam::label Foam::mpm::materialPointCloud::setRows(const pointRows& rows)
 
     return returnReduce(n_, sumOp<label>());
 }
-
-// ************************************************************************* //

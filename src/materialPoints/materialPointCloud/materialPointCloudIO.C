@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointCloud.H"
 #include "pointBlock.H"
@@ -28,11 +22,9 @@ using namespace Foam::mpm;
 
 void wrongSize(const IOobject& object, const label size, const label n)
 {
-    FatalErrorInFunction
-        << "Field " << object.objectPath() << " has " << size
-        << " values for " << n << " material points." << exit(FatalError);
+    FatalErrorInFunction << "Field " << object.objectPath() << " has " << size << " values for "
+                         << n << " material points." << exit(FatalError);
 }
-
 
 //- Number of values that a field's file announces, -1 if it has none
 label announced(const materialPointCloud& c, const word& name)
@@ -47,15 +39,9 @@ label announced(const materialPointCloud& c, const word& name)
     return first.isLabel() ? first.labelToken() : -1;
 }
 
-
 //- Field of the current time; fatal if it is missing or of another length
 template<class Type>
-tmp<Field<Type>> readField
-(
-    const materialPointCloud& c,
-    const word& name,
-    const label n
-)
+tmp<Field<Type>> readField(const materialPointCloud& c, const word& name, const label n)
 {
     const IOobject object(c.columnObject(name, IOobject::MUST_READ));
 
@@ -67,14 +53,8 @@ tmp<Field<Type>> readField
     }
 
     // OpenFOAM aborts on a broken list without naming the file
-    autoPtr<IOField<Type>> fPtr
-    (
-        readNamed
-        (
-            object.objectPath(),
-            [&] { return autoPtr<IOField<Type>>(new IOField<Type>(object)); }
-        )
-    );
+    autoPtr<IOField<Type>> fPtr(readNamed(
+        object.objectPath(), [&] { return autoPtr<IOField<Type>>(new IOField<Type>(object)); }));
     IOField<Type>& f = *fPtr;
 
     if (n >= 0 && f.size() != n)
@@ -84,16 +64,11 @@ tmp<Field<Type>> readField
     return tmp<Field<Type>>::New(std::move(static_cast<Field<Type>&>(f)));
 }
 
-
 bool onDisk(const materialPointCloud& c, const word& name)
 {
-    const fileName path
-    (
-        c.time().path()/c.time().timeName()/cloud::prefix/c.name()/name
-    );
+    const fileName path(c.time().path() / c.time().timeName() / cloud::prefix / c.name() / name);
     return isFile(path) || isFile(path + ".gz");
 }
-
 
 //- Name of a column for messages
 string titleOf(const cloudColumn& c)
@@ -106,24 +81,12 @@ string titleOf(const cloudColumn& c)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::IOobject Foam::mpm::materialPointCloud::columnObject
-(
-    const word& name,
-    const IOobject::readOption r
-) const
+Foam::IOobject
+Foam::mpm::materialPointCloud::columnObject(const word& name, const IOobject::readOption r) const
 {
-    return IOobject
-    (
-        name,
-        time().timeName(),
-        cloud::prefix/this->name(),
-        db(),
-        r,
-        IOobject::NO_WRITE,
-        false
-    );
+    return IOobject(
+        name, time().timeName(), cloud::prefix / this->name(), db(), r, IOobject::NO_WRITE, false);
 }
-
 
 Foam::label Foam::mpm::materialPointCloud::ownCellNear(const point& x) const
 {
@@ -177,7 +140,6 @@ Foam::label Foam::mpm::materialPointCloud::ownCellNear(const point& x) const
     return -1;
 }
 
-
 Foam::label Foam::mpm::materialPointCloud::ownCellBeside(const point& x) const
 {
     // The way from another cell may lead through another processor
@@ -200,9 +162,8 @@ Foam::label Foam::mpm::materialPointCloud::ownCellBeside(const point& x) const
             for (int d = 0; d < grid_.nDim(); ++d)
             {
                 const scalar xd = x[grid_.direction(d)];
-                const scalar size =
-                    grid_.mesh().bounds().span()[grid_.direction(d)];
-                xp[d] = xd + sign*((n >> d) & 1)*1e-10*size;
+                const scalar size = grid_.mesh().bounds().span()[grid_.direction(d)];
+                xp[d] = xd + sign * ((n >> d) & 1) * 1e-10 * size;
             }
             const label celli = grid_.find(xp);
             if (celli >= 0 && celli < grid_.nCells())
@@ -214,19 +175,12 @@ Foam::label Foam::mpm::materialPointCloud::ownCellBeside(const point& x) const
     return -1;
 }
 
-
 bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
 {
     const columnRules& rules = c.rules();
-    if
-    (
-        onDisk(*this, c.name())
+    if (onDisk(*this, c.name())
         // OpenFOAM's own message names the missing file
-     || (
-            rules.inFiles == columnRules::required
-         && rules.remedySentence.empty()
-        )
-    )
+        || (rules.inFiles == columnRules::required && rules.remedySentence.empty()))
     {
         return true;
     }
@@ -237,42 +191,30 @@ bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
 
     // A time that a run has written has every column, one of setMaterialPoints
     // some of them: a missing one would silently start from its initial value
-    const bool written = isFile
-    (
-        time().path()/time().timeName()/"uniform"/"materialPointState"
-    );
-    const bool ours =
-        rules.inFiles == columnRules::sinceStart && onDisk(*this, "x");
+    const bool written =
+        isFile(time().path() / time().timeName() / "uniform" / "materialPointState");
+    const bool ours = rules.inFiles == columnRules::sinceStart && onDisk(*this, "x");
     if (written || ours)
     {
-        FatalErrorInFunction
-            << "Column " << c.name() << " of phase " << this->name()
-            << " is missing in time " << time().timeName() << ", which was"
-            << " written with it." << nl
-            << "Restart from another time, or run setMaterialPoints."
-            << exit(FatalError);
+        FatalErrorInFunction << "Column " << c.name() << " of phase " << this->name()
+                             << " is missing in time " << time().timeName() << ", which was"
+                             << " written with it." << nl
+                             << "Restart from another time, or run setMaterialPoints."
+                             << exit(FatalError);
     }
     if (rules.inFiles == columnRules::required)
     {
-        FatalErrorInFunction
-            << "Phase " << this->name() << " has "
-            << rules.neededFor.c_str() << ", but its points of time "
-            << time().timeName() << " have no column "
-            << titleOf(c).c_str() << "." << nl
-            << rules.remedySentence.c_str() << exit(FatalError);
+        FatalErrorInFunction << "Phase " << this->name() << " has " << rules.neededFor.c_str()
+                             << ", but its points of time " << time().timeName()
+                             << " have no column " << titleOf(c).c_str() << "." << nl
+                             << rules.remedySentence.c_str() << exit(FatalError);
     }
     return false;
 }
 
-
 template<class Type>
-void Foam::mpm::materialPointCloud::checkValue
-(
-    const cloudColumn& c,
-    const Type& value,
-    const label pointi,
-    const label celli
-) const
+void Foam::mpm::materialPointCloud::checkValue(
+    const cloudColumn& c, const Type& value, const label pointi, const label celli) const
 {
     const columnRules& rules = c.rules();
     bool good = true;
@@ -287,38 +229,26 @@ void Foam::mpm::materialPointCloud::checkValue
         const int n = isVector ? D : int(pTraits<Type>::nComponents);
         for (int i = 0; i < n; ++i)
         {
-            const scalar a =
-                component(value, direction(isVector ? grid_.direction(i) : i));
-            good =
-                good
-             && (
-                    rules.sign == columnRules::positives
-                  ? a > 0 && a < rules.limit
-                  : a >= 0 && a <= 1
-                );
+            const scalar a = component(value, direction(isVector ? grid_.direction(i) : i));
+            good = good
+                && (rules.sign == columnRules::positives ? a > 0 && a < rules.limit
+                                                         : a >= 0 && a <= 1);
         }
     }
     if (!good)
     {
         OStringStream text;
-        text<< value;
-        FatalErrorInFunction
-            << "Material point " << label(id_[0][pointi]) << " of "
-            << this->name() << " at " << position(pointi, celli) << ", time "
-            << time().timeName() << ": " << titleOf(c).c_str() << " is "
-            << text.str().c_str() << "; it must be " << rules.rule.c_str()
-            << "." << exit(FatalError);
+        text << value;
+        FatalErrorInFunction << "Material point " << label(id_[0][pointi]) << " of " << this->name()
+                             << " at " << position(pointi, celli) << ", time " << time().timeName()
+                             << ": " << titleOf(c).c_str() << " is " << text.str().c_str()
+                             << "; it must be " << rules.rule.c_str() << "." << exit(FatalError);
     }
 }
 
-
 template<class Type>
-void Foam::mpm::materialPointCloud::fillColumn
-(
-    cloudColumn& c,
-    const Field<Type>& values,
-    const labelList& cell
-)
+void Foam::mpm::materialPointCloud::fillColumn(
+    cloudColumn& c, const Field<Type>& values, const labelList& cell)
 {
     forAll(values, p)
     {
@@ -341,12 +271,7 @@ void Foam::mpm::materialPointCloud::fillColumn
     }
 }
 
-
-void Foam::mpm::materialPointCloud::readColumn
-(
-    cloudColumn& c,
-    const labelList& cell
-)
+void Foam::mpm::materialPointCloud::readColumn(cloudColumn& c, const labelList& cell)
 {
     const label n = cell.size();
     c.fromFile() = present(c);
@@ -357,20 +282,19 @@ void Foam::mpm::materialPointCloud::readColumn
     }
     switch (c.kind())
     {
-        case column::scalars:
-            fillColumn(c, readField<scalar>(*this, file, n)(), cell);
-            break;
-        case column::vectors:
-            fillColumn(c, readField<vector>(*this, file, n)(), cell);
-            break;
-        case column::tensors:
-            fillColumn(c, readField<tensor>(*this, file, n)(), cell);
-            break;
-        default:
-            fillColumn(c, readField<symmTensor>(*this, file, n)(), cell);
+    case column::scalars:
+        fillColumn(c, readField<scalar>(*this, file, n)(), cell);
+        break;
+    case column::vectors:
+        fillColumn(c, readField<vector>(*this, file, n)(), cell);
+        break;
+    case column::tensors:
+        fillColumn(c, readField<tensor>(*this, file, n)(), cell);
+        break;
+    default:
+        fillColumn(c, readField<symmTensor>(*this, file, n)(), cell);
     }
 }
-
 
 Foam::scalarField Foam::mpm::materialPointCloud::readMasses()
 {
@@ -381,14 +305,8 @@ Foam::scalarField Foam::mpm::materialPointCloud::readMasses()
     }
     // The number is wrong if it agrees with neither of two other columns
     const bool agrees = announced(*this, "m") == announced(*this, "x");
-    return readField<scalar>
-    (
-        *this,
-        "m",
-        agrees ? -1 : announced(*this, "V")
-    );
+    return readField<scalar>(*this, "m", agrees ? -1 : announced(*this, "V"));
 }
-
 
 void Foam::mpm::materialPointCloud::readIds()
 {
@@ -402,23 +320,20 @@ void Foam::mpm::materialPointCloud::readIds()
     }
     if (id.empty())
     {
-        FatalErrorInFunction
-            << "Cloud " << name() << " of time " << time().timeName()
-            << " has no file id in "
-            << columnObject("id", IOobject::NO_READ).objectPath().path()
-            << "." << nl
-            << "Points are known by their ids (strengths that scatter,"
-            << " probes, restarts): run setMaterialPoints again, or copy"
-            << " the file back." << exit(FatalError);
+        FatalErrorInFunction << "Cloud " << name() << " of time " << time().timeName()
+                             << " has no file id in "
+                             << columnObject("id", IOobject::NO_READ).objectPath().path() << "."
+                             << nl << "Points are known by their ids (strengths that scatter,"
+                             << " probes, restarts): run setMaterialPoints again, or copy"
+                             << " the file back." << exit(FatalError);
     }
     forAll(id, p)
     {
         if (id[p] < 0)
         {
-            FatalErrorInFunction
-                << "Cloud " << name() << " of time " << time().timeName()
-                << " has a material point with the id " << id[p]
-                << "; ids must not be negative." << exit(FatalError);
+            FatalErrorInFunction << "Cloud " << name() << " of time " << time().timeName()
+                                 << " has a material point with the id " << id[p]
+                                 << "; ids must not be negative." << exit(FatalError);
         }
         id_[0][p] = id[p];
     }
@@ -429,15 +344,13 @@ void Foam::mpm::materialPointCloud::readIds()
     {
         if (id[i] == id[i - 1])
         {
-            FatalErrorInFunction
-                << "Cloud " << name() << " of time " << time().timeName()
-                << " has two material points with id " << id[i]
-                << "." << exit(FatalError);
+            FatalErrorInFunction << "Cloud " << name() << " of time " << time().timeName()
+                                 << " has two material points with id " << id[i] << "."
+                                 << exit(FatalError);
         }
     }
     nextId_ = id.last() + 1;
 }
-
 
 void Foam::mpm::materialPointCloud::readPositions(labelList& cell)
 {
@@ -462,21 +375,15 @@ void Foam::mpm::materialPointCloud::readPositions(labelList& cell)
     }
     if (x.size() != n)
     {
-        FatalErrorInFunction
-            << "Cloud " << name() << " of time " << time().timeName()
-            << " has " << x.size() << " positions for " << n
-            << " masses." << exit(FatalError);
+        FatalErrorInFunction << "Cloud " << name() << " of time " << time().timeName() << " has "
+                             << x.size() << " positions for " << n << " masses."
+                             << exit(FatalError);
     }
 
     findCells(x, cell);
 }
 
-
-void Foam::mpm::materialPointCloud::findCells
-(
-    const UList<point>& x,
-    labelList& cell
-)
+void Foam::mpm::materialPointCloud::findCells(const UList<point>& x, labelList& cell)
 {
     const int D = grid_.nDim();
     label near = -1;
@@ -509,11 +416,10 @@ void Foam::mpm::materialPointCloud::findCells
         }
         if (cell[p] < 0)
         {
-            FatalErrorInFunction
-                << "Material point " << label(id_[0][p]) << " of " << name()
-                << " at " << x[p] << ", time " << time().timeName()
-                << ", lies outside the mesh " << grid_.mesh().bounds()
-                << "." << exit(FatalError);
+            FatalErrorInFunction << "Material point " << label(id_[0][p]) << " of " << name()
+                                 << " at " << x[p] << ", time " << time().timeName()
+                                 << ", lies outside the mesh " << grid_.mesh().bounds() << "."
+                                 << exit(FatalError);
         }
         near = cell[p];
         for (int d = 0; d < D; ++d)
@@ -522,7 +428,6 @@ void Foam::mpm::materialPointCloud::findCells
         }
     }
 }
-
 
 Foam::label Foam::mpm::materialPointCloud::readPoints()
 {
@@ -571,5 +476,3 @@ Foam::label Foam::mpm::materialPointCloud::readPoints()
 
     return returnReduce(n_, sumOp<label>());
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointCloud.H"
 #include <algorithm>
@@ -17,12 +11,9 @@ namespace
 using namespace Foam;
 
 //- Fetch the value of the cell of change i, if it is one here
-void expect
-(
-    const UList<mpm::materialPointCloud::cellChange>& cellChanges,
-    const label i,
-    const labelList& ofCells
-)
+void expect(
+    const UList<mpm::materialPointCloud::cellChange>& cellChanges, const label i,
+    const labelList& ofCells)
 {
     if (i < cellChanges.size())
     {
@@ -35,38 +26,23 @@ void expect
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::materialPointCloud::permute
-(
-    const labelList& from,
-    const label first
-)
+void Foam::mpm::materialPointCloud::permute(const labelList& from, const label first)
 {
     // The current x, U and C stay in the old order: they are what reject()
     // needs and accept() throws away
-    forCarried
-    (
-        [&](cloudColumn& c)
-        {
-            c.tentative().permute(from.cdata(), first, from.size(), scratch_);
-        }
-    );
+    forCarried([&](cloudColumn& c)
+               { c.tentative().permute(from.cdata(), first, from.size(), scratch_); });
 }
-
 
 void Foam::mpm::materialPointCloud::order(const labelList& cell)
 {
     // Order by cell, then by id
     labelList order(identity(n_));
     const scalar* id = id_[0];
-    std::sort
-    (
-        order.begin(),
-        order.end(),
+    std::sort(
+        order.begin(), order.end(),
         [&](const label a, const label b)
-        {
-            return cell[a] != cell[b] ? cell[a] < cell[b] : id[a] < id[b];
-        }
-    );
+        { return cell[a] != cell[b] ? cell[a] < cell[b] : id[a] < id[b]; });
     forCarried([&](column& c) { c.permute(order.cdata(), 0, n_, scratch_); });
 
     DynamicList<label> cells, start;
@@ -83,12 +59,8 @@ void Foam::mpm::materialPointCloud::order(const labelList& cell)
     start_.transfer(start);
 }
 
-
-Foam::label Foam::mpm::materialPointCloud::countPoints
-(
-    const UList<cellChange>& cellChanges,
-    DynamicList<label>& fresh
-)
+Foam::label Foam::mpm::materialPointCloud::countPoints(
+    const UList<cellChange>& cellChanges, DynamicList<label>& fresh)
 {
     forAll(cells_, k)
     {
@@ -130,16 +102,12 @@ Foam::label Foam::mpm::materialPointCloud::countPoints
     return nLeft;
 }
 
-
-Foam::labelList
-Foam::mpm::materialPointCloud::cellsAfter(const labelUList& fresh)
+Foam::labelList Foam::mpm::materialPointCloud::cellsAfter(const labelUList& fresh)
 {
     DynamicList<label> cells(oldCells_.size() + fresh.size());
     for (label a = 0, b = 0; a < oldCells_.size() || b < fresh.size();)
     {
-        const bool takeOld =
-            b == fresh.size()
-         || (a < oldCells_.size() && oldCells_[a] < fresh[b]);
+        const bool takeOld = b == fresh.size() || (a < oldCells_.size() && oldCells_[a] < fresh[b]);
         const label celli = takeOld ? oldCells_[a++] : fresh[b++];
         if (count_[celli] > 1)
         {
@@ -153,13 +121,8 @@ Foam::mpm::materialPointCloud::cellsAfter(const labelUList& fresh)
     return labelList(std::move(cells));
 }
 
-
-void Foam::mpm::materialPointCloud::findOrder
-(
-    const UList<cellChange>& cellChanges,
-    const labelUList& cells,
-    const label nLeft
-)
+void Foam::mpm::materialPointCloud::findOrder(
+    const UList<cellChange>& cellChanges, const labelUList& cells, const label nLeft)
 {
     // Stayers in their order, then cellChanges; points that have left stand
     // behind all others until the state is accepted
@@ -245,8 +208,7 @@ bool Foam::mpm::materialPointCloud::sort(const UList<cellChange>& cellChanges)
     DynamicList<label> fresh;
     const label nLeft = countPoints(cellChanges, fresh);
     labelList cells(cellsAfter(fresh));
-    const bool changed =
-        fresh.size() || cells.size() != oldCells_.size();
+    const bool changed = fresh.size() || cells.size() != oldCells_.size();
 
     // Turn counts into places
     start_.setSize(cells.size() + 1);
@@ -277,7 +239,6 @@ bool Foam::mpm::materialPointCloud::sort(const UList<cellChange>& cellChanges)
 
     return changed;
 }
-
 
 Foam::label Foam::mpm::materialPointCloud::remove(const boolList& gone)
 {
@@ -319,7 +280,6 @@ Foam::label Foam::mpm::materialPointCloud::remove(const boolList& gone)
     return nGone;
 }
 
-
 void Foam::mpm::materialPointCloud::accept()
 {
     for (cloudColumn& c : columns_)
@@ -328,7 +288,6 @@ void Foam::mpm::materialPointCloud::accept()
     }
     sorted_ = false;
 }
-
 
 void Foam::mpm::materialPointCloud::reject()
 {
@@ -348,5 +307,3 @@ void Foam::mpm::materialPointCloud::reject()
     start_ = oldStart_;
     sorted_ = false;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "OSspecific.H"
 #include "materialPointCloud.H"
@@ -28,13 +22,7 @@ using namespace Foam;
 using namespace Foam::mpm;
 
 template<class Type, class Get>
-void writeField
-(
-    const materialPointCloud& c,
-    const word& name,
-    const label n,
-    const Get& get
-)
+void writeField(const materialPointCloud& c, const word& name, const label n, const Get& get)
 {
     IOField<Type> f(c.columnObject(name, IOobject::NO_READ), n);
     for (label p = 0; p < n; ++p)
@@ -58,7 +46,6 @@ Foam::dictionary Foam::mpm::materialPointCloud::meshRecord() const
     return record;
 }
 
-
 void Foam::mpm::materialPointCloud::writeRecord() const
 {
     const fullPrecision allDigits;
@@ -75,10 +62,9 @@ void Foam::mpm::materialPointCloud::writeRecord() const
     mkDir(file.path());
     OFstream os(file);
     os.precision(17);
-    os  << "// " << version << nl;
+    os << "// " << version << nl;
     record.write(os, false);
 }
-
 
 void Foam::mpm::materialPointCloud::checkMesh() const
 {
@@ -95,26 +81,19 @@ void Foam::mpm::materialPointCloud::checkMesh() const
     const dictionary now(meshRecord());
     const auto size = mag(now.get<vector>("max") - now.get<vector>("min"));
     const label nCells = record.get<label>("nCells");
-    if
-    (
-        nCells != now.get<label>("nCells")
-     || mag(record.get<vector>("min") - now.get<vector>("min")) > 1e-6*size
-     || mag(record.get<vector>("max") - now.get<vector>("max")) > 1e-6*size
-    )
+    if (nCells != now.get<label>("nCells")
+        || mag(record.get<vector>("min") - now.get<vector>("min")) > 1e-6 * size
+        || mag(record.get<vector>("max") - now.get<vector>("max")) > 1e-6 * size)
     {
         FatalIOErrorInFunction(record)
-            << "The mesh is not that of the points of " << name()
-            << ", time " << time().timeName() << ": it has "
-            << now.get<label>("nCells") << " cells in "
-            << now.get<vector>("min") << ' ' << now.get<vector>("max")
-            << ", the points were written with " << nCells << " cells in "
-            << record.get<vector>("min") << ' ' << record.get<vector>("max")
-            << "." << nl
-            << "Scale or refine a mesh before setMaterialPoints, and run that"
+            << "The mesh is not that of the points of " << name() << ", time " << time().timeName()
+            << ": it has " << now.get<label>("nCells") << " cells in " << now.get<vector>("min")
+            << ' ' << now.get<vector>("max") << ", the points were written with " << nCells
+            << " cells in " << record.get<vector>("min") << ' ' << record.get<vector>("max") << "."
+            << nl << "Scale or refine a mesh before setMaterialPoints, and run that"
             << " again." << exit(FatalIOError);
     }
 }
-
 
 void Foam::mpm::materialPointCloud::checkRecord(const label n) const
 {
@@ -130,41 +109,27 @@ void Foam::mpm::materialPointCloud::checkRecord(const label n) const
     if (max(n, label(0)) != written)
     {
         FatalIOErrorInFunction(points)
-            << "There are " << max(n, label(0)) << " material points of "
-            << name() << " at time " << time().timeName() << ", but "
-            << written << " were written: a part of "
-            << cloud::prefix/name() << " is missing"
+            << "There are " << max(n, label(0)) << " material points of " << name() << " at time "
+            << time().timeName() << ", but " << written << " were written: a part of "
+            << cloud::prefix / name() << " is missing"
             << (Pstream::parRun() ? ", perhaps of one processor." : ".") << nl
             << "Start from a time that is complete; "
-            << (Pstream::parRun() ? "run decomposePar again."
-                                  : "run setMaterialPoints again.")
+            << (Pstream::parRun() ? "run decomposePar again." : "run setMaterialPoints again.")
             << exit(FatalIOError);
     }
 }
 
-
 Foam::fileName Foam::mpm::materialPointCloud::recordFile() const
 {
-    return time().path()/time().timeName()/"uniform"/"materialPointMesh";
+    return time().path() / time().timeName() / "uniform" / "materialPointMesh";
 }
-
 
 void Foam::mpm::materialPointCloud::writeParcels(const labelList& cell) const
 {
-    Cloud<passiveParticle> parcels
-    (
-        grid_.mesh(),
-        name(),
-        IDLList<passiveParticle>()
-    );
+    Cloud<passiveParticle> parcels(grid_.mesh(), name(), IDLList<passiveParticle>());
     forAll(cell, p)
     {
-        passiveParticle* parcel = new passiveParticle
-        (
-            grid_.mesh(),
-            position(p, cell[p]),
-            cell[p]
-        );
+        passiveParticle* parcel = new passiveParticle(grid_.mesh(), position(p, cell[p]), cell[p]);
         parcel->origProc() = 0;
         parcel->origId() = label(id_[0][p]);
         parcels.addParticle(parcel);
@@ -172,48 +137,35 @@ void Foam::mpm::materialPointCloud::writeParcels(const labelList& cell) const
     parcels.write();
 }
 
-
-void Foam::mpm::materialPointCloud::writeColumn
-(
-    const cloudColumn& c,
-    const labelList& cell
-) const
+void Foam::mpm::materialPointCloud::writeColumn(const cloudColumn& c, const labelList& cell) const
 {
     switch (c.kind())
     {
-        case column::scalars:
-            writeField<scalar>
-            (*this, c.name(), n_, [&](label p) { return c[0][p]; });
-            break;
-        case column::vectors:
-            writeField<vector>
-            (
-                *this, c.name(), n_,
-                [&](label p)
+    case column::scalars:
+        writeField<scalar>(*this, c.name(), n_, [&](label p) { return c[0][p]; });
+        break;
+    case column::vectors:
+        writeField<vector>(
+            *this, c.name(), n_,
+            [&](label p)
+            {
+                vector v(Zero);
+                if (c.rules().isPosition)
                 {
-                    vector v(Zero);
-                    if (c.rules().isPosition)
-                    {
-                        v = position(p, cell[p]);
-                    }
-                    for (int d = 0; d < grid_.nDim(); ++d)
-                    {
-                        v[grid_.direction(d)] = c[d][p];
-                    }
-                    return v;
+                    v = position(p, cell[p]);
                 }
-            );
-            break;
-        case column::tensors:
-            writeField<tensor>
-            (*this, c.name(), n_, [&](label p) { return tensorOf(c, p); });
-            break;
-        default:
-            writeField<symmTensor>
-            (
-                *this, c.name(), n_,
-                [&](label p) { return symm(tensorOf(c, p)); }
-            );
+                for (int d = 0; d < grid_.nDim(); ++d)
+                {
+                    v[grid_.direction(d)] = c[d][p];
+                }
+                return v;
+            });
+        break;
+    case column::tensors:
+        writeField<tensor>(*this, c.name(), n_, [&](label p) { return tensorOf(c, p); });
+        break;
+    default:
+        writeField<symmTensor>(*this, c.name(), n_, [&](label p) { return symm(tensorOf(c, p)); });
     }
 }
 
@@ -224,10 +176,7 @@ void Foam::mpm::materialPointCloud::writePoints() const
     const noTraps guard;
 
     // An earlier run may have had points at this time
-    const fileName folder
-    (
-        time().path()/time().timeName()/cloud::prefix/name()
-    );
+    const fileName folder(time().path() / time().timeName() / cloud::prefix / name());
     if (!n_ && isDir(folder))
     {
         rmDir(folder);
@@ -245,19 +194,12 @@ void Foam::mpm::materialPointCloud::writePoints() const
             writeColumn(c, cell);
         }
     }
-    writeField<label>
-    (*this, "id", n_, [&](label p) { return label(id_[0][p]); });
+    writeField<label>(*this, "id", n_, [&](label p) { return label(id_[0][p]); });
 
     // For the eye: pressure, not by the name of the gas' field, whose colours
     // ParaView would share, and equivalent stress
-    writeField<scalar>
-    (*this, "pPoint", n_, [&](label p) { return -tr(sigma(p))/3; });
-    writeField<scalar>
-    (
-        *this, "sigmaEq", n_,
-        [&](label p) { return std::sqrt(1.5)*mag(dev(sigma(p))); }
-    );
+    writeField<scalar>(*this, "pPoint", n_, [&](label p) { return -tr(sigma(p)) / 3; });
+    writeField<scalar>(
+        *this, "sigmaEq", n_, [&](label p) { return std::sqrt(1.5) * mag(dev(sigma(p))); });
     writeRecord();
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointContact.H"
 #include "materialPointSystem.H"
@@ -14,52 +8,37 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::pointContact::relative
-(
-    const contactNode& m,
-    const scalar* ua,
-    const scalar* ub,
-    const int step,
-    const bool settling,
-    scalar* du
-) const
+void Foam::mpm::pointContact::relative(
+    const contactNode& m, const scalar* ua, const scalar* ub, const int step, const bool settling,
+    scalar* du) const
 {
     const contactPair& pair = pairs_[m.pair];
     const int stride = fields_[pair.a].stride();
-    const scalar* Ja = impulse_[pair.a].cdata() + stride*m.node;
+    const scalar* Ja = impulse_[pair.a].cdata() + stride * m.node;
     for (int d = 0; d < nDim_; ++d)
     {
-        du[d] =
-          - (settling && m.bodyA >= 0 ? m.bodyU[0][d] : ua[step*m.node + d])
-          - m.ia*Ja[d];
+        du[d] = -(settling && m.bodyA >= 0 ? m.bodyU[0][d] : ua[step * m.node + d]) - m.ia * Ja[d];
         if (pair.b >= 0)
         {
-            du[d] +=
-                (settling && m.bodyB >= 0 ? m.bodyU[1][d] : ub[step*m.node + d])
-              + m.ib*impulse_[pair.b][stride*m.node + d];
+            du[d] += (settling && m.bodyB >= 0 ? m.bodyU[1][d] : ub[step * m.node + d])
+                + m.ib * impulse_[pair.b][stride * m.node + d];
         }
     }
 }
 
-
-void Foam::mpm::pointContact::computeImpulses
-(
-    const List<scalar*>& u,
-    const int step,
-    const scalar dt,
-    const bool settling,
-    const bool ofStrain
-)
+void Foam::mpm::pointContact::computeImpulses(
+    const List<scalar*>& u, const int step, const scalar dt, const bool settling,
+    const bool ofStrain)
 {
     const label sweeps = pairs_.size() > 1 ? 5 : 1;
     const auto give = [&](const contactNode& m, const int d, const scalar J)
     {
         const contactPair& pair = pairs_[m.pair];
         const int stride = fields_[pair.a].stride();
-        impulse_[pair.a][stride*m.node + d] -= J;
+        impulse_[pair.a][stride * m.node + d] -= J;
         if (pair.b >= 0)
         {
-            impulse_[pair.b][stride*m.node + d] += J;
+            impulse_[pair.b][stride * m.node + d] += J;
         }
     };
 
@@ -73,35 +52,25 @@ void Foam::mpm::pointContact::computeImpulses
         for (contactNode& m : contactNodes_)
         {
             const contactPair& pair = pairs_[m.pair];
-            const scalar M = 1/(m.ia + m.ib);
+            const scalar M = 1 / (m.ia + m.ib);
             scalar du[3] = {0, 0, 0};
-            relative
-            (
-                m,
-                u[pair.a],
-                pair.b < 0 ? nullptr : u[pair.b],
-                step,
-                settling,
-                du
-            );
+            relative(m, u[pair.a], pair.b < 0 ? nullptr : u[pair.b], step, settling, du);
 
             scalar un = 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                un += du[d]*m.n[d];
+                un += du[d] * m.n[d];
             }
-            const scalar approach = m.gap > 0 ? m.gap/max(dt, VSMALL) : 0;
+            const scalar approach = m.gap > 0 ? m.gap / max(dt, VSMALL) : 0;
             const bool held = ofStrain && m.pressed;
             const bool sticks = ofStrain && m.held;
-            const scalar Jn =
-                held
-              ? m.Jn - M*un : max(scalar(0), m.Jn - M*(approach + un));
+            const scalar Jn = held ? m.Jn - M * un : max(scalar(0), m.Jn - M * (approach + un));
 
             // Tangential: the impulse that ends the slip, limited by friction
             scalar slip[3], size = 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                slip[d] = m.Jt[d] - M*(du[d] - un*m.n[d]);
+                slip[d] = m.Jt[d] - M * (du[d] - un * m.n[d]);
                 size += sqr(slip[d]);
             }
             size = std::sqrt(size);
@@ -109,12 +78,11 @@ void Foam::mpm::pointContact::computeImpulses
             const contactLaw::state s{Jn, size, M, dt};
             const scalar limit = sticks ? GREAT : Jn > 0 ? law.limit(s) : 0;
             const bool stuck = sticks || (Jn > 0 && size <= limit);
-            const scalar part =
-                stuck ? 1 : size > 0 ? min(scalar(1), limit/size) : 0;
+            const scalar part = stuck ? 1 : size > 0 ? min(scalar(1), limit / size) : 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                const scalar Jt = part*slip[d];
-                give(m, d, (Jn - m.Jn)*m.n[d] + Jt - m.Jt[d]);
+                const scalar Jt = part * slip[d];
+                give(m, d, (Jn - m.Jn) * m.n[d] + Jt - m.Jt[d]);
                 m.Jt[d] = Jt;
             }
             m.Jn = Jn;
@@ -128,8 +96,7 @@ void Foam::mpm::pointContact::computeImpulses
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointContact::pointContact(materialPointSystem& points)
-:
+Foam::mpm::pointContact::pointContact(materialPointSystem& points) :
     stepPart("contact"),
     points_(points),
     grid_(points.grid()),
@@ -150,7 +117,7 @@ Foam::mpm::pointContact::pointContact(materialPointSystem& points)
     placeOf_(grid_.nNodes(), label(-1)),
     other_(grid_.nNodes(), scalar(-1)),
     nReach_(dynamic_cast<const twoLevelShares*>(&gridTransfer_) ? 8 : 4),
-    reach_(nReach_*grid_.nNodes(), -GREAT)
+    reach_(nReach_ * grid_.nNodes(), -GREAT)
 {
     read(requiredDict(points.properties(), "contact"));
     pressed_.setSize(pairs_.size());
@@ -166,11 +133,7 @@ Foam::mpm::pointContact::pointContact(materialPointSystem& points)
         }
         if (has_[fieldi])
         {
-            impulse_[fieldi].setSize
-            (
-                fields_[fieldi].stride()*grid_.nNodes(),
-                scalar(0)
-            );
+            impulse_[fieldi].setSize(fields_[fieldi].stride() * grid_.nNodes(), scalar(0));
         }
     }
 }
@@ -189,7 +152,6 @@ bool Foam::mpm::pointContact::between(const label a, const label b) const
     return false;
 }
 
-
 void Foam::mpm::pointContact::update()
 {
     contactNodes_.clear();
@@ -207,12 +169,7 @@ void Foam::mpm::pointContact::update()
     }
 }
 
-
-Foam::scalar Foam::mpm::pointContact::applyImpulses
-(
-    const scalar dt,
-    const bool withWork
-)
+Foam::scalar Foam::mpm::pointContact::applyImpulses(const scalar dt, const bool withWork)
 {
     for (contactPair& pair : pairs_)
     {
@@ -248,15 +205,15 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
         m.held = m.closed && m.stuck;
         if (m.closed)
         {
-            pressed_[m.pair].append(2*m.node + m.held);
+            pressed_[m.pair].append(2 * m.node + m.held);
             pair.nClosed += part;
-            pair.pushedGap += part*m.Jn*m.gap;
-            pair.push += part*m.Jn;
+            pair.pushedGap += part * m.Jn * m.gap;
+            pair.push += part * m.Jn;
         }
         for (int d = 0; d < nDim_; ++d)
         {
-            m.J[d] = m.Jn*m.n[d] + m.Jt[d];
-            pair.step[grid_.direction(d)] += part*m.J[d];
+            m.J[d] = m.Jn * m.n[d] + m.Jt[d];
+            pair.step[grid_.direction(d)] += part * m.J[d];
         }
     }
     scalar work = 0;
@@ -264,25 +221,14 @@ Foam::scalar Foam::mpm::pointContact::applyImpulses
     {
         if (has_[fieldi])
         {
-            fields_[fieldi].rigid().addImpulse
-            (
-                impulse_[fieldi].cdata(),
-                fields_[fieldi].momentum(),
-                fields_[fieldi].stride()
-            );
-            work +=
-                fields_[fieldi].addImpulse
-                (
-                    impulse_[fieldi].cdata(),
-                    withWork,
-                    true
-                );
+            fields_[fieldi].rigid().addImpulse(
+                impulse_[fieldi].cdata(), fields_[fieldi].momentum(), fields_[fieldi].stride());
+            work += fields_[fieldi].addImpulse(impulse_[fieldi].cdata(), withWork, true);
         }
     }
     clearImpulses();
     return work;
 }
-
 
 Foam::scalar Foam::mpm::pointContact::work(scalar& driven) const
 {
@@ -307,19 +253,14 @@ Foam::scalar Foam::mpm::pointContact::work(scalar& driven) const
             if (b >= 0)
             {
                 const freeBody& body = *bodies_[b].body;
-                ub = body.at(m.at, false)*(0.5*(body.start(false) + body.step()));
+                ub = body.at(m.at, false) * (0.5 * (body.start(false) + body.step()));
             }
             scalar w = 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                const label i = field.stride()*m.node + d;
-                w +=
-                    field.part(m.node)*(isA ? -m.J[d] : m.J[d])
-                   *(
-                        b >= 0
-                      ? ub(grid_.direction(d))
-                      : field.U()[i] + 0.5*field.dU()[i]
-                    );
+                const label i = field.stride() * m.node + d;
+                w += field.part(m.node) * (isA ? -m.J[d] : m.J[d])
+                    * (b >= 0 ? ub(grid_.direction(d)) : field.U()[i] + 0.5 * field.dU()[i]);
             }
             work += drives ? 0 : w;
             driven -= drives ? w : 0;
@@ -328,18 +269,15 @@ Foam::scalar Foam::mpm::pointContact::work(scalar& driven) const
     return work;
 }
 
-
 void Foam::mpm::pointContact::impulse(const scalar dt)
 {
     pointEnergy& energy = points_.energy();
     const scalar boundary = applyImpulses(dt, energy.active());
     if (energy.active())
     {
-        energy.sums().step.boundary +=
-            returnReduce(boundary, sumOp<scalar>());
+        energy.sums().step.boundary += returnReduce(boundary, sumOp<scalar>());
     }
 }
-
 
 void Foam::mpm::pointContact::exchange(const scalar)
 {
@@ -352,7 +290,6 @@ void Foam::mpm::pointContact::exchange(const scalar)
         energy.sums().step.driven += returnReduce(driven, sumOp<scalar>());
     }
 }
-
 
 void Foam::mpm::pointContact::strainVelocity(const scalar dt)
 {
@@ -375,8 +312,8 @@ void Foam::mpm::pointContact::strainVelocity(const scalar dt)
             const label fieldi = side == 0 ? pair.a : pair.b;
             for (int d = 0; fieldi >= 0 && d < nDim_; ++d)
             {
-                scalar& J = impulse_[fieldi][stride*m.node + d];
-                u[fieldi][stride*m.node + d] += (side == 0 ? m.ia : m.ib)*J;
+                scalar& J = impulse_[fieldi][stride * m.node + d];
+                u[fieldi][stride * m.node + d] += (side == 0 ? m.ia : m.ib) * J;
                 J = 0;
             }
         }
@@ -389,7 +326,6 @@ void Foam::mpm::pointContact::strainVelocity(const scalar dt)
         }
     }
 }
-
 
 void Foam::mpm::pointContact::filtered(const bool changes)
 {
@@ -408,42 +344,38 @@ void Foam::mpm::pointContact::filtered(const bool changes)
             continue;
         }
         contactPair& pair = pairs_[m.pair];
-        velocityField* field[2] =
-            {&fields_[pair.a], pair.b < 0 ? nullptr : &fields_[pair.b]};
+        velocityField* field[2] = {&fields_[pair.a], pair.b < 0 ? nullptr : &fields_[pair.b]};
         const scalar inverse[2] = {m.ia, m.ib};
-        const label at = fields_[pair.a].stride()*m.node;
+        const label at = fields_[pair.a].stride() * m.node;
         const scalar part = fields_[pair.a].part(m.node);
         scalar dv[3] = {0, 0, 0}, dvn = 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            dv[d] =
-                (field[1] ? field[1]->increment()[at + d] : 0)
-              - field[0]->increment()[at + d];
-            dvn += dv[d]*m.n[d];
+            dv[d] = (field[1] ? field[1]->increment()[at + d] : 0) - field[0]->increment()[at + d];
+            dvn += dv[d] * m.n[d];
         }
-        const scalar M = 1/(m.ia + m.ib);
+        const scalar M = 1 / (m.ia + m.ib);
         for (int d = 0; d < nDim_; ++d)
         {
-            const scalar take = M*(m.stuck ? dv[d] : dvn*m.n[d]);
+            const scalar take = M * (m.stuck ? dv[d] : dvn * m.n[d]);
             for (int side = 0; side < 2 && field[side]; ++side)
             {
                 const scalar J = side == 0 ? take : -take;
-                field[side]->increment()[at + d] += inverse[side]*J;
+                field[side]->increment()[at + d] += inverse[side] * J;
                 if (changes)
                 {
                     // An increment of du is added to it anyway
                     if (field[side]->filtered() != velocityField::ofDU)
                     {
-                        field[side]->dU()[at + d] += inverse[side]*J;
+                        field[side]->dU()[at + d] += inverse[side] * J;
                     }
-                    impulse_[side == 0 ? pair.a : pair.b][at + d] +=
-                        inverse[side] > 0 ? 0 : J;
+                    impulse_[side == 0 ? pair.a : pair.b][at + d] += inverse[side] > 0 ? 0 : J;
                 }
             }
             if (changes)
             {
                 m.J[d] -= take;
-                pair.step[grid_.direction(d)] -= part*take;
+                pair.step[grid_.direction(d)] -= part * take;
             }
         }
     }
@@ -465,7 +397,6 @@ void Foam::mpm::pointContact::filtered(const bool changes)
     }
 }
 
-
 void Foam::mpm::pointContact::accepted(const scalar)
 {
     for (contactPair& pair : pairs_)
@@ -478,7 +409,6 @@ void Foam::mpm::pointContact::accepted(const scalar)
     }
 }
 
-
 void Foam::mpm::pointContact::end(const scalar)
 {
     // Of use to a strain at the start of the next step only
@@ -488,7 +418,6 @@ void Foam::mpm::pointContact::end(const scalar)
     }
     update();
 }
-
 
 void Foam::mpm::pointContact::report() const
 {
@@ -507,33 +436,26 @@ void Foam::mpm::pointContact::report() const
         reduce(gap, minOp<scalar>());
         if (push > 0)
         {
-            gap = returnReduce(pair.pushedGap, sumOp<scalar>())/push;
+            gap = returnReduce(pair.pushedGap, sumOp<scalar>()) / push;
         }
-        Info<< "Contact " << pair.how.name << " between "
-            << fields_[pair.a].name() << " and "
-            << (pair.b >= 0 ? "" : "patch ")
-            << (pair.b >= 0 ? fields_[pair.b].name() : pair.patch)
-            << ": force "
-            << returnReduce(pair.step, sumOp<vector>())
-               /max(points_.deltaT(), VSMALL)
-            << " N, impulse " << returnReduce(pair.sum, sumOp<vector>())
-            << " N s, gap ";
+        Info << "Contact " << pair.how.name << " between " << fields_[pair.a].name() << " and "
+             << (pair.b >= 0 ? "" : "patch ") << (pair.b >= 0 ? fields_[pair.b].name() : pair.patch)
+             << ": force "
+             << returnReduce(pair.step, sumOp<vector>()) / max(points_.deltaT(), VSMALL)
+             << " N, impulse " << returnReduce(pair.sum, sumOp<vector>()) << " N s, gap ";
         if (gap < GREAT)
         {
-            Info<< gap << " m";
+            Info << gap << " m";
         }
         else
         {
-            Info<< "none";
+            Info << "none";
         }
-        Info<< ", closed nodes " << std::round(closed) << endl;
+        Info << ", closed nodes " << std::round(closed) << endl;
     }
     if (nUnsettled_)
     {
-        Info<< "Contact of free bodies: not converged in " << nUnsettled_
-            << " solutions of this run (a smaller maxCo helps)"
-            << endl;
+        Info << "Contact of free bodies: not converged in " << nUnsettled_
+             << " solutions of this run (a smaller maxCo helps)" << endl;
     }
 }
-
-// ************************************************************************* //

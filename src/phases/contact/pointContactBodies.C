@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointContact.H"
 #include "scalarMatrices.H"
@@ -22,10 +16,7 @@ void Foam::mpm::pointContact::setBodyU(const List<freeBody::vector6>& V)
             {
                 continue;
             }
-            const Eigen::Vector3d ub
-            (
-                bodies_[b].body->at(m.at, false)*V[b]
-            );
+            const Eigen::Vector3d ub(bodies_[b].body->at(m.at, false) * V[b]);
             for (int d = 0; d < nDim_; ++d)
             {
                 m.bodyU[side][d] = ub(grid_.direction(d));
@@ -34,12 +25,7 @@ void Foam::mpm::pointContact::setBodyU(const List<freeBody::vector6>& V)
     }
 }
 
-
-Eigen::Matrix3d Foam::mpm::pointContact::stiffness
-(
-    const contactNode& m,
-    const slope kind
-) const
+Eigen::Matrix3d Foam::mpm::pointContact::stiffness(const contactNode& m, const slope kind) const
 {
     Eigen::Matrix3d P(Eigen::Matrix3d::Zero());
     Eigen::Vector3d n(Eigen::Vector3d::Zero()), t(n);
@@ -48,7 +34,7 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness
         n(grid_.direction(d)) = m.n[d];
         t(grid_.direction(d)) = m.Jt[d];
     }
-    const scalar M = 1/(m.ia + m.ib);
+    const scalar M = 1 / (m.ia + m.ib);
     const scalar Jt = t.norm();
     if (m.stuck)
     {
@@ -59,33 +45,32 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness
     }
     else
     {
-        P = n*n.transpose();
+        P = n * n.transpose();
         if (Jt > 0 && kind != ofFilter)
         {
             // |J_t| is proportional to J_n and points along the slip
-            Eigen::Matrix3d across(-n*n.transpose());
+            Eigen::Matrix3d across(-n * n.transpose());
             if (kind == tangent)
             {
                 t /= Jt;
-                P += m.slope*t*n.transpose();
-                across -= t*t.transpose();
+                P += m.slope * t * n.transpose();
+                across -= t * t.transpose();
             }
             for (int d = 0; d < nDim_; ++d)
             {
                 across(grid_.direction(d), grid_.direction(d)) += 1;
             }
-            P += Jt/m.stickImpulse*across;
+            P += Jt / m.stickImpulse * across;
         }
     }
-    return M*P;
+    return M * P;
 }
-
 
 template<class Impulse>
 Foam::List<Foam::mpm::freeBody::vector6>
 Foam::mpm::pointContact::sumOverBodies(const Impulse& impulse) const
 {
-    List<vector> sums(2*bodies_.size(), vector(Zero));
+    List<vector> sums(2 * bodies_.size(), vector(Zero));
     for (const contactNode& m : contactNodes_)
     {
         scalar J[3] = {0, 0, 0};
@@ -100,9 +85,8 @@ Foam::mpm::pointContact::sumOverBodies(const Impulse& impulse) const
             }
             if (b >= 0)
             {
-                sums[2*b] += Jb;
-                sums[2*b + 1] +=
-                    (m.at - bodies_[b].body->centre(false)) ^ Jb;
+                sums[2 * b] += Jb;
+                sums[2 * b + 1] += (m.at - bodies_[b].body->centre(false)) ^ Jb;
             }
         }
     }
@@ -114,54 +98,38 @@ Foam::mpm::pointContact::sumOverBodies(const Impulse& impulse) const
     {
         for (int d = 0; d < 3; ++d)
         {
-            all[b](d) = sums[2*b][d];
-            all[b](3 + d) = sums[2*b + 1][d];
+            all[b](d) = sums[2 * b][d];
+            all[b](3 + d) = sums[2 * b + 1][d];
         }
     }
     return all;
 }
 
-
-Foam::List<Foam::mpm::freeBody::vector6>
-Foam::mpm::pointContact::pushes() const
+Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::pushes() const
 {
-    return sumOverBodies
-    (
+    return sumOverBodies(
         [&](const contactNode& m, const scalar part, scalar* J)
         {
             for (int d = 0; d < nDim_; ++d)
             {
-                J[d] = part*(m.Jn*m.n[d] + m.Jt[d]);
+                J[d] = part * (m.Jn * m.n[d] + m.Jt[d]);
             }
-        }
-    );
+        });
 }
 
-
-Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
-(
-    const List<freeBody::vector6>& r,
-    const slope kind
-) const
+Foam::List<Foam::mpm::freeBody::vector6>
+Foam::mpm::pointContact::newton(const List<freeBody::vector6>& r, const slope kind) const
 {
     // C + sum G^T (-dJ/du) G over bodies
-    const label n = 6*bodies_.size();
-    scalarList sums(n*n, scalar(0));
+    const label n = 6 * bodies_.size();
+    scalarList sums(n * n, scalar(0));
     for (const contactNode& m : contactNodes_)
     {
-        if
-        (
-            (m.bodyA < 0 && m.bodyB < 0)
-         || !m.closed
-         || (kind == ofFilter && hard(m))
-        )
+        if ((m.bodyA < 0 && m.bodyB < 0) || !m.closed || (kind == ofFilter && hard(m)))
         {
             continue;
         }
-        const Eigen::Matrix3d K
-        (
-            fields_[pairs_[m.pair].a].part(m.node)*stiffness(m, kind)
-        );
+        const Eigen::Matrix3d K(fields_[pairs_[m.pair].a].part(m.node) * stiffness(m, kind));
         const label body[2] = {m.bodyA, m.bodyB};
         for (int i = 0; i < 2; ++i)
         {
@@ -172,17 +140,14 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
                     continue;
                 }
                 const point& x = m.at;
-                const freeBody::matrix6 A
-                (
-                    (i == j ? 1 : -1)
-                   *bodies_[body[i]].body->at(x, false).transpose()
-                   *K*bodies_[body[j]].body->at(x, false)
-                );
+                const freeBody::matrix6 A(
+                    (i == j ? 1 : -1) * bodies_[body[i]].body->at(x, false).transpose() * K
+                    * bodies_[body[j]].body->at(x, false));
                 for (int a = 0; a < 6; ++a)
                 {
                     for (int c = 0; c < 6; ++c)
                     {
-                        sums[n*(6*body[i] + a) + 6*body[j] + c] += A(a, c);
+                        sums[n * (6 * body[i] + a) + 6 * body[j] + c] += A(a, c);
                     }
                 }
             }
@@ -197,7 +162,7 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
     {
         for (label j = 0; j < n; ++j)
         {
-            A(i, j) = sums[n*i + j];
+            A(i, j) = sums[n * i + j];
         }
     }
     forAll(bodies_, b)
@@ -207,9 +172,9 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
         {
             for (int j = 0; j < 6; ++j)
             {
-                A(6*b + i, 6*b + j) += C(i, j);
+                A(6 * b + i, 6 * b + j) += C(i, j);
             }
-            x[6*b + i] = -r[b](i);
+            x[6 * b + i] = -r[b](i);
         }
     }
     LUsolve(A, x);
@@ -219,12 +184,11 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::newton
     {
         for (int i = 0; i < 6; ++i)
         {
-            dV[b](i) = x[6*b + i];
+            dV[b](i) = x[6 * b + i];
         }
     }
     return dV;
 }
-
 
 void Foam::mpm::pointContact::clearImpulses()
 {
@@ -234,22 +198,16 @@ void Foam::mpm::pointContact::clearImpulses()
         const int stride = fields_[pair.a].stride();
         for (int d = 0; d < nDim_; ++d)
         {
-            impulse_[pair.a][stride*m.node + d] = 0;
+            impulse_[pair.a][stride * m.node + d] = 0;
             if (pair.b >= 0)
             {
-                impulse_[pair.b][stride*m.node + d] = 0;
+                impulse_[pair.b][stride * m.node + d] = 0;
             }
         }
     }
 }
 
-
-void Foam::mpm::pointContact::solveBodies
-(
-    const List<scalar*>& u,
-    const int step,
-    const scalar dt
-)
+void Foam::mpm::pointContact::solveBodies(const List<scalar*>& u, const int step, const scalar dt)
 {
     constexpr label maxSteps = 100;
     slope kind = tangent;
@@ -271,27 +229,26 @@ void Foam::mpm::pointContact::solveBodies
         forAll(bodies_, b)
         {
             const freeBody& body = *bodies_[b].body;
-            r[b] = body.combined()*(V[b] - body.step()) - body.masked(J[b]);
-            all += V[b].dot(body.combined()*V[b])
-              + body.response(J[b]).dot(J[b]);
+            r[b] = body.combined() * (V[b] - body.step()) - body.masked(J[b]);
+            all += V[b].dot(body.combined() * V[b]) + body.response(J[b]).dot(J[b]);
         }
         kind = i < 10 ? tangent : secant;
         dV = newton(r, kind);
         forAll(bodies_, b)
         {
-            size += dV[b].dot(bodies_[b].body->combined()*dV[b]);
+            size += dV[b].dot(bodies_[b].body->combined() * dV[b]);
         }
-        if (!(size > 1e-24*all))
+        if (!(size > 1e-24 * all))
         {
             settled = true;
             break;
         }
         // Half the step length where nodes keep opening and closing
-        length = size < before || i == 10 ? 1 : max(0.5*length, scalar(0.1));
+        length = size < before || i == 10 ? 1 : max(0.5 * length, scalar(0.1));
         before = size;
         forAll(bodies_, b)
         {
-            V[b] += (i + 1 < maxSteps ? length : 0)*dV[b];
+            V[b] += (i + 1 < maxSteps ? length : 0) * dV[b];
         }
     }
 
@@ -308,15 +265,15 @@ void Foam::mpm::pointContact::solveBodies
         Eigen::Vector3d du(Eigen::Vector3d::Zero());
         if (m.bodyA >= 0)
         {
-            du -= bodies_[m.bodyA].body->at(m.at, false)*dV[m.bodyA];
+            du -= bodies_[m.bodyA].body->at(m.at, false) * dV[m.bodyA];
         }
         if (m.bodyB >= 0)
         {
-            du += bodies_[m.bodyB].body->at(m.at, false)*dV[m.bodyB];
+            du += bodies_[m.bodyB].body->at(m.at, false) * dV[m.bodyB];
         }
-        const Eigen::Vector3d dJ(-stiffness(m, kind)*du);
+        const Eigen::Vector3d dJ(-stiffness(m, kind) * du);
         const contactPair& pair = pairs_[m.pair];
-        const label at = fields_[pair.a].stride()*m.node;
+        const label at = fields_[pair.a].stride() * m.node;
         for (int d = 0; d < nDim_; ++d)
         {
             const scalar more = dJ(grid_.direction(d));
@@ -345,40 +302,30 @@ void Foam::mpm::pointContact::solveBodies
     }
 }
 
-
 void Foam::mpm::pointContact::shareIncrement()
 {
     // r for W = 0: impulses from the increments of the other side
-    List<freeBody::vector6> r
-    (
-        sumOverBodies
-        (
-            [&](const contactNode& m, const scalar part, scalar* J)
+    List<freeBody::vector6> r(sumOverBodies(
+        [&](const contactNode& m, const scalar part, scalar* J)
+        {
+            if (!m.closed || hard(m))
             {
-                if (!m.closed || hard(m))
-                {
-                    return;
-                }
-                const contactPair& pair = pairs_[m.pair];
-                const int step = fields_[pair.a].stride();
-                scalar dv[3] = {0, 0, 0}, dvn = 0;
-                for (int d = 0; d < nDim_; ++d)
-                {
-                    dv[d] =
-                        (
-                            pair.b < 0
-                          ? 0 : fields_[pair.b].increment()[step*m.node + d]
-                        )
-                      - fields_[pair.a].increment()[step*m.node + d];
-                    dvn += dv[d]*m.n[d];
-                }
-                for (int d = 0; d < nDim_; ++d)
-                {
-                    J[d] = part*(m.stuck ? dv[d] : dvn*m.n[d])/(m.ia + m.ib);
-                }
+                return;
             }
-        )
-    );
+            const contactPair& pair = pairs_[m.pair];
+            const int step = fields_[pair.a].stride();
+            scalar dv[3] = {0, 0, 0}, dvn = 0;
+            for (int d = 0; d < nDim_; ++d)
+            {
+                dv[d] = (pair.b < 0 ? 0 : fields_[pair.b].increment()[step * m.node + d])
+                    - fields_[pair.a].increment()[step * m.node + d];
+                dvn += dv[d] * m.n[d];
+            }
+            for (int d = 0; d < nDim_; ++d)
+            {
+                J[d] = part * (m.stuck ? dv[d] : dvn * m.n[d]) / (m.ia + m.ib);
+            }
+        }));
     forAll(r, b)
     {
         r[b] = bodies_[b].body->masked(r[b]);
@@ -388,15 +335,9 @@ void Foam::mpm::pointContact::shareIncrement()
     {
         velocityField& field = fields_[bodies_[b].field];
         rigidNodes& rigid = field.rigid();
-        rigid.addIncrement
-        (
-            rigidNodes::bodyOf{bodies_[b].phase, bodies_[b].body},
-            W[b]
-        );
+        rigid.addIncrement(rigidNodes::bodyOf{bodies_[b].phase, bodies_[b].body}, W[b]);
         const int stride = field.stride();
         rigid.addImpulse(field.increment(), true, field.momentum(), stride);
         rigid.impose(field.increment(), stride, true, false);
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointContact.H"
 
@@ -18,8 +12,8 @@ void Foam::mpm::pointContact::meet(const label pairi)
     // 1/m where a field has mass (0: prescribed), -1 elsewhere
     const auto inverse = [&](const velocityField& field, const label n)
     {
-        const scalar m = field.momentum()[field.stride()*n + nDim_];
-        return prescribedStamp_[n] == stamp_ ? 0 : m > 0 ? 1/m : -1;
+        const scalar m = field.momentum()[field.stride() * n + nDim_];
+        return prescribedStamp_[n] == stamp_ ? 0 : m > 0 ? 1 / m : -1;
     };
     const auto stampHeavy = [&](const velocityField& field)
     {
@@ -44,7 +38,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
                 continue;
             }
             owner_[n] = -1;
-            if (field.momentum()[field.stride()*n + nDim_] > 0)
+            if (field.momentum()[field.stride() * n + nDim_] > 0)
             {
                 prescribedStamp_[n] = stamp_;
             }
@@ -75,7 +69,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         {
             for (int d = 0; d < nDim_; ++d)
             {
-                ib = pair.wall[nDim_*n + d] != 0 ? 0 : ib;
+                ib = pair.wall[nDim_ * n + d] != 0 ? 0 : ib;
             }
         }
         const label bodyA = prescribedStamp_[n] == stamp_ ? owner_[n] : -1;
@@ -84,7 +78,7 @@ void Foam::mpm::pointContact::meet(const label pairi)
         {
             continue;
         }
-        if (ia > 0 && ib > 0 && min(ia, ib) < 1e-8*max(ia, ib))
+        if (ia > 0 && ib > 0 && min(ia, ib) < 1e-8 * max(ia, ib))
         {
             continue;
         }
@@ -100,8 +94,8 @@ void Foam::mpm::pointContact::meet(const label pairi)
         {
             // The lighter of two bodies gives way
             constexpr scalar soft = 1e-4;
-            const scalar a = bodyA < 0 ? 0 : soft/bodies_[bodyA].body->mass();
-            const scalar b = bodyB < 0 ? 0 : soft/bodies_[bodyB].body->mass();
+            const scalar a = bodyA < 0 ? 0 : soft / bodies_[bodyA].body->mass();
+            const scalar b = bodyB < 0 ? 0 : soft / bodies_[bodyB].body->mass();
             (a >= b ? m.ia : m.ib) = max(a, b);
         }
         contactNodes_.append(m);
@@ -116,32 +110,21 @@ void Foam::mpm::pointContact::meet(const label pairi)
     }
 }
 
-
-void Foam::mpm::pointContact::placeAndHalfSize
-(
-    const materialPointCloud& cloud,
-    const label celli,
-    const label p,
-    scalar* x,
-    scalar* l
-) const
+void Foam::mpm::pointContact::placeAndHalfSize(
+    const materialPointCloud& cloud, const label celli, const label p, scalar* x, scalar* l) const
 {
     const column* half = cloud.halfSize();
 
     // Without half-sizes a box of the cell's shape and the point's volume
-    const scalar part = half ? 0 : 0.5*std::pow
-    (
-        cloud.volume()[0][p]/grid_.mesh().cellVolumes()[celli],
-        1.0/nDim_
-    );
+    const scalar part = half
+        ? 0
+        : 0.5 * std::pow(cloud.volume()[0][p] / grid_.mesh().cellVolumes()[celli], 1.0 / nDim_);
     for (int d = 0; d < 3; ++d)
     {
         x[d] = d < nDim_ ? cloud.x()[d][p] : 0;
-        l[d] =
-            d >= nDim_ ? 0 : half ? (*half)[d][p] : part*grid_.width(celli, d);
+        l[d] = d >= nDim_ ? 0 : half ? (*half)[d][p] : part * grid_.width(celli, d);
     }
 }
-
 
 void Foam::mpm::pointContact::setNear(const label fieldi)
 {
@@ -163,8 +146,7 @@ void Foam::mpm::pointContact::setNear(const label fieldi)
         near.nodes.clear();
         near.end.clear();
         near.S.clear();
-        gridTransfer_.forStencils
-        (
+        gridTransfer_.forStencils(
             cloud,
             [&](const label k, const labelUList& stencil)
             {
@@ -183,20 +165,12 @@ void Foam::mpm::pointContact::setNear(const label fieldi)
                 {
                     scalar x[3], l[3];
                     placeAndHalfSize(cloud, celli, p, x, l);
-                    gridTransfer_.weights
-                    (
-                        celli,
-                        x,
-                        cloud.halfSize() ? l : nullptr,
-                        nodes,
-                        S,
-                        gradS
-                    );
+                    gridTransfer_.weights(
+                        celli, x, cloud.halfSize() ? l : nullptr, nodes, S, gradS);
 
                     // Section of the ring, whose volume also grows with the
                     // radius
-                    const scalar v =
-                        cloud.volume()[0][p]/(radial < 0 ? scalar(1) : x[radial]);
+                    const scalar v = cloud.volume()[0][p] / (radial < 0 ? scalar(1) : x[radial]);
                     forAll(nodes, i)
                     {
                         const label n = nodes[i];
@@ -208,21 +182,19 @@ void Foam::mpm::pointContact::setNear(const label fieldi)
                         near.S.append(S[i]);
                         if (ball_.size())
                         {
-                            addBall(n, x, v, g.data() + stride*n);
+                            addBall(n, x, v, g.data() + stride * n);
                             continue;
                         }
                         for (int d = 0; d < nDim_; ++d)
                         {
-                            g[stride*n + d] += v*gradS[nDim_*i + d];
+                            g[stride * n + d] += v * gradS[nDim_ * i + d];
                         }
                     }
                     near.end.append(near.nodes.size());
                 }
-            }
-        );
+            });
     }
 }
-
 
 void Foam::mpm::pointContact::sumGradients()
 {
@@ -235,12 +207,12 @@ void Foam::mpm::pointContact::sumGradients()
         velocityField& field = fields_[fieldi];
         const int stride = field.stride();
         scalarList& g = gradient_[fieldi];
-        g.setSize(stride*grid_.nNodes());
+        g.setSize(stride * grid_.nNodes());
         for (const label n : field.active())
         {
             for (int d = 0; d < nDim_; ++d)
             {
-                g[stride*n + d] = 0;
+                g[stride * n + d] = 0;
             }
         }
         for (const contactNode& m : contactNodes_)
@@ -260,7 +232,6 @@ void Foam::mpm::pointContact::sumGradients()
     }
 }
 
-
 void Foam::mpm::pointContact::setNormals()
 {
     // |g| where the normal comes from the points
@@ -279,23 +250,22 @@ void Foam::mpm::pointContact::setNormals()
             scalar square[2] = {0, 0}, both = 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                const scalar ga = gradient_[pair.a][A.stride()*m.node + d];
-                const scalar gb = gradient_[pair.b][A.stride()*m.node + d];
+                const scalar ga = gradient_[pair.a][A.stride() * m.node + d];
+                const scalar gb = gradient_[pair.b][A.stride() * m.node + d];
                 square[0] += sqr(ga);
                 square[1] += sqr(gb);
-                both += ga*gb;
+                both += ga * gb;
             }
             const scalar larger = max(max(square[0], square[1]), VSMALL);
             size2 = larger;
             steepest[m.pair] = max(steepest[m.pair], std::sqrt(larger));
-            wa = std::pow(square[0]/larger, 50);
-            wb = std::pow(square[1]/larger, 50);
+            wa = std::pow(square[0] / larger, 50);
+            wb = std::pow(square[1] / larger, 50);
             if (hard(m) && (m.bodyA < 0 || m.bodyB < 0))
             {
                 // One of them, if they are alike the one that is prescribed:
                 // a normal that turns from node to node would lift the body
-                const bool takeA =
-                    square[0] > (m.bodyA < 0 ? 0.64 : 1/0.64)*square[1];
+                const bool takeA = square[0] > (m.bodyA < 0 ? 0.64 : 1 / 0.64) * square[1];
                 wa = takeA ? 1 : 0;
                 wb = 1 - wa;
             }
@@ -304,13 +274,10 @@ void Foam::mpm::pointContact::setNormals()
         }
         for (int d = 0; d < nDim_; ++d)
         {
-            m.n[d] =
-                pair.b < 0
-              ? pair.wall[nDim_*m.node + d]
-              : given
-              ? pair.how.normal[grid_.direction(d)]
-              : wa*gradient_[pair.a][A.stride()*m.node + d]
-              - wb*gradient_[pair.b][A.stride()*m.node + d];
+            m.n[d] = pair.b < 0 ? pair.wall[nDim_ * m.node + d]
+                : given         ? pair.how.normal[grid_.direction(d)]
+                                : wa * gradient_[pair.a][A.stride() * m.node + d]
+                    - wb * gradient_[pair.b][A.stride() * m.node + d];
         }
         steep.append(std::sqrt(size2));
     }
@@ -339,7 +306,7 @@ void Foam::mpm::pointContact::setNormals()
         {
             size += sqr(m.n[d]);
         }
-        if (size > 1e-12*before && before > 0)
+        if (size > 1e-12 * before && before > 0)
         {
             for (int d = 0; d < nDim_; ++d)
             {
@@ -363,11 +330,7 @@ void Foam::mpm::pointContact::setNormals()
     forAll(contactNodes_, i)
     {
         const contactNode m = contactNodes_[i];
-        if
-        (
-            (m.bodyA < 0 && m.bodyB < 0)
-         || steep[i] > 0.25*steepest[m.pair]
-        )
+        if ((m.bodyA < 0 && m.bodyB < 0) || steep[i] > 0.25 * steepest[m.pair])
         {
             contactNodes_[kept++] = m;
         }
@@ -375,24 +338,18 @@ void Foam::mpm::pointContact::setNormals()
     contactNodes_.resize(kept);
 }
 
-
-Foam::FixedList<Foam::scalar, 2> Foam::mpm::pointContact::reach
-(
-    const contactNode& m,
-    const scalar* x,
-    const scalar* l
-) const
+Foam::FixedList<Foam::scalar, 2>
+Foam::mpm::pointContact::reach(const contactNode& m, const scalar* x, const scalar* l) const
 {
     scalar along = 0, R = 0;
     for (int d = 0; d < nDim_; ++d)
     {
-        along += distance(m.node, x, d)*m.n[d];
-        R += sqr(l[d]*m.n[d]);
+        along += distance(m.node, x, d) * m.n[d];
+        R += sqr(l[d] * m.n[d]);
     }
     R = std::sqrt(R);
     return {along + R, R - along};
 }
-
 
 void Foam::mpm::pointContact::setGaps()
 {
@@ -417,25 +374,17 @@ void Foam::mpm::pointContact::setGaps()
             {
                 continue;
             }
-            forMeetings
-            (
+            forMeetings(
                 fieldi,
-                [&]
-                (
-                    const label place,
-                    const scalar* x,
-                    const scalar* l,
-                    const scalar
-                )
+                [&](const label place, const scalar* x, const scalar* l, const scalar)
                 {
                     const contactNode& m = contactNodes_[place];
                     const FixedList<scalar, 2> r(reach(m, x, l));
-                    scalar* e = reach_.data() + nReach_*m.node + side;
+                    scalar* e = reach_.data() + nReach_ * m.node + side;
                     e += inBall(m.node, x) ? 0 : 4;
                     e[0] = max(e[0], r[side]);
                     e[2] = max(e[2], r[1 - side]);
-                }
-            );
+                });
         }
         fields_[pair.a].largestOfShared(reach_.data(), nReach_, nReach_);
 
@@ -443,13 +392,12 @@ void Foam::mpm::pointContact::setGaps()
         {
             contactNode& m = contactNodes_[i];
             placeOf_[m.node] = -1;
-            scalar* e = reach_.data() + nReach_*m.node;
+            scalar* e = reach_.data() + nReach_ * m.node;
             scalar sunk = GREAT;
             if (nReach_ > 4)
             {
-                sunk =
-                    allowed*ball_[nDim_*m.node] - max(e[0], e[4])
-                  - (pair.b < 0 ? 0 : max(e[1], e[5]));
+                sunk = allowed * ball_[nDim_ * m.node] - max(e[0], e[4])
+                    - (pair.b < 0 ? 0 : max(e[1], e[5]));
             }
             for (int k = 0; k + 4 < nReach_; ++k)
             {
@@ -457,10 +405,7 @@ void Foam::mpm::pointContact::setGaps()
                 e[4 + k] = -GREAT;
             }
             m.gap = min(-e[0] - (pair.b < 0 ? 0 : e[1]), sunk);
-            const bool turn =
-                pair.b >= 0
-             && !(mag(pair.how.normal) > 0)
-             && -e[2] - e[3] > m.gap;
+            const bool turn = pair.b >= 0 && !(mag(pair.how.normal) > 0) && -e[2] - e[3] > m.gap;
             if (turn)
             {
                 m.gap = -e[2] - e[3];
@@ -484,11 +429,7 @@ void Foam::mpm::pointContact::setGaps()
     }
 }
 
-void Foam::mpm::pointContact::setPlaces
-(
-    const UList<scalar>& reachA,
-    const UList<scalar>& reachB
-)
+void Foam::mpm::pointContact::setPlaces(const UList<scalar>& reachA, const UList<scalar>& reachB)
 {
     label first = 0;
     forAll(pairs_, pairi)
@@ -520,49 +461,38 @@ void Foam::mpm::pointContact::setPlaces
                 {
                     for (int c = 0; c < stride; ++c)
                     {
-                        sums[stride*n + c] = 0;
+                        sums[stride * n + c] = 0;
                     }
                 }
             };
             clear();
-            forMeetings
-            (
+            forMeetings(
                 fieldi,
-                [&]
-                (
-                    const label place,
-                    const scalar* x,
-                    const scalar* l,
-                    const scalar S
-                )
+                [&](const label place, const scalar* x, const scalar* l, const scalar S)
                 {
                     const contactNode& m = contactNodes_[place];
                     const scalar behind =
-                        (isA ? reachA : reachB)[place]
-                      - reach(m, x, l)[isA ? 0 : 1];
-                    const scalar near =
-                        1 - behind/(0.01*max(l[0], max(l[1], l[2])));
+                        (isA ? reachA : reachB)[place] - reach(m, x, l)[isA ? 0 : 1];
+                    const scalar near = 1 - behind / (0.01 * max(l[0], max(l[1], l[2])));
                     // Not those beside the ball that the gap leaves out
                     if (near <= 0 || near > 1 + 1e-9)
                     {
                         return;
                     }
-                    const scalar w = near*S/(S + 0.005);
-                    scalar* sum = sums.data() + stride*m.node;
+                    const scalar w = near * S / (S + 0.005);
+                    scalar* sum = sums.data() + stride * m.node;
                     for (int d = 0; d < nDim_; ++d)
                     {
-                        sum[d] +=
-                            w*(x[d] - position_[m.node][grid_.direction(d)]);
+                        sum[d] += w * (x[d] - position_[m.node][grid_.direction(d)]);
                     }
                     sum[nDim_] += w;
-                }
-            );
+                });
             field.sumWithMass(sums.data());
             for (label i = first; i < last; ++i)
             {
                 contactNode& m = contactNodes_[i];
                 const label body = isA ? m.bodyA : m.bodyB;
-                const scalar* sum = sums.cdata() + stride*m.node;
+                const scalar* sum = sums.cdata() + stride * m.node;
                 if (!hard(m) || body < 0 || !(sum[nDim_] > 0))
                 {
                     continue;
@@ -572,14 +502,13 @@ void Foam::mpm::pointContact::setPlaces
                 scalar along = 0;
                 for (int d = 0; d < nDim_; ++d)
                 {
-                    along += sum[d]*m.n[d];
+                    along += sum[d] * m.n[d];
                 }
                 for (int d = 0; d < nDim_ && (isA || m.bodyA < 0); ++d)
                 {
-                    m.at[grid_.direction(d)] =
-                        position_[m.node][grid_.direction(d)]
-                      + (sum[d] - along*m.n[d])/sum[nDim_]
-                      + (isA ? reachA[i] : -reachB[i])*m.n[d];
+                    m.at[grid_.direction(d)] = position_[m.node][grid_.direction(d)]
+                        + (sum[d] - along * m.n[d]) / sum[nDim_]
+                        + (isA ? reachA[i] : -reachB[i]) * m.n[d];
                 }
             }
             clear();
@@ -591,5 +520,3 @@ void Foam::mpm::pointContact::setPlaces
         first = last;
     }
 }
-
-// ************************************************************************* //

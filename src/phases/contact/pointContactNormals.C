@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointContact.H"
 
@@ -12,7 +6,7 @@ License
 
 void Foam::mpm::pointContact::setBalls()
 {
-    ball_.setSize(nDim_*grid_.nNodes(), scalar(0));
+    ball_.setSize(nDim_ * grid_.nNodes(), scalar(0));
     const pointField& points = grid_.mesh().points();
     for (const edge& e : grid_.mesh().edges())
     {
@@ -22,44 +16,32 @@ void Foam::mpm::pointContact::setBalls()
             const label n = grid_.pointToNode()[pointi];
             for (int d = 0; n >= 0 && d < nDim_; ++d)
             {
-                scalar& R = ball_[nDim_*n + d];
-                R = max(R, 1.2*mag(between[grid_.direction(d)]));
+                scalar& R = ball_[nDim_ * n + d];
+                R = max(R, 1.2 * mag(between[grid_.direction(d)]));
             }
         }
     }
     fields_[0].largestOfShared(ball_.data(), nDim_, nDim_);
 }
 
-
-void Foam::mpm::pointContact::addBall
-(
-    const label node,
-    const scalar* x,
-    const scalar v,
-    scalar* g
-) const
+void Foam::mpm::pointContact::addBall(
+    const label node, const scalar* x, const scalar v, scalar* g) const
 {
-    const scalar* R = ball_.cdata() + nDim_*node;
+    const scalar* R = ball_.cdata() + nDim_ * node;
     scalar dx[3], w = 1;
     for (int d = 0; d < nDim_; ++d)
     {
-        dx[d] = distance(node, x, d)/R[d];
+        dx[d] = distance(node, x, d) / R[d];
         w -= sqr(dx[d]);
     }
     for (int d = 0; w > 0 && d < nDim_; ++d)
     {
-        g[d] -= v*w*dx[d]/R[d];
+        g[d] -= v * w * dx[d] / R[d];
     }
 }
 
-
-void Foam::mpm::pointContact::chooseNormals
-(
-    const contactPair& pair,
-    const label first,
-    const label last,
-    scalarList& weighted
-)
+void Foam::mpm::pointContact::chooseNormals(
+    const contactPair& pair, const label first, const label last, scalarList& weighted)
 {
     const int stride = fields_[pair.a].stride();
 
@@ -71,32 +53,23 @@ void Foam::mpm::pointContact::chooseNormals
     }
     for (int side = 0; side < 2; ++side)
     {
-        forMeetings
-        (
+        forMeetings(
             side == 0 ? pair.a : pair.b,
-            [&]
-            (
-                const label place,
-                const scalar* x,
-                const scalar* l,
-                const scalar
-            )
+            [&](const label place, const scalar* x, const scalar* l, const scalar)
             {
                 contactNode m = contactNodes_[place];
                 for (int of = 0; of < 2; ++of)
                 {
                     const scalar* g =
-                        gradient_[of == 0 ? pair.a : pair.b].cdata()
-                      + stride*m.node;
+                        gradient_[of == 0 ? pair.a : pair.b].cdata() + stride * m.node;
                     for (int d = 0; d < nDim_; ++d)
                     {
                         m.n[d] = of == 0 ? g[d] : -g[d];
                     }
-                    scalar& e = reach_[nReach_*m.node + 2*of + side];
+                    scalar& e = reach_[nReach_ * m.node + 2 * of + side];
                     e = max(e, reach(m, x, l)[side]);
                 }
-            }
-        );
+            });
     }
     fields_[pair.a].largestOfShared(reach_.data(), nReach_, 4);
 
@@ -106,29 +79,23 @@ void Foam::mpm::pointContact::chooseNormals
         scalar size[2] = {0, 0};
         for (int d = 0; d < nDim_; ++d)
         {
-            size[0] += sqr(gradient_[pair.a][stride*m.node + d]);
-            size[1] += sqr(gradient_[pair.b][stride*m.node + d]);
+            size[0] += sqr(gradient_[pair.a][stride * m.node + d]);
+            size[1] += sqr(gradient_[pair.b][stride * m.node + d]);
         }
-        scalar* e = reach_.data() + nReach_*m.node;
+        scalar* e = reach_.data() + nReach_ * m.node;
         size[0] = max(std::sqrt(size[0]), VSMALL);
         size[1] = max(std::sqrt(size[1]), VSMALL);
-        const bool ofB =
-            size[0] <= VSMALL
-         || (
-                size[1] > VSMALL
-             && (e[2] + e[3])*size[0] < (e[0] + e[1])*size[1]
-            );
-        const scalar* g =
-            gradient_[ofB ? pair.b : pair.a].cdata() + stride*m.node;
+        const bool ofB = size[0] <= VSMALL
+            || (size[1] > VSMALL && (e[2] + e[3]) * size[0] < (e[0] + e[1]) * size[1]);
+        const scalar* g = gradient_[ofB ? pair.b : pair.a].cdata() + stride * m.node;
         for (int d = 0; d < nDim_; ++d)
         {
-            m.n[d] = (ofB ? -g[d] : g[d])/size[ofB];
-            weighted[stride*m.node + d] = m.n[d]*min(size[0], size[1]);
+            m.n[d] = (ofB ? -g[d] : g[d]) / size[ofB];
+            weighted[stride * m.node + d] = m.n[d] * min(size[0], size[1]);
         }
         e[0] = e[1] = e[2] = e[3] = -GREAT;
     }
 }
-
 
 void Foam::mpm::pointContact::spreadNormals()
 {
@@ -154,25 +121,17 @@ void Foam::mpm::pointContact::spreadNormals()
         chooseNormals(pair, first, last, from);
         for (const label fieldi : {pair.a, pair.b})
         {
-            forPoints
-            (
+            forPoints(
                 fieldi,
-                [&]
-                (
-                    const materialPointCloud& cloud,
-                    const label p,
-                    const scalar*,
-                    const scalar*,
-                    const UList<label>& nodes,
-                    const UList<scalar>& S
-                )
+                [&](const materialPointCloud& cloud, const label p, const scalar*, const scalar*,
+                    const UList<label>& nodes, const UList<scalar>& S)
                 {
                     scalar g[3] = {0, 0, 0};
                     forAll(nodes, i)
                     {
                         for (int d = 0; d < nDim_; ++d)
                         {
-                            g[d] += S[i]*from[stride*nodes[i] + d];
+                            g[d] += S[i] * from[stride * nodes[i] + d];
                         }
                     }
                     const scalar v = cloud.volume()[0][p];
@@ -180,11 +139,10 @@ void Foam::mpm::pointContact::spreadNormals()
                     {
                         for (int d = 0; d < nDim_; ++d)
                         {
-                            to[stride*nodes[i] + d] += v*S[i]*g[d];
+                            to[stride * nodes[i] + d] += v * S[i] * g[d];
                         }
                     }
-                }
-            );
+                });
         }
         A.sumColumn(to.data());
         for (label i = first; i < last; ++i)
@@ -194,11 +152,11 @@ void Foam::mpm::pointContact::spreadNormals()
             scalar size = 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                size += sqr(to[stride*m.node + d]);
+                size += sqr(to[stride * m.node + d]);
             }
             for (int d = 0; size > 0 && d < nDim_; ++d)
             {
-                m.n[d] = to[stride*m.node + d];
+                m.n[d] = to[stride * m.node + d];
             }
         }
         for (const label fieldi : {pair.a, pair.b})
@@ -207,12 +165,10 @@ void Foam::mpm::pointContact::spreadNormals()
             {
                 for (int d = 0; d < nDim_; ++d)
                 {
-                    from[stride*n + d] = to[stride*n + d] = 0;
+                    from[stride * n + d] = to[stride * n + d] = 0;
                 }
             }
         }
         first = last;
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointContact.H"
 #include "cornerNormal.H"
@@ -15,8 +9,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::mpm::pointContact::rule
-Foam::mpm::pointContact::readRule(const dictionary& dict)
+Foam::mpm::pointContact::rule Foam::mpm::pointContact::readRule(const dictionary& dict)
 {
     rule r;
     r.name = dict.dictName();
@@ -30,7 +23,7 @@ Foam::mpm::pointContact::readRule(const dictionary& dict)
         {
             inside[grid_.direction(d)] = r.normal[grid_.direction(d)];
         }
-        if (!(mag(inside) > VSMALL) || mag(r.normal - inside) > SMALL*mag(inside))
+        if (!(mag(inside) > VSMALL) || mag(r.normal - inside) > SMALL * mag(inside))
         {
             FatalIOErrorInFunction(dict)
                 << "normal " << r.normal << " must not be zero and have only"
@@ -39,20 +32,14 @@ Foam::mpm::pointContact::readRule(const dictionary& dict)
         if (!dict.found("fields") || dict.found("patch"))
         {
             FatalIOErrorInFunction(dict)
-                << "normal needs two fields, from the first to the second."
-                << exit(FatalIOError);
+                << "normal needs two fields, from the first to the second." << exit(FatalIOError);
         }
         r.normal /= mag(r.normal);
     }
     return r;
 }
 
-
-Foam::label Foam::mpm::pointContact::fieldNamed
-(
-    const dictionary& dict,
-    const word& name
-) const
+Foam::label Foam::mpm::pointContact::fieldNamed(const dictionary& dict, const word& name) const
 {
     wordList names(fields_.size());
     forAll(fields_, fieldi)
@@ -63,23 +50,17 @@ Foam::label Foam::mpm::pointContact::fieldNamed
             return fieldi;
         }
     }
-    FatalIOErrorInFunction(dict)
-        << "There is no velocity field " << name << "." << nl
-        << "Valid fields: " << names << exit(FatalIOError);
+    FatalIOErrorInFunction(dict) << "There is no velocity field " << name << "." << nl
+                                 << "Valid fields: " << names << exit(FatalIOError);
     return -1;
 }
 
-
-Foam::scalarList Foam::mpm::pointContact::wallNormals
-(
-    const label fieldi,
-    const label patchi
-) const
+Foam::scalarList Foam::mpm::pointContact::wallNormals(const label fieldi, const label patchi) const
 {
     const polyPatch& pp = grid_.mesh().boundaryMesh()[patchi];
     const velocityField& field = fields_[fieldi];
     const int stride = field.stride();
-    scalarList sum(stride*grid_.nNodes(), scalar(0));
+    scalarList sum(stride * grid_.nNodes(), scalar(0));
     forAll(pp.meshPoints(), i)
     {
         const label n = grid_.pointToNode()[pp.meshPoints()[i]];
@@ -88,36 +69,30 @@ Foam::scalarList Foam::mpm::pointContact::wallNormals
             const vector nf(cornerNormal(pp, facei, pp.meshPoints()[i]));
             for (int d = 0; d < nDim_; ++d)
             {
-                sum[stride*n + d] += nf[grid_.direction(d)];
+                sum[stride * n + d] += nf[grid_.direction(d)];
             }
         }
     }
     field.sumColumn(sum.data());
 
-    scalarList normal(nDim_*grid_.nNodes(), scalar(0));
+    scalarList normal(nDim_ * grid_.nNodes(), scalar(0));
     for (label n = 0; n < grid_.nNodes(); ++n)
     {
         scalar size = 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            size += sqr(sum[stride*n + d]);
+            size += sqr(sum[stride * n + d]);
         }
         for (int d = 0; size > 0 && d < nDim_; ++d)
         {
-            normal[nDim_*n + d] = sum[stride*n + d]/std::sqrt(size);
+            normal[nDim_ * n + d] = sum[stride * n + d] / std::sqrt(size);
         }
     }
     return normal;
 }
 
-
-void Foam::mpm::pointContact::addPair
-(
-    const rule& how,
-    const label a,
-    const label b,
-    const label patchi
-)
+void Foam::mpm::pointContact::addPair(
+    const rule& how, const label a, const label b, const label patchi)
 {
     contactPair pair;
     pair.how = how;
@@ -138,7 +113,6 @@ void Foam::mpm::pointContact::addPair
     pairs_.append(pair);
 }
 
-
 void Foam::mpm::pointContact::read(const dictionary& dict)
 {
     const dictionary* others = nullptr;
@@ -147,9 +121,8 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
     {
         if (!e.isDict())
         {
-            FatalIOErrorInFunction(dict)
-                << "The entry " << e.keyword() << " of contact must be a"
-                << " dictionary { type ...; }." << exit(FatalIOError);
+            FatalIOErrorInFunction(dict) << "The entry " << e.keyword() << " of contact must be a"
+                                         << " dictionary { type ...; }." << exit(FatalIOError);
         }
         const dictionary& sub = e.dict();
         const rule how(readRule(sub));
@@ -169,10 +142,11 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
         const wordList names(required<wordList>(sub, "fields"));
         if (names.size() != (patch ? 1 : 2))
         {
-            FatalIOErrorInFunction(sub)
-                << "fields must name " << (patch ? "one field, which touches the"
-                " patch" : "two velocity fields") << "; it has " << names << "."
-                << exit(FatalIOError);
+            FatalIOErrorInFunction(sub) << "fields must name "
+                                        << (patch ? "one field, which touches the"
+                                                    " patch"
+                                                  : "two velocity fields")
+                                        << "; it has " << names << "." << exit(FatalIOError);
         }
         const label a = fieldNamed(sub, names[0]);
         if (patch)
@@ -180,23 +154,15 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
             const word name(sub.get<word>("patch"));
             const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
             const label patchi = patches.findPatchID(name);
-            if
-            (
-                patchi < 0
-             || patches[patchi].coupled()
-             || isA<emptyPolyPatch>(patches[patchi])
-            )
+            if (patchi < 0 || patches[patchi].coupled() || isA<emptyPolyPatch>(patches[patchi]))
             {
-                const string what
-                (
+                const string what(
                     patchi < 0 ? "the mesh has no patch " + name
-                  : "patch " + name + " is of type " + patches[patchi].type()
-                  + ", which no point touches"
-                );
+                               : "patch " + name + " is of type " + patches[patchi].type()
+                            + ", which no point touches");
                 FatalIOErrorInFunction(sub)
-                    << "Contact " << sub.dictName() << ": " << what.c_str()
-                    << "." << nl << "Patches: " << patches.names()
-                    << exit(FatalIOError);
+                    << "Contact " << sub.dictName() << ": " << what.c_str() << "." << nl
+                    << "Patches: " << patches.names() << exit(FatalIOError);
             }
             if (fields_[a].holds(patchi))
             {
@@ -218,11 +184,10 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
         const label b = fieldNamed(sub, names[1]);
         if (a == b || between(a, b))
         {
-            FatalIOErrorInFunction(sub)
-                << "fields " << names << ": "
-                << (a == b ? "a field has no contact with itself"
-                : "this pair has a contact already") << "."
-                << exit(FatalIOError);
+            FatalIOErrorInFunction(sub) << "fields " << names << ": "
+                                        << (a == b ? "a field has no contact with itself"
+                                                   : "this pair has a contact already")
+                                        << "." << exit(FatalIOError);
         }
         addPair(how, a, b, -1);
     }
@@ -242,14 +207,11 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
         }
         if (pairs_.size() == nNamed)
         {
-            WarningInFunction
-                << "Contact " << others->dictName() << " is for all pairs of"
-                << " velocity fields that are not named, and there is none: it"
-                << " does nothing. A wall is a patch that is named:  floor {"
-                << " fields (" << fields_[0].name() << "); patch floor; type "
-                << how.law->type() << "; }" << endl;
+            WarningInFunction << "Contact " << others->dictName() << " is for all pairs of"
+                              << " velocity fields that are not named, and there is none: it"
+                              << " does nothing. A wall is a patch that is named:  floor {"
+                              << " fields (" << fields_[0].name() << "); patch floor; type "
+                              << how.law->type() << "; }" << endl;
         }
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointContact.H"
 #include "dictionaryTools.H"
@@ -24,7 +18,7 @@ void Foam::mpm::pointContact::markPressed()
         }
         for (const label entry : pressed_[pairi])
         {
-            const label place = placeOf_[entry/2];
+            const label place = placeOf_[entry / 2];
             if (place >= 0)
             {
                 contactNodes_[place].pressed = true;
@@ -38,15 +32,10 @@ void Foam::mpm::pointContact::markPressed()
     }
 }
 
-
-void Foam::mpm::pointContact::findPressed
-(
-    const label pairi,
-    const pointField& places,
-    const labelList& stuck
-)
+void Foam::mpm::pointContact::findPressed(
+    const label pairi, const pointField& places, const labelList& stuck)
 {
-    const scalar tol = 1e-8*grid_.mesh().bounds().mag();
+    const scalar tol = 1e-8 * grid_.mesh().bounds().mag();
     for (contactNode& m : contactNodes_)
     {
         for (label i = 0; m.pair == pairi && i < places.size(); ++i)
@@ -55,7 +44,7 @@ void Foam::mpm::pointContact::findPressed
             {
                 m.pressed = true;
                 m.held = i < stuck.size() && stuck[i];
-                pressed_[pairi].append(2*m.node + m.held);
+                pressed_[pairi].append(2 * m.node + m.held);
             }
         }
     }
@@ -68,11 +57,8 @@ void Foam::mpm::pointContact::addState(dictionary& to) const
     dictionary state;
     forAll(pairs_, pairi)
     {
-        state.add
-        (
-            word("pair" + Foam::name(pairi)),
-            returnReduce(pairs_[pairi].sum, sumOp<vector>())
-        );
+        state.add(
+            word("pair" + Foam::name(pairi)), returnReduce(pairs_[pairi].sum, sumOp<vector>()));
 
         // By place: nodes have other numbers on other processors
         DynamicList<point> places;
@@ -93,23 +79,17 @@ void Foam::mpm::pointContact::addState(dictionary& to) const
         Pstream::gatherList(allStuck);
         Pstream::scatterList(allPlaces);
         Pstream::scatterList(allStuck);
-        const pointField all
-        (
-            ListListOps::combine<pointField>(allPlaces, accessOp<pointField>())
-        );
+        const pointField all(ListListOps::combine<pointField>(allPlaces, accessOp<pointField>()));
         if (all.size())
         {
             state.add(word("pressed" + Foam::name(pairi)), all);
-            state.add
-            (
+            state.add(
                 word("stuck" + Foam::name(pairi)),
-                ListListOps::combine<labelList>(allStuck, accessOp<labelList>())
-            );
+                ListListOps::combine<labelList>(allStuck, accessOp<labelList>()));
         }
     }
     to.add("contact", state);
 }
-
 
 void Foam::mpm::pointContact::setState(const dictionary& from)
 {
@@ -120,24 +100,13 @@ void Foam::mpm::pointContact::setState(const dictionary& from)
     const dictionary& state = requiredDict(from, "contact");
     forAll(pairs_, pairi)
     {
-        const vector sum
-        (
-            state.getOrDefault<vector>
-            (
-                word("pair" + Foam::name(pairi)),
-                vector::zero
-            )
-        );
+        const vector sum(
+            state.getOrDefault<vector>(word("pair" + Foam::name(pairi)), vector::zero));
         pairs_[pairi].sum = Pstream::master() ? sum : vector(Zero);
 
         const word n(Foam::name(pairi));
-        findPressed
-        (
-            pairi,
-            state.getOrDefault<pointField>("pressed" + n, pointField()),
-            state.getOrDefault<labelList>("stuck" + n, labelList())
-        );
+        findPressed(
+            pairi, state.getOrDefault<pointField>("pressed" + n, pointField()),
+            state.getOrDefault<labelList>("stuck" + n, labelList()));
     }
 }
-
-// ************************************************************************* //

@@ -1,19 +1,9 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Function>
-void Foam::mpm::pointContact::forPoints
-(
-    const label fieldi,
-    const Function& f
-) const
+void Foam::mpm::pointContact::forPoints(const label fieldi, const Function& f) const
 {
     forAll(phases_, phasei)
     {
@@ -31,41 +21,21 @@ void Foam::mpm::pointContact::forPoints
                 scalar x[3], l[3];
                 placeAndHalfSize(cloud, cloud.cells()[k], p, x, l);
                 const label size = near.end[n] - begin;
-                f
-                (
-                    cloud,
-                    p,
-                    x,
-                    l,
-                    SubList<label>(near.nodes, size, begin),
-                    SubList<scalar>(near.S, size, begin)
-                );
+                f(cloud, p, x, l, SubList<label>(near.nodes, size, begin),
+                  SubList<scalar>(near.S, size, begin));
                 begin = near.end[n++];
             }
         }
     }
 }
 
-
 template<class Function>
-void Foam::mpm::pointContact::forMeetings
-(
-    const label fieldi,
-    const Function& f
-) const
+void Foam::mpm::pointContact::forMeetings(const label fieldi, const Function& f) const
 {
-    forPoints
-    (
+    forPoints(
         fieldi,
-        [&]
-        (
-            const materialPointCloud&,
-            const label,
-            const scalar* x,
-            const scalar* l,
-            const UList<label>& nodes,
-            const UList<scalar>& S
-        )
+        [&](const materialPointCloud&, const label, const scalar* x, const scalar* l,
+            const UList<label>& nodes, const UList<scalar>& S)
         {
             forAll(nodes, i)
             {
@@ -75,8 +45,5 @@ void Foam::mpm::pointContact::forMeetings
                     f(place, x, l, S[i]);
                 }
             }
-        }
-    );
+        });
 }
-
-// ************************************************************************* //

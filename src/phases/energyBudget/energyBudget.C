@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "energyBudget.H"
 #include "dictionaryTools.H"
@@ -36,7 +30,6 @@ void forSums(Budget& b, const Function& f)
     f("fixups", b.fixups);
 }
 
-
 //- Those that older states do not have
 template<class Budget, class Function>
 void forLaterSums(Budget& b, const Function& f)
@@ -45,12 +38,9 @@ void forLaterSums(Budget& b, const Function& f)
     f("granular", b.granular);
 }
 
-
 //- Add those of all processors
 const auto addAll = [](const char*, auto& value)
-{
-    reduce(value, sumOp<std::decay_t<decltype(value)>>());
-};
+{ reduce(value, sumOp<std::decay_t<decltype(value)>>()); };
 
 }
 
@@ -63,7 +53,6 @@ void Foam::mpm::pointLosses::reduceAll()
     reduce(dissipation, sumOp<scalar>());
 }
 
-
 void Foam::mpm::gasBudget::reduceAll()
 {
     forSums(*this, addAll);
@@ -73,38 +62,22 @@ void Foam::mpm::gasBudget::reduceAll()
     reduce(momentum, sumOp<vector>());
 }
 
-
 Foam::dictionary Foam::mpm::gasBudget::state() const
 {
     dictionary state;
-    const auto write = [&](const char* name, const auto& value)
-    {
-        state.add(name, value);
-    };
+    const auto write = [&](const char* name, const auto& value) { state.add(name, value); };
     forSums(*this, write);
     forLaterSums(*this, write);
     return state;
 }
 
-
 void Foam::mpm::gasBudget::setState(const dictionary& state)
 {
-    forSums
-    (
+    forSums(
         *this,
         [&](const char* name, auto& value)
-        {
-            value = required<std::decay_t<decltype(value)>>(state, name);
-        }
-    );
-    forLaterSums
-    (
+        { value = required<std::decay_t<decltype(value)>>(state, name); });
+    forLaterSums(
         *this,
-        [&](const char* name, scalar& value)
-        {
-            value = state.getOrDefault<scalar>(name, 0);
-        }
-    );
+        [&](const char* name, scalar& value) { value = state.getOrDefault<scalar>(name, 0); });
 }
-
-// ************************************************************************* //

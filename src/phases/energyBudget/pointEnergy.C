@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointEnergy.H"
 #include "materialPointSystem.H"
@@ -29,7 +23,6 @@ void forTerms(Budget& b, const Function& f)
     f("boundary", b.work.boundary);
 }
 
-
 //- The same of those that older states do not have
 template<class Budget, class Function>
 void forLaterTerms(Budget& b, const Function& f)
@@ -46,8 +39,7 @@ void forLaterTerms(Budget& b, const Function& f)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointEnergy::pointEnergy(materialPointSystem& points)
-:
+Foam::mpm::pointEnergy::pointEnergy(materialPointSystem& points) :
     stepPart("energy"),
     points_(points),
     stored_(0),
@@ -58,7 +50,8 @@ Foam::mpm::pointEnergy::pointEnergy(materialPointSystem& points)
     energyGrowth_(0),
     leastUnexplained_(0),
     sourceless_(false)
-{}
+{
+}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -72,13 +65,8 @@ bool Foam::mpm::pointEnergy::hasSources() const
     return returnReduce(sources, orOp<bool>());
 }
 
-
-void Foam::mpm::pointEnergy::noteEnergy
-(
-    const scalar kinetic,
-    const scalar strain,
-    const energyBudget* b
-) const
+void Foam::mpm::pointEnergy::noteEnergy(
+    const scalar kinetic, const scalar strain, const energyBudget* b) const
 {
     // An explosive's stored energy is negative as it drives
     const scalar energy = kinetic + strain;
@@ -88,12 +76,12 @@ void Foam::mpm::pointEnergy::noteEnergy
         const scalar size0 = b ? max(mag(b->kinetic0), mag(b->strain0)) : 0;
 
         // Energies below this are rounding
-        scalar least = b && b->hasGas ? 1e-9*mag(b->gas.energy0) : 0;
+        scalar least = b && b->hasGas ? 1e-9 * mag(b->gas.energy0) : 0;
         for (const materialPointPhase& phase : points_.phases())
         {
             if (!phase.motion())
             {
-                least += 1e-12*phase.mass()*sqr(phase.law().waveSpeed());
+                least += 1e-12 * phase.mass() * sqr(phase.law().waveSpeed());
             }
         }
         largestEnergy_ = max(max(least, largestRead_), b ? size0 : size);
@@ -107,41 +95,27 @@ void Foam::mpm::pointEnergy::noteEnergy
         const scalar rise = unexplained - leastUnexplained_;
 
         // Without what has grown
-        largestEnergy_ = max
-        (
-            largestEnergy_,
-            max(size, mag(b->hasGas ? b->gas.energy - b->gas.energy0 : 0))
-          - rise
-        );
-        energyGrowth_ =
-            rise
-           /max
-            (
-                max(largestEnergy_, VSMALL),
-                b->exchanged + mag(b->gas.heat) + mag(b->gas.granular)
-            );
+        largestEnergy_ = max(
+            largestEnergy_, max(size, mag(b->hasGas ? b->gas.energy - b->gas.energy0 : 0)) - rise);
+        energyGrowth_ = rise
+            / max(max(largestEnergy_, VSMALL),
+                  b->exchanged + mag(b->gas.heat) + mag(b->gas.granular));
     }
     else if (sourceless_)
     {
-        energyGrowth_ = (energy - startEnergy_)/max(largestEnergy_, VSMALL);
+        energyGrowth_ = (energy - startEnergy_) / max(largestEnergy_, VSMALL);
     }
 }
 
-
 Foam::scalar Foam::mpm::pointEnergy::storedEnergy() const
 {
-    scalar stored = -returnReduce
-    (
-        losses_.failure + losses_.dissipation,
-        sumOp<scalar>()
-    );
+    scalar stored = -returnReduce(losses_.failure + losses_.dissipation, sumOp<scalar>());
     for (const materialPointPhase& phase : points_.phases())
     {
         stored += phase.motion() ? 0 : phase.strainEnergy();
     }
     return stored;
 }
-
 
 void Foam::mpm::pointEnergy::update() const
 {
@@ -168,11 +142,7 @@ void Foam::mpm::pointEnergy::update() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::mpm::pointEnergy::hasContact() const
-{
-    return points_.parts().find<pointContact>();
-}
-
+bool Foam::mpm::pointEnergy::hasContact() const { return points_.parts().find<pointContact>(); }
 
 void Foam::mpm::pointEnergy::startBudget() const
 {
@@ -191,7 +161,6 @@ void Foam::mpm::pointEnergy::startBudget() const
     sums_.strain0 = sums_.strain;
 }
 
-
 const Foam::mpm::energyBudget* Foam::mpm::pointEnergy::budget() const
 {
     if (!sums_.active)
@@ -201,7 +170,6 @@ const Foam::mpm::energyBudget* Foam::mpm::pointEnergy::budget() const
     update();
     return &sums_;
 }
-
 
 void Foam::mpm::pointEnergy::begin(const scalar)
 {
@@ -214,7 +182,6 @@ void Foam::mpm::pointEnergy::begin(const scalar)
         stepped_ = true;
     }
 }
-
 
 void Foam::mpm::pointEnergy::impulse(const scalar dt)
 {
@@ -230,14 +197,8 @@ void Foam::mpm::pointEnergy::impulse(const scalar dt)
     sums_.step.boundary += returnReduce(boundary, sumOp<scalar>());
 }
 
-
-void Foam::mpm::pointEnergy::addMove
-(
-    const scalar dt,
-    const scalar work,
-    const vector& momentum,
-    const scalar bodyWork
-)
+void Foam::mpm::pointEnergy::addMove(
+    const scalar dt, const scalar work, const vector& momentum, const scalar bodyWork)
 {
     if (!sums_.active)
     {
@@ -249,32 +210,21 @@ void Foam::mpm::pointEnergy::addMove
         load += field.loadWork(dt);
     }
     sums_.all += returnReduce(work, sumOp<scalar>());
-    sums_.step.external +=
-        dt
-       *(
-            (points_.g() & returnReduce(momentum, sumOp<vector>()))
-          + returnReduce(bodyWork, sumOp<scalar>())
-        )
-      + returnReduce(load, sumOp<scalar>());
+    sums_.step.external += dt
+            * ((points_.g() & returnReduce(momentum, sumOp<vector>()))
+               + returnReduce(bodyWork, sumOp<scalar>()))
+        + returnReduce(load, sumOp<scalar>());
 }
-
 
 void Foam::mpm::pointEnergy::accepted(const scalar)
 {
     forceWork& step = sums_.step;
     step.internal = sums_.all - step.external - step.boundary - step.contact;
     sums_.work += step;
-    sums_.exchanged +=
-        mag(step.external) + mag(step.boundary)
-      + mag(step.driven);
+    sums_.exchanged += mag(step.external) + mag(step.boundary) + mag(step.driven);
 }
 
-
-void Foam::mpm::pointEnergy::rejected()
-{
-    losses_ = lossesBefore_;
-}
-
+void Foam::mpm::pointEnergy::rejected() { losses_ = lossesBefore_; }
 
 void Foam::mpm::pointEnergy::addState(dictionary& state) const
 {
@@ -283,10 +233,7 @@ void Foam::mpm::pointEnergy::addState(dictionary& state) const
         return;
     }
     dictionary energy;
-    const auto add = [&](const char* name, const scalar value)
-    {
-        energy.add(name, value);
-    };
+    const auto add = [&](const char* name, const scalar value) { energy.add(name, value); };
     forTerms(sums_, add);
     pointLosses losses(losses_);
     losses.reduceAll();
@@ -303,7 +250,6 @@ void Foam::mpm::pointEnergy::addState(dictionary& state) const
     state.add("energy", energy);
 }
 
-
 void Foam::mpm::pointEnergy::setState(const dictionary& state)
 {
     if (!state.found("energy"))
@@ -312,42 +258,22 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
     }
     sums_.active = true;
     const dictionary& energy = requiredDict(state, "energy");
-    checkKeywords
-    (
+    checkKeywords(
         energy,
-        {
-            "kinetic0", "strain0", "internal", "external", "boundary",
-            "failure", "dissipation", "stressWork", "erodedKinetic",
-            "erodedStored", "gas", "contact", "damping", "driven", "exchanged",
-            "largest", "leastUnexplained"
-        }
-    );
-    forTerms
-    (
+        {"kinetic0", "strain0", "internal", "external", "boundary", "failure", "dissipation",
+         "stressWork", "erodedKinetic", "erodedStored", "gas", "contact", "damping", "driven",
+         "exchanged", "largest", "leastUnexplained"});
+    forTerms(
+        sums_, [&](const char* name, scalar& value) { value = required<scalar>(energy, name); });
+    forLaterTerms(
         sums_,
-        [&](const char* name, scalar& value)
-        {
-            value = required<scalar>(energy, name);
-        }
-    );
-    forLaterTerms
-    (
-        sums_,
-        [&](const char* name, scalar& value)
-        {
-            value = energy.getOrDefault<scalar>(name, 0);
-        }
-    );
+        [&](const char* name, scalar& value) { value = energy.getOrDefault<scalar>(name, 0); });
     losses_ = pointLosses();
     if (Pstream::master())
     {
         losses_.failure = energy.getOrDefault<scalar>("failure", 0);
         losses_.dissipation = energy.getOrDefault<scalar>("dissipation", 0);
-        losses_.work = energy.getOrDefault<scalar>
-        (
-            "stressWork",
-            -sums_.work.internal
-        );
+        losses_.work = energy.getOrDefault<scalar>("stressWork", -sums_.work.internal);
     }
     if (pointCoupling* gas = points_.coupling())
     {
@@ -361,10 +287,8 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
     }
     largestRead_ = energy.getOrDefault<scalar>("largest", 0);
     // Of an older state: what is there now
-    leastUnexplained_ =
-        energy.getOrDefault<scalar>("leastUnexplained", GREAT);
+    leastUnexplained_ = energy.getOrDefault<scalar>("leastUnexplained", GREAT);
 }
-
 
 void Foam::mpm::pointEnergy::report() const
 {
@@ -377,54 +301,49 @@ void Foam::mpm::pointEnergy::report() const
         kinetic += phase.kineticEnergy();
         strain += phase.strainEnergy();
     }
-    Info<< "Material points: " << points_.nPoints() << ", mass " << mass
-        << ", momentum " << momentum << nl
-        << "Energy: kinetic " << kinetic << ", strain " << strain
-        << ", total " << kinetic + strain << nl;
+    Info << "Material points: " << points_.nPoints() << ", mass " << mass << ", momentum "
+         << momentum << nl << "Energy: kinetic " << kinetic << ", strain " << strain << ", total "
+         << kinetic + strain << nl;
     const energyBudget* b = budget();
     noteEnergy(kinetic, strain, b);
     if (b)
     {
-        Info<< "Energy budget: transfer " << b->transfer() << ", boundary "
-            << b->work.boundary << ", external " << b->work.external
-            << ", failure " << b->losses.failure << ", dissipation "
-            << b->losses.dissipation;
+        Info << "Energy budget: transfer " << b->transfer() << ", boundary " << b->work.boundary
+             << ", external " << b->work.external << ", failure " << b->losses.failure
+             << ", dissipation " << b->losses.dissipation;
         if (hasContact())
         {
-            Info<< ", contact " << b->work.contact;
+            Info << ", contact " << b->work.contact;
         }
         if (points_.erosion().erodes())
         {
-            Info<< ", erosion " << b->erosion();
+            Info << ", erosion " << b->erosion();
         }
         if (points_.damps())
         {
-            Info<< ", damping " << b->damping;
+            Info << ", damping " << b->damping;
         }
         if (b->hasGas)
         {
             const gasBudget& g = b->gas;
-            Info<< nl << "    gas " << g.energy << ", gained "
-                << g.energy - g.energy0 << ", boundary " << g.boundary
-                << ", external " << g.external << ", rigid " << g.rigid
-                << ", dry " << g.dry << ", fix-ups " << g.fixups;
+            Info << nl << "    gas " << g.energy << ", gained " << g.energy - g.energy0
+                 << ", boundary " << g.boundary << ", external " << g.external << ", rigid "
+                 << g.rigid << ", dry " << g.dry << ", fix-ups " << g.fixups;
             if (points_.coupling()->exchangesHeat())
             {
-                Info<< ", heat " << g.heat;
+                Info << ", heat " << g.heat;
             }
             if (points_.coupling()->pressesGrains())
             {
-                Info<< ", granular " << g.granular;
+                Info << ", granular " << g.granular;
             }
-            Info<< nl << "    last step " << b->lastStep() << ", all";
+            Info << nl << "    last step " << b->lastStep() << ", all";
         }
         else
         {
-            Info<< ", remap " << b->remap() << ',';
+            Info << ", remap " << b->remap() << ',';
         }
-        Info<< " residual " << b->residual() << nl;
+        Info << " residual " << b->residual() << nl;
     }
     points_.reportSteps();
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointErosion.H"
 #include "pointCoupling.H"
@@ -16,8 +10,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointErosion::pointErosion(materialPointSystem& points)
-:
+Foam::mpm::pointErosion::pointErosion(materialPointSystem& points) :
     stepPart("erosion"),
     points_(points),
     phases_(points.phases()),
@@ -37,11 +30,7 @@ Foam::mpm::pointErosion::pointErosion(materialPointSystem& points)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::mpm::pointErosion::erodes() const
-{
-    return erodes_ || points_.outflow();
-}
-
+bool Foam::mpm::pointErosion::erodes() const { return erodes_ || points_.outflow(); }
 
 void Foam::mpm::pointErosion::end(const scalar dt)
 {
@@ -74,11 +63,7 @@ void Foam::mpm::pointErosion::end(const scalar dt)
     for (const label phasei : order)
     {
         const label to = debris_[phasei];
-        step[phasei] = phases_[phasei].erode
-        (
-            dt,
-            to < 0 ? nullptr : &phases_[to].cloud()
-        );
+        step[phasei] = phases_[phasei].erode(dt, to < 0 ? nullptr : &phases_[to].cloud());
         n += step[phasei].n;
     }
     if (!returnReduce(n, sumOp<label>()))
@@ -109,18 +94,15 @@ void Foam::mpm::pointErosion::end(const scalar dt)
     }
     if (!returnReduce(nLeft, sumOp<label>()))
     {
-        FatalErrorInFunction
-            << "All points have eroded in the step of " << dt
-            << " s after time " << points_.time().timeName()
-            << ": nothing is left to compute." << nl
-            << "Look at the limits of erosion in constant/phaseProperties."
-            << exit(FatalError);
+        FatalErrorInFunction << "All points have eroded in the step of " << dt << " s after time "
+                             << points_.time().timeName() << ": nothing is left to compute." << nl
+                             << "Look at the limits of erosion in constant/phaseProperties."
+                             << exit(FatalError);
     }
 
     // Make the nodes anew from the points that are left
     points_.projectAnew(dt);
 }
-
 
 void Foam::mpm::pointErosion::bookLoss(const erodedPoints& loss)
 {
@@ -130,7 +112,6 @@ void Foam::mpm::pointErosion::bookLoss(const erodedPoints& loss)
         points_.energy().sums().erodedStored += loss.stored;
     }
 }
-
 
 void Foam::mpm::pointErosion::accepted(const scalar)
 {
@@ -165,9 +146,7 @@ void Foam::mpm::pointErosion::accepted(const scalar)
     empty_ = !returnReduce(nLeft, sumOp<label>());
 }
 
-
-Foam::mpm::erodedPoints
-Foam::mpm::pointErosion::eroded(const label phasei) const
+Foam::mpm::erodedPoints Foam::mpm::pointErosion::eroded(const label phasei) const
 {
     erodedPoints sums(left_[phasei]);
     if (debris_[phasei] < 0)
@@ -176,7 +155,6 @@ Foam::mpm::pointErosion::eroded(const label phasei) const
     }
     return sums;
 }
-
 
 void Foam::mpm::pointErosion::connectDebris()
 {
@@ -192,34 +170,30 @@ void Foam::mpm::pointErosion::connectDebris()
         {
             continue;
         }
-        const dictionary& dict =
-            points_.properties().subDict(names[phasei]).subDict("erosion");
+        const dictionary& dict = points_.properties().subDict(names[phasei]).subDict("erosion");
         const label to = names.find(debris);
         if (to < 0 || to == phasei || phases_[to].motion())
         {
-            FatalIOErrorInFunction(dict)
-                << "The eroded points of " << names[phasei] << " go to "
-                << debris << ", not another phase of material points."
-                << nl << "The phases are: " << names << exit(FatalIOError);
+            FatalIOErrorInFunction(dict) << "The eroded points of " << names[phasei] << " go to "
+                                         << debris << ", not another phase of material points."
+                                         << nl << "The phases are: " << names << exit(FatalIOError);
         }
         if (!phases_[to].debris().empty())
         {
             FatalIOErrorInFunction(dict)
-                << "The eroded points of " << names[phasei] << " go to "
-                << debris << ", whose own go to " << phases_[to].debris()
-                << "." << nl << "Points may change phase once: " << debris
-                << " may have erosion without to. If it begins with  $"
-                << names[phasei] << ";  it has the erosion of that too (an"
+                << "The eroded points of " << names[phasei] << " go to " << debris
+                << ", whose own go to " << phases_[to].debris() << "." << nl
+                << "Points may change phase once: " << debris
+                << " may have erosion without to. If it begins with  $" << names[phasei]
+                << ";  it has the erosion of that too (an"
                 << " entry erosion of its own is merged into it): take it out"
-                << " with  #remove erosion  in the next line."
-                << exit(FatalIOError);
+                << " with  #remove erosion  in the next line." << exit(FatalIOError);
         }
         if (debris_.found(to))
         {
             FatalIOErrorInFunction(dict)
-                << "The eroded points of " << names[phasei] << " and of "
-                << names[debris_.find(to)] << " both go to " << debris
-                << ": their ids would be the same." << nl
+                << "The eroded points of " << names[phasei] << " and of " << names[debris_.find(to)]
+                << " both go to " << debris << ": their ids would be the same." << nl
                 << "Give each a phase of its own; they may share a"
                 << " velocityField." << exit(FatalIOError);
         }
@@ -227,25 +201,20 @@ void Foam::mpm::pointErosion::connectDebris()
         {
             const dictionary& from = points_.properties().subDict(names[phasei]);
             const dictionary& into = points_.properties().subDict(debris);
-            if
-            (
-                from.found(key) != into.found(key)
-             || (from.found(key) && from.subDict(key) != into.subDict(key))
-            )
+            if (from.found(key) != into.found(key)
+                || (from.found(key) && from.subDict(key) != into.subDict(key)))
             {
                 FatalIOErrorInFunction(dict)
-                    << "The eroded points of " << names[phasei] << " go to "
-                    << debris << ", whose " << key << " differs: their"
-                    << " columns and energy cannot be transferred." << nl
-                    << "Give " << debris << " the " << key << " of "
-                    << names[phasei] << ", entry by entry."
+                    << "The eroded points of " << names[phasei] << " go to " << debris << ", whose "
+                    << key << " differs: their"
+                    << " columns and energy cannot be transferred." << nl << "Give " << debris
+                    << " the " << key << " of " << names[phasei] << ", entry by entry."
                     << exit(FatalIOError);
             }
         }
         debris_[phasei] = to;
     }
 }
-
 
 void Foam::mpm::pointErosion::checkDebris() const
 {
@@ -256,28 +225,20 @@ void Foam::mpm::pointErosion::checkDebris() const
         {
             continue;
         }
-        const label there =
-            returnReduce(phases_[to].cloud().size(), sumOp<label>())
-          + nGone(to);
+        const label there = returnReduce(phases_[to].cloud().size(), sumOp<label>()) + nGone(to);
         if (there != eroded_[phasei].n)
         {
-            FatalErrorInFunction
-                << "Phase " << phases_[to].name() << " has " << there
-                << " material points, but " << eroded_[phasei].n
-                << " have come from " << phases_[phasei].name() << "." << nl
-                << "It may hold only those, and they keep their ids: no region"
-                << " of setMaterialPointsDict may fill it, and a restart needs"
-                << " its folder." << exit(FatalError);
+            FatalErrorInFunction << "Phase " << phases_[to].name() << " has " << there
+                                 << " material points, but " << eroded_[phasei].n
+                                 << " have come from " << phases_[phasei].name() << "." << nl
+                                 << "It may hold only those, and they keep their ids: no region"
+                                 << " of setMaterialPointsDict may fill it, and a restart needs"
+                                 << " its folder." << exit(FatalError);
         }
     }
 }
 
-
-void Foam::mpm::pointErosion::countStarted()
-{
-    started_ = points_.nPoints() + nEroded();
-}
-
+void Foam::mpm::pointErosion::countStarted() { started_ = points_.nPoints() + nEroded(); }
 
 Foam::label Foam::mpm::pointErosion::nEroded() const
 {
@@ -289,23 +250,20 @@ Foam::label Foam::mpm::pointErosion::nEroded() const
     return n;
 }
 
-
 void Foam::mpm::pointErosion::report() const
 {
     const label nPresent = points_.nPoints();
     if (nPresent + nEroded() != started_)
     {
-        FatalErrorInFunction
-            << "There are " << nPresent << " material points and " << nEroded()
-            << " have eroded or left, but " << started_ << " were there at the start."
-            << exit(FatalError);
+        FatalErrorInFunction << "There are " << nPresent << " material points and " << nEroded()
+                             << " have eroded or left, but " << started_
+                             << " were there at the start." << exit(FatalError);
     }
     checkDebris();
     const auto line = [](const char* what, const word& name, const erodedPoints& e)
     {
-        Info<< what << ' ' << name << ": " << e.n << " points, mass " << e.mass
-            << ", momentum " << e.momentum << ", energy: kinetic " << e.kinetic
-            << ", stored " << e.stored;
+        Info << what << ' ' << name << ": " << e.n << " points, mass " << e.mass << ", momentum "
+             << e.momentum << ", energy: kinetic " << e.kinetic << ", stored " << e.stored;
     };
     forAll(phases_, phasei)
     {
@@ -313,20 +271,19 @@ void Foam::mpm::pointErosion::report() const
         if (left_[phasei].n)
         {
             line("Outflow", phase.name(), left_[phasei]);
-            Info<< endl;
+            Info << endl;
         }
         if (phase.erosion() || eroded_[phasei].n)
         {
             line("Eroded", phase.name(), eroded_[phasei]);
             if (debris_[phasei] >= 0)
             {
-                Info<< ", to " << phases_[debris_[phasei]].name();
+                Info << ", to " << phases_[debris_[phasei]].name();
             }
-            Info<< endl;
+            Info << endl;
         }
     }
 }
-
 
 void Foam::mpm::pointErosion::addState(dictionary& state) const
 {
@@ -351,7 +308,6 @@ void Foam::mpm::pointErosion::addState(dictionary& state) const
         state.add("outflow", left);
     }
 }
-
 
 void Foam::mpm::pointErosion::setState(const dictionary& state)
 {
@@ -385,5 +341,3 @@ void Foam::mpm::pointErosion::setState(const dictionary& state)
     }
     empty_ = points_.outflow() && !returnReduce(n, sumOp<label>());
 }
-
-// ************************************************************************* //

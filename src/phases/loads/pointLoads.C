@@ -1,21 +1,13 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointLoads.H"
 #include "materialPointSystem.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointLoads::pointLoads(materialPointSystem& points)
-:
-    stepPart("loads"),
-    points_(points)
-{}
+Foam::mpm::pointLoads::pointLoads(materialPointSystem& points) : stepPart("loads"), points_(points)
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -27,27 +19,16 @@ void Foam::mpm::pointLoads::force(const scalar time)
         velocityField& field = points_.fields()[points_.fieldOf(phasei)];
         if (phase.hasBodyForce())
         {
-            points_.gridTransfer().addBodyForce
-            (
-                phase.cloud(),
-                phase.acceleration(time),
-                field.force()
-            );
+            points_.gridTransfer().addBodyForce(
+                phase.cloud(), phase.acceleration(time), field.force());
         }
         for (const surfaceLoad& load : phase.surfaceLoads())
         {
-            load.addForce
-            (
-                points_.gridTransfer(),
-                phase.cloud(),
-                time,
-                field.load(),
-                field.stride()
-            );
+            load.addForce(
+                points_.gridTransfer(), phase.cloud(), time, field.load(), field.stride());
         }
     }
 }
-
 
 bool Foam::mpm::pointLoads::timeDependent() const
 {
@@ -60,5 +41,3 @@ bool Foam::mpm::pointLoads::timeDependent() const
     }
     return false;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointPhase.H"
 #include "dictionaryTools.H"
@@ -15,15 +9,9 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::materialPointPhase::materialPointPhase
-(
-    const pointGrid& grid,
-    const word& name,
-    const dictionary& dict,
-    const bool needHalfSize,
-    const bool needAffine
-)
-:
+Foam::mpm::materialPointPhase::materialPointPhase(
+    const pointGrid& grid, const word& name, const dictionary& dict, const bool needHalfSize,
+    const bool needAffine) :
     name_(name),
     velocityField_(dict.getOrDefault<word>("velocityField", name)),
     failedTime_(-1),
@@ -46,9 +34,8 @@ Foam::mpm::materialPointPhase::materialPointPhase
     }
     else if (dict.found("Cv"))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry Cv only goes with heatTransfer; phase " << name
-            << " has none." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Entry Cv only goes with heatTransfer; phase " << name
+                                     << " has none." << exit(FatalIOError);
     }
 
     if (needHalfSize)
@@ -74,42 +61,22 @@ Foam::mpm::materialPointPhase::materialPointPhase
 
 void Foam::mpm::materialPointPhase::readMaterial(const dictionary& dict)
 {
-    const word type
-    (
-        oneOfOrDefault
-        (
-            dict,
-            "type",
-            "materialPoints",
-            {"materialPoints", "rigid"}
-        )
-    );
+    const word type(oneOfOrDefault(dict, "type", "materialPoints", {"materialPoints", "rigid"}));
     if (type == "rigid")
     {
-        checkKeywords
-        (
-            dict,
-            {
-                "type", "rho", "motion", "velocityField", "drag",
-                "heatTransfer", "Cv"
-            }
-        );
+        checkKeywords(
+            dict, {"type", "rho", "motion", "velocityField", "drag", "heatTransfer", "Cv"});
         rho_ = positive(dict, "rho");
         motion_ = rigidMotion::New(dict, cloud_.grid());
         cloud_.needReference();
     }
     else
     {
-        checkKeywords
-        (
+        checkKeywords(
             dict,
-            {
-                "type", "constitutiveModel", "failureModel", "bodyForce",
-                "surfaceLoads", "damping",
-                "erosion", "velocityField", "volumeModel", "drag",
-                "granularPressure", "heatTransfer", "Cv"
-            }
-        );
+            {"type", "constitutiveModel", "failureModel", "bodyForce", "surfaceLoads", "damping",
+             "erosion", "velocityField", "volumeModel", "drag", "granularPressure", "heatTransfer",
+             "Cv"});
         law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
         readVolumeModel(dict);
         waveSpeed_ = law_->waveSpeed();
@@ -120,16 +87,12 @@ void Foam::mpm::materialPointPhase::readMaterial(const dictionary& dict)
     }
 }
 
-
 void Foam::mpm::materialPointPhase::readLoads(const dictionary& dict)
 {
     if (dict.found("bodyForce"))
     {
         bodyForce_ = bodyForce::New(requiredDict(dict, "bodyForce"));
-        acceleration_.reset
-        (
-            new column("bodyForce", column::vectors, cloud_.grid().nDim())
-        );
+        acceleration_.reset(new column("bodyForce", column::vectors, cloud_.grid().nDim()));
         if (bodyForce_->needsReference())
         {
             cloud_.needReference();
@@ -141,10 +104,7 @@ void Foam::mpm::materialPointPhase::readLoads(const dictionary& dict)
         const dictionary& loads = requiredDict(dict, "surfaceLoads");
         for (const word& load : loads.toc())
         {
-            surfaceLoads_.append
-            (
-                new surfaceLoad(requiredDict(loads, load), cloud_.grid())
-            );
+            surfaceLoads_.append(new surfaceLoad(requiredDict(loads, load), cloud_.grid()));
         }
     }
     if (dict.found("damping"))
@@ -153,12 +113,8 @@ void Foam::mpm::materialPointPhase::readLoads(const dictionary& dict)
     }
 }
 
-
-void Foam::mpm::materialPointPhase::readErosion
-(
-    const dictionary& dict,
-    List<historyColumn>& history
-)
+void Foam::mpm::materialPointPhase::readErosion(
+    const dictionary& dict, List<historyColumn>& history)
 {
     if (!dict.found("erosion"))
     {
@@ -170,11 +126,8 @@ void Foam::mpm::materialPointPhase::readErosion
         debris_ = criterion.get<word>("to");
         criterion.remove("to");
     }
-    erosion_ = erosionCriterion::New
-    (
-        criterion,
-        erodible{*law_, cloud_.grid().nDim(), bool(failure_)}
-    );
+    erosion_ =
+        erosionCriterion::New(criterion, erodible{*law_, cloud_.grid().nDim(), bool(failure_)});
     if (erosion_->needsFailedTime())
     {
         failedTime_ = 0;
@@ -182,13 +135,9 @@ void Foam::mpm::materialPointPhase::readErosion
         {
             failedTime_ += h.nComponents(cloud_.grid().nDim());
         }
-        history.append
-        (
-            historyColumn{"failedTime", historyColumn::scalars}
-        );
+        history.append(historyColumn{"failedTime", historyColumn::scalars});
     }
 }
-
 
 void Foam::mpm::materialPointPhase::needHistory(const dictionary& dict)
 {
@@ -212,32 +161,24 @@ void Foam::mpm::materialPointPhase::needHistory(const dictionary& dict)
     if (nHistory > pointBlock::maxHistory)
     {
         FatalIOErrorInFunction(dict)
-            << "Law and failure model of phase " << name_ << " have "
-            << nHistory << " history components; at most "
-            << pointBlock::maxHistory << " are possible."
+            << "Law and failure model of phase " << name_ << " have " << nHistory
+            << " history components; at most " << pointBlock::maxHistory << " are possible."
             << exit(FatalIOError);
     }
     for (const historyColumn& h : history)
     {
-        cloud_.needHistory
-        (
+        cloud_.needHistory(
             h.name,
-            h.kind == historyColumn::scalars ? column::scalars
-          : h.kind == historyColumn::symmetric ? column::strains
-          : h.kind == historyColumn::stresses ? column::stresses
-          : column::tensors
-        );
+            h.kind == historyColumn::scalars         ? column::scalars
+                : h.kind == historyColumn::symmetric ? column::strains
+                : h.kind == historyColumn::stresses  ? column::stresses
+                                                     : column::tensors);
     }
 }
 
-
 void Foam::mpm::materialPointPhase::readVolumeModel(const dictionary& dict)
 {
-    grains_ =
-        oneOfOrDefault
-        (
-            dict, "volumeModel", "ownStress", {"ownStress", "grains"}
-        ) == "grains";
+    grains_ = oneOfOrDefault(dict, "volumeModel", "ownStress", {"ownStress", "grains"}) == "grains";
 
     if (!law_->hasStress() && !grains_)
     {
@@ -250,14 +191,12 @@ void Foam::mpm::materialPointPhase::readVolumeModel(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "Phase " << name_ << " has a failureModel, but points of the"
-            << " law " << law_->type() << " have no stress and cannot fail."
-            << exit(FatalIOError);
+            << " law " << law_->type() << " have no stress and cannot fail." << exit(FatalIOError);
     }
     if (!grains_ && dict.found("granularPressure"))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry granularPressure of " << name_ << " only goes with"
-            << "  volumeModel grains;" << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Entry granularPressure of " << name_ << " only goes with"
+                                     << "  volumeModel grains;" << exit(FatalIOError);
     }
 }
 
@@ -268,59 +207,41 @@ Foam::wordList Foam::mpm::materialPointPhase::names(const dictionary& dict)
     return phaseNames(dict, {"materialPoints", "rigid"});
 }
 
-
-void Foam::mpm::materialPointPhase::read
-(
-    const bool mayBeEmpty,
-    const bool losesPoints,
-    const pointRows* rows
-)
+void Foam::mpm::materialPointPhase::read(
+    const bool mayBeEmpty, const bool losesPoints, const pointRows* rows)
 {
     const label n = rows ? cloud_.setRows(*rows) : cloud_.readPoints();
 
     // A phase may have lost all its points to erosion or outflow
-    const bool gone =
-        losesPoints
-     && isFile
-        (
-            cloud_.time().path()/cloud_.time().timeName()/"uniform"
-           /"materialPointState"
-        );
+    const bool gone = losesPoints
+        && isFile(cloud_.time().path() / cloud_.time().timeName() / "uniform"
+                  / "materialPointState");
     if (n <= 0 && !rows && !gone && !mayBeEmpty)
     {
         const Time& time = cloud_.time();
-        if
-        (
-            Pstream::parRun()
-         && isDir(time.globalPath()/time.timeName()/cloud::prefix/name_)
-        )
+        if (Pstream::parRun() && isDir(time.globalPath() / time.timeName() / cloud::prefix / name_))
         {
-            FatalErrorInFunction
-                << "Phase " << name_ << " has no material points in "
-                << time.path()/time.timeName()/cloud::prefix/name_
-                << ", but the case that was decomposed has them: they were"
-                << " made after it." << nl
-                << "Run  decomposePar -force" << exit(FatalError);
+            FatalErrorInFunction << "Phase " << name_ << " has no material points in "
+                                 << time.path() / time.timeName() / cloud::prefix / name_
+                                 << ", but the case that was decomposed has them: they were"
+                                 << " made after it." << nl << "Run  decomposePar -force"
+                                 << exit(FatalError);
         }
-        FatalErrorInFunction
-            << "Phase " << name_ << " has no material points in "
-            << cloud_.time().path()/cloud_.time().timeName()
-              /cloud::prefix/name_ << "." << nl
-            << "Run setMaterialPoints first"
-            << (Pstream::parRun() ? " and  decomposePar -force  after it" : "")
-            << ", or remove the phase from constant/phaseProperties."
-            << exit(FatalError);
+        FatalErrorInFunction << "Phase " << name_ << " has no material points in "
+                             << cloud_.time().path() / cloud_.time().timeName() / cloud::prefix
+                / name_ << "."
+                             << nl << "Run setMaterialPoints first"
+                             << (Pstream::parRun() ? " and  decomposePar -force  after it" : "")
+                             << ", or remove the phase from constant/phaseProperties."
+                             << exit(FatalError);
     }
 
     if (column* s = cloud_.strength())
     {
         for (label p = 0; p < cloud_.size(); ++p)
         {
-            (*s)[0][p] = failure_->strength
-            (
-                uint64_t(cloud_.id()[0][p]),
-                cloud_.mass()[0][p]/rho()
-            );
+            (*s)[0][p] =
+                failure_->strength(uint64_t(cloud_.id()[0][p]), cloud_.mass()[0][p] / rho());
         }
     }
 
@@ -359,7 +280,6 @@ void Foam::mpm::materialPointPhase::read
     }
 }
 
-
 bool Foam::mpm::materialPointPhase::stressed()
 {
     bool found = false;
@@ -374,7 +294,6 @@ bool Foam::mpm::materialPointPhase::stressed()
     return returnReduce(found, orOp<bool>());
 }
 
-
 void Foam::mpm::materialPointPhase::startHistory()
 {
     if (law_ && !stressed())
@@ -384,9 +303,7 @@ void Foam::mpm::materialPointPhase::startHistory()
     }
 }
 
-
-const Foam::mpm::column&
-Foam::mpm::materialPointPhase::acceleration(const scalar time)
+const Foam::mpm::column& Foam::mpm::materialPointPhase::acceleration(const scalar time)
 {
     acceleration_->reserve(cloud_.capacity(), 0);
 
@@ -406,13 +323,11 @@ Foam::mpm::materialPointPhase::acceleration(const scalar time)
     return *acceleration_;
 }
 
-
 void Foam::mpm::materialPointPhase::keepStress()
 {
     cloud_.keepStress();
     nFailedKept_ = nFailed_;
 }
-
 
 void Foam::mpm::materialPointPhase::restoreStress()
 {
@@ -420,13 +335,10 @@ void Foam::mpm::materialPointPhase::restoreStress()
     nFailed_ = nFailedKept_;
 }
 
-
-Foam::scalar
-Foam::mpm::materialPointPhase::storedEnergy(const pointBlock& b) const
+Foam::scalar Foam::mpm::materialPointPhase::storedEnergy(const pointBlock& b) const
 {
     return failure_ ? failure_->storedEnergy(b) : law_->strainEnergy(b);
 }
-
 
 void Foam::mpm::materialPointPhase::scaleVelocity(const scalar factor)
 {
@@ -447,7 +359,6 @@ void Foam::mpm::materialPointPhase::scaleVelocity(const scalar factor)
     }
 }
 
-
 Foam::scalar Foam::mpm::materialPointPhase::kineticEnergy() const
 {
     if (motion_ && motion_->free())
@@ -462,11 +373,10 @@ Foam::scalar Foam::mpm::materialPointPhase::kineticEnergy() const
         {
             U2 += sqr(cloud_.U()[d][p]);
         }
-        sum += 0.5*cloud_.mass()[0][p]*U2;
+        sum += 0.5 * cloud_.mass()[0][p] * U2;
     }
     return returnReduce(sum, sumOp<scalar>());
 }
-
 
 Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
 {
@@ -478,7 +388,6 @@ Foam::scalar Foam::mpm::materialPointPhase::strainEnergy() const
     const pointBlock b(const_cast<materialPointPhase&>(*this).block());
     return returnReduce(storedEnergy(b), sumOp<scalar>());
 }
-
 
 Foam::scalar Foam::mpm::materialPointPhase::mass() const
 {
@@ -494,7 +403,6 @@ Foam::scalar Foam::mpm::materialPointPhase::mass() const
     return returnReduce(sum, sumOp<scalar>());
 }
 
-
 Foam::vector Foam::mpm::materialPointPhase::momentum() const
 {
     if (motion_ && motion_->free())
@@ -504,9 +412,7 @@ Foam::vector Foam::mpm::materialPointPhase::momentum() const
     vector sum(Zero);
     for (label p = 0; p < cloud_.size(); ++p)
     {
-        sum += cloud_.mass()[0][p]*cloud_.velocity(p);
+        sum += cloud_.mass()[0][p] * cloud_.velocity(p);
     }
     return returnReduce(sum, sumOp<vector>());
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointPhase.H"
 #include "outflowPatches.H"
@@ -13,11 +7,7 @@ License
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::mpm::erodedPoints
-Foam::mpm::materialPointPhase::erode
-(
-    const scalar dt,
-    materialPointCloud* debris
-)
+Foam::mpm::materialPointPhase::erode(const scalar dt, materialPointCloud* debris)
 {
     const int D = cloud_.grid().nDim();
     const pointBlock all(block());
@@ -29,11 +19,14 @@ Foam::mpm::materialPointPhase::erode
 
     scalarList speed, width;
     findSpeeds(speed, width);
-    erosionBlock b
-    {
-        all, {}, failedTime, cloud_.start(), {}, {},
-        speed.size() ? speed.cdata() : nullptr, width.cdata()
-    };
+    erosionBlock b{all,
+                   {},
+                   failedTime,
+                   cloud_.start(),
+                   {},
+                   {},
+                   speed.size() ? speed.cdata() : nullptr,
+                   width.cdata()};
     for (int d = 0; d < D; ++d)
     {
         b.U[d] = cloud_.U()[d];
@@ -65,7 +58,6 @@ Foam::mpm::materialPointPhase::erode
     return sums;
 }
 
-
 Foam::label Foam::mpm::materialPointPhase::fastestPoint()
 {
     if (fastestBlock_ < 0 || motion_)
@@ -75,11 +67,7 @@ Foam::label Foam::mpm::materialPointPhase::fastestPoint()
 
     // Within the block, unless points have eroded since
     const pointBlock all(block());
-    const label last = min
-    (
-        cloud_.size(),
-        fastestBlock_ + label(pointGridTransfer::largestBlock)
-    );
+    const label last = min(cloud_.size(), fastestBlock_ + label(pointGridTransfer::largestBlock));
     label fastest = -1;
     scalar most = 0;
     for (label p = fastestBlock_; p < last; ++p)
@@ -94,7 +82,6 @@ Foam::label Foam::mpm::materialPointPhase::fastestPoint()
     }
     return fastest;
 }
-
 
 Foam::scalar Foam::mpm::materialPointPhase::shortestSide() const
 {
@@ -111,25 +98,16 @@ Foam::scalar Foam::mpm::materialPointPhase::shortestSide() const
     return shortest;
 }
 
-
-Foam::scalar Foam::mpm::materialPointPhase::waveRate
-(
-    const vector& g,
-    const scalar h
-) const
+Foam::scalar Foam::mpm::materialPointPhase::waveRate(const vector& g, const scalar h) const
 {
     if (!motion_)
     {
-        return waveSpeed_/h;
+        return waveSpeed_ / h;
     }
-    return motion()->free() ? std::sqrt(mag(g)/shortestSide()) : 0;
+    return motion()->free() ? std::sqrt(mag(g) / shortestSide()) : 0;
 }
 
-
-Foam::scalar Foam::mpm::materialPointPhase::largestSpeed
-(
-    const label p
-) const
+Foam::scalar Foam::mpm::materialPointPhase::largestSpeed(const label p) const
 {
     scalar largest = 0;
     for (int d = 0; d < cloud_.grid().nDim(); ++d)
@@ -139,12 +117,7 @@ Foam::scalar Foam::mpm::materialPointPhase::largestSpeed
     return largest;
 }
 
-
-void Foam::mpm::materialPointPhase::findSpeeds
-(
-    scalarList& speed,
-    scalarList& width
-)
+void Foam::mpm::materialPointPhase::findSpeeds(scalarList& speed, scalarList& width)
 {
     if (!erosion_->needsSpeeds(0, GREAT))
     {
@@ -174,11 +147,8 @@ void Foam::mpm::materialPointPhase::findSpeeds
     }
 }
 
-
-Foam::mpm::erodedPoints Foam::mpm::materialPointPhase::leave
-(
-    const UList<materialPointCloud::cellChange>& cellChanges
-)
+Foam::mpm::erodedPoints
+Foam::mpm::materialPointPhase::leave(const UList<materialPointCloud::cellChange>& cellChanges)
 {
     erodedPoints sums;
     label p = cloud_.size();
@@ -193,12 +163,7 @@ Foam::mpm::erodedPoints Foam::mpm::materialPointPhase::leave
     return sums;
 }
 
-
-Foam::mpm::erodedPoints Foam::mpm::materialPointPhase::sumOf
-(
-    const label first,
-    const label n
-)
+Foam::mpm::erodedPoints Foam::mpm::materialPointPhase::sumOf(const label first, const label n)
 {
     erodedPoints sums;
     sums.n = n;
@@ -208,10 +173,8 @@ Foam::mpm::erodedPoints Foam::mpm::materialPointPhase::sumOf
         const scalar m = cloud_.mass()[0][p];
         const vector U(cloud_.velocity(p));
         sums.mass += m;
-        sums.momentum += m*U;
-        sums.kinetic += 0.5*m*magSqr(U);
+        sums.momentum += m * U;
+        sums.kinetic += 0.5 * m * magSqr(U);
     }
     return sums;
 }
-
-// ************************************************************************* //

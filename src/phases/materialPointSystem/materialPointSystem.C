@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointSystem.H"
 #include "pointEnergy.H"
@@ -17,7 +11,7 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(materialPointSystem, 0);
+defineTypeNameAndDebug(materialPointSystem, 0);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -34,7 +28,6 @@ Foam::label Foam::mpm::materialPointSystem::indexOf(const word& phase) const
     return -1;
 }
 
-
 Foam::label Foam::mpm::materialPointSystem::nPoints() const
 {
     label n = 0;
@@ -45,7 +38,6 @@ Foam::label Foam::mpm::materialPointSystem::nPoints() const
     return returnReduce(n, sumOp<label>());
 }
 
-
 Foam::scalar Foam::mpm::materialPointSystem::bytesPerPoint() const
 {
     scalar bytes = 0;
@@ -53,16 +45,14 @@ Foam::scalar Foam::mpm::materialPointSystem::bytesPerPoint() const
     forAll(phases_, phasei)
     {
         const materialPointCloud& cloud = phases_[phasei].cloud();
-        bytes += cloud.bytesPerPoint()*cloud.size();
-        bytes +=
-            cellChanges_[phasei].capacity()*sizeof(materialPointCloud::cellChange);
+        bytes += cloud.bytesPerPoint() * cloud.size();
+        bytes += cellChanges_[phasei].capacity() * sizeof(materialPointCloud::cellChange);
         n += cloud.size();
     }
     reduce(bytes, sumOp<scalar>());
     reduce(n, sumOp<label>());
-    return bytes/max(n, label(1));
+    return bytes / max(n, label(1));
 }
-
 
 Foam::scalar Foam::mpm::materialPointSystem::gridBytes() const
 {
@@ -74,21 +64,14 @@ Foam::scalar Foam::mpm::materialPointSystem::gridBytes() const
     return returnReduce(bytes, sumOp<scalar>());
 }
 
-
-bool Foam::mpm::materialPointSystem::damps() const
-{
-    return parts_.find<phaseDamping>()->damps();
-}
-
+bool Foam::mpm::materialPointSystem::damps() const { return parts_.find<phaseDamping>()->damps(); }
 
 void Foam::mpm::materialPointSystem::couple(pointCoupling& coupling)
 {
     if (stressUpdate_->early())
     {
-        FatalIOErrorInFunction
-        (
-            mesh_.solutionDict().subDict("materialPoints")
-        )   << "stressUpdate " << stressUpdate_->type() << " does not work in"
+        FatalIOErrorInFunction(mesh_.solutionDict().subDict("materialPoints"))
+            << "stressUpdate " << stressUpdate_->type() << " does not work in"
             << " a gas, which has to act on the stress of the start of the"
             << " step." << nl << "Valid choice: MUSL" << exit(FatalIOError);
     }
@@ -117,12 +100,7 @@ void Foam::mpm::materialPointSystem::couple(pointCoupling& coupling)
     }
 }
 
-
-void Foam::mpm::materialPointSystem::addImpulse
-(
-    const label fieldi,
-    scalar* impulse
-)
+void Foam::mpm::materialPointSystem::addImpulse(const label fieldi, scalar* impulse)
 {
     velocityField& field = fields_[fieldi];
     field.sumColumn(impulse);
@@ -140,17 +118,14 @@ void Foam::mpm::materialPointSystem::readNumerics()
     if (!from_ && !mesh_.solutionDict().found("materialPoints"))
     {
         FatalIOErrorInFunction(mesh_.solutionDict())
-            << "Entry materialPoints is missing in "
-            << mesh_.solutionDict().name() << ". It has the numerics of the"
+            << "Entry materialPoints is missing in " << mesh_.solutionDict().name()
+            << ". It has the numerics of the"
             << " phases " << flatOutput(materialPointPhase::names(properties_))
             << ", which are of material points: they have neither  type gas"
-            << "  nor  type fluid  in constant/phaseProperties."
-            << exit(FatalIOError);
+            << "  nor  type fluid  in constant/phaseProperties." << exit(FatalIOError);
     }
     const dictionary& dict =
-        from_
-      ? from_->numerics
-      : requiredDict(mesh_.solutionDict(), "materialPoints");
+        from_ ? from_->numerics : requiredDict(mesh_.solutionDict(), "materialPoints");
 
     checkNumerics(dict);
     numerics_ = dict;
@@ -164,25 +139,17 @@ void Foam::mpm::materialPointSystem::readNumerics()
     readLimits(dict);
 }
 
-
 void Foam::mpm::materialPointSystem::readLimits(const dictionary& dict)
 {
     maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
     maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
 }
 
-
 void Foam::mpm::materialPointSystem::checkNumerics(const dictionary& dict)
 {
     wordList valid(transferScheme::keywordsOfAll(dict));
-    valid.append
-    (
-        wordList
-        ({
-            "shapeFunction", "dilatation", "stressUpdate", "energyBudget",
-            "maxTravel", "maxStrain"
-        })
-    );
+    valid.append(wordList(
+        {"shapeFunction", "dilatation", "stressUpdate", "energyBudget", "maxTravel", "maxStrain"}));
     checkKeywords(dict, valid);
 }
 
@@ -208,11 +175,7 @@ void Foam::mpm::materialPointSystem::readModified()
     // Entries that are fixed during a run; if the transfer has changed, its own
     // entries too
     wordList fixed({"shapeFunction", "dilatation", "transfer", "stressUpdate"});
-    if
-    (
-        dict.getOrDefault<word>("transfer", "")
-     != numerics_.getOrDefault<word>("transfer", "")
-    )
+    if (dict.getOrDefault<word>("transfer", "") != numerics_.getOrDefault<word>("transfer", ""))
     {
         fixed = transferScheme::keywordsOfAll(dict);
         fixed.append(wordList({"shapeFunction", "dilatation", "stressUpdate"}));
@@ -258,17 +221,13 @@ void Foam::mpm::materialPointSystem::readModified()
     }
     if (acts.size())
     {
-        Info<< "fvSolution.materialPoints has changed: " << flatOutput(acts)
-            << " act from time " << mesh_.time().timeName() << " on" << nl
-            << endl;
+        Info << "fvSolution.materialPoints has changed: " << flatOutput(acts) << " act from time "
+             << mesh_.time().timeName() << " on" << nl << endl;
     }
     if (later.size())
     {
-        WarningInFunction
-            << "fvSolution.materialPoints has changed: " << flatOutput(later)
-            << " act only in a new run; this one keeps the old ones." << endl;
+        WarningInFunction << "fvSolution.materialPoints has changed: " << flatOutput(later)
+                          << " act only in a new run; this one keeps the old ones." << endl;
     }
     numerics_ = now;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointSystem.H"
 #include "noTraps.H"
@@ -32,8 +26,7 @@ struct fastest
     void combine()
     {
         const scalar most = returnReduce(rate, maxOp<scalar>());
-        label teller =
-            most > 0 && rate == most ? Pstream::myProcNo() : labelMax;
+        label teller = most > 0 && rate == most ? Pstream::myProcNo() : labelMax;
         reduce(teller, minOp<label>());
         List<string> all(Pstream::nProcs());
         all[Pstream::myProcNo()] = words;
@@ -44,19 +37,12 @@ struct fastest
     }
 };
 
-
-string inWords
-(
-    const string& who,
-    const char* what,
-    const scalar speed,
-    const scalar width
-)
+string inWords(const string& who, const char* what, const scalar speed, const scalar width)
 {
     OStringStream os;
     os.precision(4);
-    os  << who.c_str() << ": " << what << ' ' << speed << " m/s in "
-        << (width < 1 ? 1e3*width : width) << (width < 1 ? " mm" : " m");
+    os << who.c_str() << ": " << what << ' ' << speed << " m/s in "
+       << (width < 1 ? 1e3 * width : width) << (width < 1 ? " mm" : " m");
     return os.str();
 }
 
@@ -69,23 +55,13 @@ void Foam::mpm::materialPointSystem::makeMeans(const label phasei)
     const auto make = [&](auto& fields, const word& name, const auto& zero)
     {
         typedef typename std::decay_t<decltype(fields)>::value_type fieldType;
-        fields.set
-        (
+        fields.set(
             phasei,
-            new fieldType
-            (
-                IOobject
-                (
-                    IOobject::groupName(name, phases_[phasei].name()),
-                    mesh_.time().timeName(),
-                    mesh_,
-                    IOobject::NO_READ,
-                    IOobject::AUTO_WRITE
-                ),
-                mesh_,
-                zero
-            )
-        );
+            new fieldType(
+                IOobject(
+                    IOobject::groupName(name, phases_[phasei].name()), mesh_.time().timeName(),
+                    mesh_, IOobject::NO_READ, IOobject::AUTO_WRITE),
+                mesh_, zero));
     };
     make(alpha_, "alpha", dimensionedScalar(dimless, Zero));
     make(Umean_, "Umean", dimensionedVector(dimVelocity, Zero));
@@ -95,7 +71,6 @@ void Foam::mpm::materialPointSystem::makeMeans(const label phasei)
         make(Tmean_, "Tmean", dimensionedScalar(dimTemperature, Zero));
     }
 }
-
 
 void Foam::mpm::materialPointSystem::updateMeans(const label phasei)
 {
@@ -121,16 +96,16 @@ void Foam::mpm::materialPointSystem::updateMeans(const label phasei)
             const scalar mp = cloud.mass()[0][p];
             v += vp;
             m += mp;
-            mU += mp*cloud.velocity(p);
-            vSigma += vp*cloud.sigma(p);
-            mT += T ? mp*(*T)[0][p] : 0;
+            mU += mp * cloud.velocity(p);
+            vSigma += vp * cloud.sigma(p);
+            mT += T ? mp * (*T)[0][p] : 0;
         }
-        alpha_[phasei][celli] = v/mesh_.V()[celli];
-        Umean_[phasei][celli] = mU/m;
-        sigmaMean_[phasei][celli] = vSigma/v;
+        alpha_[phasei][celli] = v / mesh_.V()[celli];
+        Umean_[phasei][celli] = mU / m;
+        sigmaMean_[phasei][celli] = vSigma / v;
         if (T)
         {
-            Tmean_[phasei][celli] = mT/m;
+            Tmean_[phasei][celli] = mT / m;
         }
     }
 }
@@ -143,27 +118,21 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
     fastest sound, speed;
     forAll(phases_, phasei)
     {
-        materialPointPhase& phase =
-            const_cast<materialPointPhase&>(phases_[phasei]);
+        materialPointPhase& phase = const_cast<materialPointPhase&>(phases_[phasei]);
         const materialPointCloud& cloud = phase.cloud();
         const auto name = [&](const label p)
-        {
-            return
-                "point " + Foam::name(label(cloud.id()[0][p])) + " of "
-              + phase.name();
-        };
+        { return "point " + Foam::name(label(cloud.id()[0][p])) + " of " + phase.name(); };
 
         // Speeds
         forAll(cloud.cells(), k)
         {
-            const scalar h =
-                gridTransfer_->cellWidth(grid_, cloud.cells()[k]);
+            const scalar h = gridTransfer_->cellWidth(grid_, cloud.cells()[k]);
             for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
             {
                 const scalar u = phase.largestSpeed(p);
-                if (u > speed.rate*h)
+                if (u > speed.rate * h)
                 {
-                    speed.rate = u/h;
+                    speed.rate = u / h;
                     speed.words = inWords(name(p), "speed", u, h);
                 }
             }
@@ -173,20 +142,14 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
         {
             continue;
         }
-        const scalar h =
-            gridTransfer_->shortestWidth(cloud, phase.shortestSide());
+        const scalar h = gridTransfer_->shortestWidth(cloud, phase.shortestSide());
         const scalar c = phase.waveSpeed();
-        if (c > sound.rate*h)
+        if (c > sound.rate * h)
         {
-            sound.rate = c/h;
+            sound.rate = c / h;
             const label p = phase.fastestPoint();
-            sound.words = inWords
-            (
-                p < 0 ? "points of " + phase.name() : string(name(p)),
-                "sound",
-                c,
-                h
-            );
+            sound.words =
+                inWords(p < 0 ? "points of " + phase.name() : string(name(p)), "sound", c, h);
         }
     }
     sound.combine();
@@ -194,11 +157,8 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
 
     const fastest& most = sound.rate >= speed.rate ? sound : speed;
     const fastest& other = sound.rate >= speed.rate ? speed : sound;
-    string words
-    (
-        most.rate > 0 ? most.words : string("nothing: no point has a speed")
-    );
-    if (most.rate > 0 && other.rate > 0.1*most.rate)
+    string words(most.rate > 0 ? most.words : string("nothing: no point has a speed"));
+    if (most.rate > 0 && other.rate > 0.1 * most.rate)
     {
         words += "; " + other.words;
     }
@@ -208,14 +168,13 @@ Foam::string Foam::mpm::materialPointSystem::limiter() const
         {
             OStringStream os;
             os.precision(4);
-            os  << part->waves() << " through " << part->courantRate()
-                << " cells a second; then " << words.c_str();
+            os << part->waves() << " through " << part->courantRate() << " cells a second; then "
+               << words.c_str();
             words = os.str();
         }
     }
     return words;
 }
-
 
 void Foam::mpm::materialPointSystem::report() const
 {
@@ -226,12 +185,11 @@ void Foam::mpm::materialPointSystem::report() const
         const label n = walls_->count(deepest);
         if (n)
         {
-            Info<< "Put back on walls since the last report: " << n
-                << " points, up to " << deepest << " of a cell beyond" << endl;
+            Info << "Put back on walls since the last report: " << n << " points, up to " << deepest
+                 << " of a cell beyond" << endl;
         }
     }
 }
-
 
 void Foam::mpm::materialPointSystem::reportSteps() const
 {
@@ -240,22 +198,18 @@ void Foam::mpm::materialPointSystem::reportSteps() const
     {
         nFailed += returnReduce(phase.nFailed(), sumOp<label>());
     }
-    Info<< "Failed points: " << nFailed << ", steps redone: " << nRedone_
-        << endl;
+    Info << "Failed points: " << nFailed << ", steps redone: " << nRedone_ << endl;
 }
-
 
 void Foam::mpm::materialPointSystem::reportClock() const
 {
-    std::vector<std::pair<word, scalar>> parts
-    ({
-        {"nodes", clock_.nodes},
-        {"move", clock_.move},
-        {"sort", clock_.sort},
-        {"project", clock_.project},
-        {"stress and force", clock_.stress},
-        {"gas", clock_.gas}
-    });
+    std::vector<std::pair<word, scalar>> parts(
+        {{"nodes", clock_.nodes},
+         {"move", clock_.move},
+         {"sort", clock_.sort},
+         {"project", clock_.project},
+         {"stress and force", clock_.stress},
+         {"gas", clock_.gas}});
     for (const stepPart* part : parts_.all())
     {
         parts.emplace_back(part->name(), part->seconds());
@@ -267,20 +221,18 @@ void Foam::mpm::materialPointSystem::reportClock() const
     }
     std::ostringstream line;
     line << std::fixed << std::setprecision(2) << "Parts of the steps' " << sum
-        << " s of wall time:" << std::setprecision(1);
+         << " s of wall time:" << std::setprecision(1);
     const char* separator = " ";
     for (const auto& part : parts)
     {
-        if (part.second > 0.0005*sum)
+        if (part.second > 0.0005 * sum)
         {
-            line << separator << part.first << ' ' << 100*part.second/sum
-                << " %";
+            line << separator << part.first << ' ' << 100 * part.second / sum << " %";
             separator = ", ";
         }
     }
-    Info<< line.str().c_str() << nl << endl;
+    Info << line.str().c_str() << nl << endl;
 }
-
 
 void Foam::mpm::materialPointSystem::writePoints()
 {
@@ -308,7 +260,6 @@ void Foam::mpm::materialPointSystem::writePoints()
     }
 }
 
-
 Foam::dictionary Foam::mpm::materialPointSystem::state() const
 {
     dictionary state;
@@ -318,17 +269,12 @@ Foam::dictionary Foam::mpm::materialPointSystem::state() const
     dictionary failed;
     for (const materialPointPhase& phase : phases_)
     {
-        failed.add
-        (
-            phase.name(),
-            returnReduce(phase.nFailed(), sumOp<label>())
-        );
+        failed.add(phase.name(), returnReduce(phase.nFailed(), sumOp<label>()));
     }
     state.add("failed", failed);
     parts_.within(&stepPart::addState, state);
     return state;
 }
-
 
 void Foam::mpm::materialPointSystem::setState(const dictionary& state)
 {
@@ -337,13 +283,7 @@ void Foam::mpm::materialPointSystem::setState(const dictionary& state)
     checkKeywords(state, keys);
 
     // The laws may have changed since
-    rate_ = bounded
-    (
-        state,
-        "rate",
-        0,
-        waveRate_ > 0 ? 1e3*(rate_ + waveRate_) : GREAT
-    );
+    rate_ = bounded(state, "rate", 0, waveRate_ > 0 ? 1e3 * (rate_ + waveRate_) : GREAT);
     const scalar waveRate = bounded(state, "waveRate", 0, GREAT);
     scalar least = 1, most = 2;
     for (const materialPointPhase& phase : phases_)
@@ -354,7 +294,7 @@ void Foam::mpm::materialPointSystem::setState(const dictionary& state)
             most = 1e3;
         }
     }
-    if (waveRate >= least*waveRate_ && waveRate <= most*waveRate_)
+    if (waveRate >= least * waveRate_ && waveRate <= most * waveRate_)
     {
         waveRate_ = waveRate;
     }
@@ -367,8 +307,7 @@ void Foam::mpm::materialPointSystem::setState(const dictionary& state)
     {
         names.append(phase.name());
         requireKeyword(failed, phase.name());
-        const label n =
-            boundedLabelOrDefault(failed, phase.name(), 0, 0, labelMax);
+        const label n = boundedLabelOrDefault(failed, phase.name(), 0, 0, labelMax);
         phase.nFailed() = Pstream::master() ? n : 0;
     }
     checkKeywords(failed, wordList(names));
@@ -380,7 +319,6 @@ void Foam::mpm::materialPointSystem::setState(const dictionary& state)
     }
 }
 
-
 Foam::mpm::materialPointSystem::rows Foam::mpm::materialPointSystem::takeDown()
 {
     rows r;
@@ -390,11 +328,7 @@ Foam::mpm::materialPointSystem::rows Foam::mpm::materialPointSystem::takeDown()
     }
     for (const mpm::velocityField& field : fields_)
     {
-        r.pointFields.set
-        (
-            field.field().name(),
-            fieldDictionary(field.field())
-        );
+        r.pointFields.set(field.field().name(), fieldDictionary(field.field()));
         if (field.reactions())
         {
             r.reactions.append(field.name());
@@ -411,7 +345,6 @@ Foam::mpm::materialPointSystem::rows Foam::mpm::materialPointSystem::takeDown()
     return r;
 }
 
-
 void Foam::mpm::materialPointSystem::resume(const rows& from)
 {
     for (mpm::velocityField& field : fields_)
@@ -427,5 +360,3 @@ void Foam::mpm::materialPointSystem::resume(const rows& from)
         part->seconds() += from.seconds.lookup(part->name(), 0);
     }
 }
-
-// ************************************************************************* //

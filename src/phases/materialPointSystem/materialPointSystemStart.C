@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointSystem.H"
 #include "pointEnergy.H"
@@ -33,8 +27,8 @@ using namespace Foam;
 //- Kinds of cells by their faces: "tetrahedra, prisms". Collective
 std::string cellTypes(const polyMesh& mesh)
 {
-    static const char* const names[] =
-        {"hexahedra", "prisms", "pyramids", "tetrahedra", "polyhedra"};
+    static const char* const names[] = {
+        "hexahedra", "prisms", "pyramids", "tetrahedra", "polyhedra"};
     labelList n(5, label(0));
     for (const cell& faces : mesh.cells())
     {
@@ -44,12 +38,12 @@ std::string cellTypes(const polyMesh& mesh)
             nTriangles += mesh.faces()[facei].size() == 3;
             nQuads += mesh.faces()[facei].size() == 4;
         }
-        const label kind =
-            faces.size() != nTriangles + nQuads ? 4
-          : nTriangles == 0 && nQuads == 6 ? 0
-          : nTriangles == 2 && nQuads == 3 ? 1
-          : nTriangles == 4 && nQuads == 1 ? 2
-          : nTriangles == 4 && nQuads == 0 ? 3 : 4;
+        const label kind = faces.size() != nTriangles + nQuads ? 4
+            : nTriangles == 0 && nQuads == 6                   ? 0
+            : nTriangles == 2 && nQuads == 3                   ? 1
+            : nTriangles == 4 && nQuads == 1                   ? 2
+            : nTriangles == 4 && nQuads == 0                   ? 3
+                                                               : 4;
         ++n[kind];
     }
     std::string found;
@@ -69,49 +63,34 @@ std::string cellTypes(const polyMesh& mesh)
 
 void Foam::mpm::materialPointSystem::readGravity()
 {
-    IOobject gHeader
-    (
-        "g",
-        mesh_.time().constant(),
-        mesh_,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
-    if
-    (
-        gHeader.typeHeaderOk<uniformDimensionedVectorField>(true)
-     || exists(mesh_.time().globalPath()/mesh_.time().constant()/"g")
-    )
+    IOobject gHeader(
+        "g", mesh_.time().constant(), mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    if (gHeader.typeHeaderOk<uniformDimensionedVectorField>(true)
+        || exists(mesh_.time().globalPath() / mesh_.time().constant() / "g"))
     {
-        const auto g = readNamed
-        (
+        const auto g = readNamed(
             gHeader.objectPath(),
             [&]
             {
                 const uniformDimensionedVectorField field(gHeader);
-                return dimensionedVector(field.name(), field.dimensions(),
-                    field.value());
-            }
-        );
+                return dimensionedVector(field.name(), field.dimensions(), field.value());
+            });
         const noTraps guard;
         if (g.dimensions() != dimAcceleration || !std::isfinite(mag(g.value())))
         {
-            FatalErrorInFunction
-                << "Gravity in " << gHeader.objectPath() << " is " << g.value()
-                << ' ' << g.dimensions() << "; it must be finite and in "
-                << dimAcceleration << " (m/s2)." << exit(FatalError);
+            FatalErrorInFunction << "Gravity in " << gHeader.objectPath() << " is " << g.value()
+                                 << ' ' << g.dimensions() << "; it must be finite and in "
+                                 << dimAcceleration << " (m/s2)." << exit(FatalError);
         }
         g_ = g.value();
         checkGravity(gHeader.objectPath(), g_, mesh_.geometricD());
-        Info<< "Gravity " << g_ << " m/s2" << nl;
+        Info << "Gravity " << g_ << " m/s2" << nl;
     }
     else
     {
-        Info<< "No gravity: constant/g is missing" << nl;
+        Info << "No gravity: constant/g is missing" << nl;
     }
 }
-
 
 void Foam::mpm::materialPointSystem::readPhases()
 {
@@ -121,30 +100,20 @@ void Foam::mpm::materialPointSystem::readPhases()
     cellChanges_.setSize(names.size());
     if (properties_.found("outflow"))
     {
-        outflow_.reset
-        (
-            new outflowPatches(requiredDict(properties_, "outflow"), grid_)
-        );
+        outflow_.reset(new outflowPatches(requiredDict(properties_, "outflow"), grid_));
     }
     requireGas(properties_, names);
     forAll(names, phasei)
     {
-        phases_.set
-        (
+        phases_.set(
             phasei,
-            new materialPointPhase
-            (
-                grid_,
-                names[phasei],
-                requiredDict(properties_, names[phasei]),
+            new materialPointPhase(
+                grid_, names[phasei], requiredDict(properties_, names[phasei]),
                 // Contact needs the points' boxes whatever the shape function
                 gridTransfer_->hasExtent() || properties_.found("contact"),
-                transfer_->affine() != transferScheme::none
-            )
-        );
+                transfer_->affine() != transferScheme::none));
     }
 }
-
 
 void Foam::mpm::materialPointSystem::readFields()
 {
@@ -163,29 +132,17 @@ void Foam::mpm::materialPointSystem::readFields()
     projectedShare_.setSize(fieldNames.size(), scalar(1));
     forAll(fieldNames, fieldi)
     {
-        const fileName file
-        (
-            mesh_.time().timePath()
-           /IOobject::groupName("U", fieldNames[fieldi])
-        );
-        fields_.set
-        (
+        const fileName file(mesh_.time().timePath() / IOobject::groupName("U", fieldNames[fieldi]));
+        fields_.set(
             fieldi,
-            readNamed
-            (
+            readNamed(
                 file,
                 [&]
                 {
-                    return new mpm::velocityField
-                    (
-                        grid_,
-                        fieldNames[fieldi],
-                        gridTransfer_->reach(),
-                        from_ ? &from_->pointFields : nullptr
-                    );
-                }
-            )
-        );
+                    return new mpm::velocityField(
+                        grid_, fieldNames[fieldi], gridTransfer_->reach(),
+                        from_ ? &from_->pointFields : nullptr);
+                }));
         fields_[fieldi].rigid().setPhases(phases_.size());
         forAll(phases_, phasei)
         {
@@ -198,59 +155,46 @@ void Foam::mpm::materialPointSystem::readFields()
     }
 }
 
-
-void Foam::mpm::materialPointSystem::readPoints
-(
-    materialPointPhase& phase,
-    const bool isDebris
-)
+void Foam::mpm::materialPointSystem::readPoints(materialPointPhase& phase, const bool isDebris)
 {
-    phase.read
-    (
-        isDebris,
-        phase.erosion() || (outflow_ && !phase.motion()),
-        from_ ? &from_->points[phase.name()] : nullptr
-    );
+    phase.read(
+        isDebris, phase.erosion() || (outflow_ && !phase.motion()),
+        from_ ? &from_->points[phase.name()] : nullptr);
     if (from_)
     {
         from_->points.erase(phase.name());
     }
-    Info<< "Phase " << phase.name() << ": "
-        << returnReduce(phase.cloud().size(), sumOp<label>()) << " points of ";
+    Info << "Phase " << phase.name() << ": " << returnReduce(phase.cloud().size(), sumOp<label>())
+         << " points of ";
     if (phase.motion())
     {
-        Info<< "a rigid body, motion " << phase.motion()->type();
+        Info << "a rigid body, motion " << phase.motion()->type();
         phase.motion()->start(mesh_.time().value(), phase.cloud());
         phase.motion()->setVelocity(phase.cloud());
     }
     else
     {
-        Info<< phase.law().type() << ", wave speed "
-            << phase.law().waveSpeed() << " m/s";
+        Info << phase.law().type() << ", wave speed " << phase.law().waveSpeed() << " m/s";
     }
     if (const freeBody* b = phase.motion() ? phase.motion()->free() : nullptr)
     {
-        Info<< ", mass " << b->mass() << " kg";
+        Info << ", mass " << b->mass() << " kg";
     }
-    Info<< ", velocity field " << phase.velocityField();
+    Info << ", velocity field " << phase.velocityField();
     if (phase.failure())
     {
-        Info<< ", failure " << phase.failure()->type();
+        Info << ", failure " << phase.failure()->type();
     }
     if (phase.erosion())
     {
-        Info<< ", erosion " << phase.erosion()->type();
+        Info << ", erosion " << phase.erosion()->type();
     }
-    Info<< nl;
+    Info << nl;
     checkHalfSizes(phase);
     rate_ = max(rate_, speedRate(phase));
 }
 
-
-void Foam::mpm::materialPointSystem::checkHalfSizes
-(
-    const materialPointPhase& phase
-) const
+void Foam::mpm::materialPointSystem::checkHalfSizes(const materialPointPhase& phase) const
 {
     if (!gridTransfer_->hasExtent())
     {
@@ -264,16 +208,13 @@ void Foam::mpm::materialPointSystem::checkHalfSizes
             for (int d = 0; d < grid_.nDim(); ++d)
             {
                 const scalar l = (*cloud.halfSize())[d][p];
-                if (l > 1.0001*grid_.width(cloud.cells()[k], d))
+                if (l > 1.0001 * grid_.width(cloud.cells()[k], d))
                 {
                     FatalErrorInFunction
-                        << "Material point " << cloud.id()[0][p]
-                        << " of " << phase.name() << " at "
-                        << cloud.position(p, cloud.cells()[k])
-                        << ", time " << mesh_.time().timeName()
-                        << ", has half-size " << l
-                        << ", larger than its cell." << nl
-                        << "Use more points per cell in"
+                        << "Material point " << cloud.id()[0][p] << " of " << phase.name() << " at "
+                        << cloud.position(p, cloud.cells()[k]) << ", time "
+                        << mesh_.time().timeName() << ", has half-size " << l
+                        << ", larger than its cell." << nl << "Use more points per cell in"
                         << " setMaterialPointsDict or the shape"
                         << " function linear." << exit(FatalError);
                 }
@@ -282,11 +223,7 @@ void Foam::mpm::materialPointSystem::checkHalfSizes
     }
 }
 
-
-Foam::scalar Foam::mpm::materialPointSystem::speedRate
-(
-    const materialPointPhase& phase
-) const
+Foam::scalar Foam::mpm::materialPointSystem::speedRate(const materialPointPhase& phase) const
 {
     scalar rate = 0;
     const materialPointCloud& cloud = phase.cloud();
@@ -294,16 +231,15 @@ Foam::scalar Foam::mpm::materialPointSystem::speedRate
     {
         for (int d = 0; d < grid_.nDim(); ++d)
         {
-            const scalar ih = 1/grid_.width(cloud.cells()[k], d);
+            const scalar ih = 1 / grid_.width(cloud.cells()[k], d);
             for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
             {
-                rate = max(rate, mag(cloud.U()[d][p])*ih);
+                rate = max(rate, mag(cloud.U()[d][p]) * ih);
             }
         }
     }
     return rate;
 }
-
 
 void Foam::mpm::materialPointSystem::makeParts()
 {
@@ -313,15 +249,9 @@ void Foam::mpm::materialPointSystem::makeParts()
     {
         parts_.own(new pointContact(*this));
     }
-    parts_.select
-    (
-        properties_.found("stepParts")
-      ? &requiredDict(properties_, "stepParts")
-      : nullptr,
-        *this
-    );
+    parts_.select(
+        properties_.found("stepParts") ? &requiredDict(properties_, "stepParts") : nullptr, *this);
 }
-
 
 void Foam::mpm::materialPointSystem::findWalls()
 {
@@ -339,14 +269,10 @@ void Foam::mpm::materialPointSystem::findWalls()
             bool held = field.holds(patch.index());
             for (const entry& e : properties_.subOrEmptyDict("contact"))
             {
-                held =
-                    held
-                 || (
-                        e.isDict()
-                     && e.dict().found("patch")
-                     && e.dict().get<word>("patch") == patch.name()
-                     && e.dict().get<wordList>("fields").found(field.name())
-                    );
+                held = held
+                    || (e.isDict() && e.dict().found("patch")
+                        && e.dict().get<word>("patch") == patch.name()
+                        && e.dict().get<wordList>("fields").found(field.name()));
             }
             all = all && held;
         }
@@ -357,7 +283,6 @@ void Foam::mpm::materialPointSystem::findWalls()
         walls_.reset(new wallPatches(grid_, holds));
     }
 }
-
 
 void Foam::mpm::materialPointSystem::startNodes()
 {
@@ -374,7 +299,6 @@ void Foam::mpm::materialPointSystem::startNodes()
     }
     projectAnew(0);
 }
-
 
 void Foam::mpm::materialPointSystem::startAffine()
 {
@@ -414,15 +338,14 @@ void Foam::mpm::materialPointSystem::startAffine()
         reduce(change, maxOp<scalar>());
         if (debug)
         {
-            Info<< "startAffine " << i << ": " << change << " of " << size << nl;
+            Info << "startAffine " << i << ": " << change << " of " << size << nl;
         }
-        if (change <= 1e-14*size)
+        if (change <= 1e-14 * size)
         {
             break;
         }
     }
 }
-
 
 void Foam::mpm::materialPointSystem::reportBalance() const
 {
@@ -450,30 +373,27 @@ void Foam::mpm::materialPointSystem::reportBalance() const
         most = points[proci] > points[most] ? proci : most;
         sum += points[proci];
     }
-    const scalar mean = sum/points.size();
-    Info<< "    points per processor: mean " << mean << ", least "
-        << points[least] << " (" << least << "), most " << points[most]
-        << " (" << most << "), imbalance "
-        << 100*(points[most]/mean - 1) << " %" << nl;
-    if (points[most] > 1.3*mean)
+    const scalar mean = sum / points.size();
+    Info << "    points per processor: mean " << mean << ", least " << points[least] << " ("
+         << least << "), most " << points[most] << " (" << most << "), imbalance "
+         << 100 * (points[most] / mean - 1) << " %" << nl;
+    if (points[most] > 1.3 * mean)
     {
-        Info<< "    the fullest processor sets the pace: cellWeights of"
-            << " setMaterialPoints -cellWeights, named weightField in"
-            << " system/decomposeParDict, share the points evenly" << nl;
+        Info << "    the fullest processor sets the pace: cellWeights of"
+             << " setMaterialPoints -cellWeights, named weightField in"
+             << " system/decomposeParDict, share the points evenly" << nl;
     }
 }
 
-
 void Foam::mpm::materialPointSystem::reportStart() const
 {
-    Info<< "Material points: " << nPoints() << " in "
-        << phases_.size() << (phases_.size() == 1 ? " phase, " : " phases, ")
-        << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, "
-        << grid_.nNodes() << " nodes, "
-        << (grid_.hasLattice() ? "lattice" : cellTypes(mesh_)).c_str() << nl
-        << "    shape function " << numerics_.get<word>("shapeFunction")
-        << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "")
-        << ", stress update " << stressUpdate_->type() << nl << "    ";
+    Info << "Material points: " << nPoints() << " in " << phases_.size()
+         << (phases_.size() == 1 ? " phase, " : " phases, ")
+         << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, " << grid_.nNodes()
+         << " nodes, " << (grid_.hasLattice() ? "lattice" : cellTypes(mesh_)).c_str() << nl
+         << "    shape function " << numerics_.get<word>("shapeFunction")
+         << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "") << ", stress update "
+         << stressUpdate_->type() << nl << "    ";
     bool grains = false;
     for (const materialPointPhase& phase : phases_)
     {
@@ -481,45 +401,24 @@ void Foam::mpm::materialPointSystem::reportStart() const
     }
     transfer_->write(Info, grains);
     reportBalance();
-    Info<< "    " << bytesPerPoint() << " bytes per point in columns and"
-        << " buffers, " << gridBytes()/max(nPoints(), label(1))
-        << " on the nodes" << nl << endl;
+    Info << "    " << bytesPerPoint() << " bytes per point in columns and"
+         << " buffers, " << gridBytes() / max(nPoints(), label(1)) << " on the nodes" << nl << endl;
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::materialPointSystem::materialPointSystem
-(
-    const fvMesh& mesh,
-    rows* from
-)
-:
-    regIOobject
-    (
-        IOobject
-        (
-            "materialPointSystem",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE
-        )
-    ),
+Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh, rows* from) :
+    regIOobject(IOobject(
+        "materialPointSystem", mesh.time().timeName(), mesh, IOobject::NO_READ,
+        IOobject::NO_WRITE)),
     mesh_(mesh),
     grid_(pointGrid::New(mesh)),
     from_(from),
-    properties_
-    (
-        IOobject
-        (
-            "phaseProperties",
-            mesh.time().constant(),
-            mesh,
-            from ? IOobject::NO_READ : IOobject::MUST_READ,
-            IOobject::NO_WRITE
-        ),
-        from ? from->properties : dictionary::null
-    ),
+    properties_(
+        IOobject(
+            "phaseProperties", mesh.time().constant(), mesh,
+            from ? IOobject::NO_READ : IOobject::MUST_READ, IOobject::NO_WRITE),
+        from ? from->properties : dictionary::null),
     g_(Zero),
     coupling_(nullptr),
     rate_(0),
@@ -562,8 +461,7 @@ Foam::mpm::materialPointSystem::materialPointSystem
     for (const materialPointPhase& phase : phases_)
     {
         const bool none = !returnReduce(phase.cloud().size(), sumOp<label>());
-        const bool read =
-            returnReduce(phase.cloud().affineRead(), orOp<bool>());
+        const bool read = returnReduce(phase.cloud().affineRead(), orOp<bool>());
         haveAffine = haveAffine && (phase.motion() || none || read);
     }
     if (transfer_->affine() != transferScheme::none && !haveAffine)
@@ -594,5 +492,3 @@ Foam::mpm::materialPointSystem::materialPointSystem
     }
     from_ = nullptr;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointSystem.H"
 #include "pointEnergy.H"
@@ -25,28 +19,19 @@ void Foam::mpm::materialPointSystem::keepStress()
     }
 }
 
-
 void Foam::mpm::materialPointSystem::updateWaveRate()
 {
     scalar rate = 0;
     for (const materialPointPhase& phase : phases_)
     {
-        const scalar h = gridTransfer_->shortestWidth
-        (
-            phase.cloud(),
-            phase.shortestSide()
-        );
+        const scalar h = gridTransfer_->shortestWidth(phase.cloud(), phase.shortestSide());
         rate = max(rate, phase.waveRate(g_, h));
     }
     waveRate_ = largestOfAll(rate);
 }
 
-
-Foam::mpm::moveCoefficients Foam::mpm::materialPointSystem::coefficients
-(
-    const label fieldi,
-    const scalar dt
-) const
+Foam::mpm::moveCoefficients
+Foam::mpm::materialPointSystem::coefficients(const label fieldi, const scalar dt) const
 {
     // Grains without a law's stress have no waves until they are packed. With
     // the rate of the packed ones a PIC fraction would be a viscosity that holds
@@ -62,14 +47,8 @@ Foam::mpm::moveCoefficients Foam::mpm::materialPointSystem::coefficients
         }
     }
     const bool grains = loose && !waves;
-    return transfer_->coefficients
-    ({
-        dt*(rate_ + (grains ? 0 : waveRate_)),
-        grains,
-        meanMove()
-    });
+    return transfer_->coefficients({dt * (rate_ + (grains ? 0 : waveRate_)), grains, meanMove()});
 }
-
 
 void Foam::mpm::materialPointSystem::activate(const bool changed)
 {
@@ -92,11 +71,7 @@ void Foam::mpm::materialPointSystem::activate(const bool changed)
     }
 }
 
-
-void Foam::mpm::materialPointSystem::projectAll
-(
-    const pointGridTransfer::states state
-)
+void Foam::mpm::materialPointSystem::projectAll(const pointGridTransfer::states state)
 {
     const noTraps guard;
 
@@ -109,12 +84,8 @@ void Foam::mpm::materialPointSystem::projectAll
         // Nodes of rigid phases have a velocity without their mass
         if (!phases_[phasei].motion())
         {
-            gridTransfer_->project
-            (
-                phases_[phasei].cloud(),
-                state,
-                fields_[fieldOf_[phasei]].momentumNew()
-            );
+            gridTransfer_->project(
+                phases_[phasei].cloud(), state, fields_[fieldOf_[phasei]].momentumNew());
         }
     }
     parts_.within(&stepPart::projected, state);
@@ -124,7 +95,6 @@ void Foam::mpm::materialPointSystem::projectAll
         field.velocity();
     }
 }
-
 
 void Foam::mpm::materialPointSystem::momentum(const scalar dt)
 {
@@ -140,17 +110,15 @@ void Foam::mpm::materialPointSystem::momentum(const scalar dt)
     forAll(fields_, fieldi)
     {
         const moveCoefficients c(coefficients(fieldi, dt));
-        fields_[fieldi].momentumStep(dt, g_, c.a0*c.a1 != 0 && c.b1 == 0);
+        fields_[fieldi].momentumStep(dt, g_, c.a0 * c.a1 != 0 && c.b1 == 0);
     }
 }
-
 
 void Foam::mpm::materialPointSystem::filterVelocity()
 {
     const noTraps guard;
     filter(transfer_->filtered(), 1, transfer_->filterScale());
 }
-
 
 Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
 {
@@ -185,26 +153,12 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
         if (transfer_->affine() != transferScheme::none && !phase.motion())
         {
             const bool moment = transfer_->affine() == transferScheme::moment;
-            gridTransfer_->affine
-            (
-                phase.cloud(),
-                moment,
-                moment ? field.UL() : field.U(),
-                dt
-            );
+            gridTransfer_->affine(phase.cloud(), moment, moment ? field.UL() : field.U(), dt);
         }
-        const pointGridTransfer::moveResult result
-        (
-            phase.motion()
-          ? phase.motion()->move(phase.cloud(), cellChanges_[phasei])
-          : gridTransfer_->move
-            (
-                phase.cloud(),
-                rule,
-                field.velocities(),
-                cellChanges_[phasei]
-            )
-        );
+        const pointGridTransfer::moveResult result(
+            phase.motion() ? phase.motion()->move(phase.cloud(), cellChanges_[phasei])
+                           : gridTransfer_->move(
+                               phase.cloud(), rule, field.velocities(), cellChanges_[phasei]));
 
         travel = max(travel, result.travel);
         rate = max(rate, result.rate);
@@ -213,12 +167,7 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
         body += result.bodyWork;
 
         // Moving too far does not stop the run: a smaller step may stay inside
-        if
-        (
-            bad.phase < 0
-         && result.badPoint >= 0
-         && (!result.left || result.travel <= maxTravel_)
-        )
+        if (bad.phase < 0 && result.badPoint >= 0 && (!result.left || result.travel <= maxTravel_))
         {
             bad = badPoint{phasei, result.badPoint, result.left};
         }
@@ -236,9 +185,8 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
         fields_[fieldi].addProjectionImpulse(projectedShare_[fieldi]);
     }
 
-    return travel <= maxTravel_ ? 1 : max(0.8*maxTravel_/travel, scalar(0.1));
+    return travel <= maxTravel_ ? 1 : max(0.8 * maxTravel_ / travel, scalar(0.1));
 }
-
 
 Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
 {
@@ -247,11 +195,8 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
         const timer t(clock_.sort);
         forAll(phases_, phasei)
         {
-            phases_[phasei].cloud().exchange
-            (
-                cellChanges_[phasei],
-                phases_[phasei].motion() ? nullptr : walls_.get()
-            );
+            phases_[phasei].cloud().exchange(
+                cellChanges_[phasei], phases_[phasei].motion() ? nullptr : walls_.get());
             checkExtent(phases_[phasei], cellChanges_[phasei]);
             if (phases_[phasei].cloud().sort(cellChanges_[phasei]))
             {
@@ -271,15 +216,8 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
         const timer t(clock_.nodes);
         forAll(phases_, phasei)
         {
-            strain = max
-            (
-                strain,
-                fields_[fieldOf_[phasei]].maxStrain
-                (
-                    phases_[phasei].cloud().cells(),
-                    dt
-                )
-            );
+            strain = max(
+                strain, fields_[fieldOf_[phasei]].maxStrain(phases_[phasei].cloud().cells(), dt));
         }
     }
     strain = largestOfAll(strain);
@@ -290,9 +228,8 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
         updateWaveRate();
     }
 
-    return strain <= maxStrain_ ? 1 : max(0.8*maxStrain_/strain, scalar(0.1));
+    return strain <= maxStrain_ ? 1 : max(0.8 * maxStrain_ / strain, scalar(0.1));
 }
-
 
 void Foam::mpm::materialPointSystem::accept(const scalar dt)
 {
@@ -307,7 +244,6 @@ void Foam::mpm::materialPointSystem::accept(const scalar dt)
     tentative_ = false;
     parts_.act(&stepPart::accepted, dt);
 }
-
 
 void Foam::mpm::materialPointSystem::reject()
 {
@@ -334,7 +270,6 @@ void Foam::mpm::materialPointSystem::reject()
     tentative_ = false;
     parts_.act(&stepPart::rejected);
 }
-
 
 void Foam::mpm::materialPointSystem::updateVaryingWaves()
 {
@@ -363,17 +298,17 @@ bool Foam::mpm::materialPointSystem::advance(const scalar dt, scalar& factor)
     {
         force(0);
     }
-    momentum(dt);                                       // (5)
+    momentum(dt); // (5)
     parts_.act(&stepPart::impulse, dt);
     filterVelocity();
     parts_.act(&stepPart::exchange, dt);
 
-    factor = move(dt);                                  // (7), (8)
+    factor = move(dt); // (7), (8)
     if (factor >= 1)
     {
         parts_.act(&stepPart::moved, dt);
         stressUpdate_->moved(*this, dt);
-        factor = project(dt);                           // (6), (9)
+        factor = project(dt); // (6), (9)
     }
     if (factor < 1)
     {
@@ -382,13 +317,12 @@ bool Foam::mpm::materialPointSystem::advance(const scalar dt, scalar& factor)
     }
     accept(dt);
 
-    stressUpdate_->end(*this, dt);                      // section 3.1
+    stressUpdate_->end(*this, dt); // section 3.1
     parts_.act(&stepPart::end, dt);
     updateVaryingWaves();
 
     return true;
 }
-
 
 void Foam::mpm::materialPointSystem::projectAnew(const scalar dt)
 {
@@ -402,5 +336,3 @@ void Foam::mpm::materialPointSystem::projectAnew(const scalar dt)
     }
     force(dt);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointSystem.H"
 #include "deltaTAdvice.H"
@@ -22,17 +16,15 @@ using namespace Foam;
 //- A line on a fixed deltaT above Courant number 1, else empty
 string deltaTHint(const Time& time, const scalar courantRate)
 {
-    const scalar Co = courantRate*time.deltaTValue();
+    const scalar Co = courantRate * time.deltaTValue();
     if (!(Co > 1) || time.controlDict().getOrDefault("adjustTimeStep", false))
     {
         return "";
     }
-    return
-        "Courant number above 1 in this step (take the deltaT of the first"
-        " warning in the log if that is larger): "
-      + mpm::deltaTAdvice(time.deltaTValue(), Co) + "\n";
+    return "Courant number above 1 in this step (take the deltaT of the first"
+           " warning in the log if that is larger): "
+        + mpm::deltaTAdvice(time.deltaTValue(), Co) + "\n";
 }
-
 
 //- The time from which a restart would go on: the last complete one, or the
 //  start
@@ -41,10 +33,7 @@ word restartTime(const Time& time)
     const instantList times(Time::findTimes(time.path()));
     for (label i = times.size() - 1; i >= 0; --i)
     {
-        const fileName state
-        (
-            time.path()/times[i].name()/"uniform"/"materialPointState"
-        );
+        const fileName state(time.path() / times[i].name() / "uniform" / "materialPointState");
         if (isFile(state))
         {
             return times[i].name();
@@ -62,11 +51,9 @@ Foam::string Foam::mpm::materialPointSystem::writeBeforeStop()
     // The state before the step is untouched: it is what gets written, but
     // never over a state that is on disk already
     Time& time = const_cast<Time&>(mesh_.time());
-    if (returnReduce(isDir(time.path()/time.timeName()), orOp<bool>()))
+    if (returnReduce(isDir(time.path() / time.timeName()), orOp<bool>()))
     {
-        return
-            "The state before the step is that of time " + time.timeName()
-          + " on disk.";
+        return "The state before the step is that of time " + time.timeName() + " on disk.";
     }
     writePoints();
     if (coupling_)
@@ -75,11 +62,9 @@ Foam::string Foam::mpm::materialPointSystem::writeBeforeStop()
     }
     const word from(restartTime(time));
     time.writeNow();
-    return
-        "The state before the step is written to " + time.timeName()
-      + " for inspection; a restart begins at " + from + ".";
+    return "The state before the step is written to " + time.timeName()
+        + " for inspection; a restart begins at " + from + ".";
 }
-
 
 void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
 {
@@ -95,11 +80,8 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
     reduce(speed, maxOp<scalar>());
 
     // One processor reports and ends the others, which wait
-    const label teller = returnReduce
-    (
-        bad.phase < 0 ? labelMax : Pstream::myProcNo(),
-        minOp<label>()
-    );
+    const label teller =
+        returnReduce(bad.phase < 0 ? labelMax : Pstream::myProcNo(), minOp<label>());
     if (teller != Pstream::myProcNo())
     {
         returnReduce(label(0), sumOp<label>());
@@ -116,8 +98,7 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
     const string hint(deltaTHint(time, speed + waveRate_ + parts_.courantRate()));
 
     const bool badStress =
-        !std::isfinite(magSqr(cloud.sigma(pointi)))
-     || !std::isfinite(cloud.volume()[0][pointi]);
+        !std::isfinite(magSqr(cloud.sigma(pointi))) || !std::isfinite(cloud.volume()[0][pointi]);
 
     if (bad.left)
     {
@@ -128,44 +109,34 @@ void Foam::mpm::materialPointSystem::stop(const badPoint& bad)
             xNew[grid_.direction(d)] = cloud.xNew()[d][pointi];
             to[d] = cloud.xNew()[d][pointi];
         }
-        const string beyond
-        (
-            walls_ ? walls_->words(cloud.cellOf(pointi), to) : string()
-        );
-        FatalErrorInFunction
-            << "Material point " << label(cloud.id()[0][pointi]) << " of "
-            << phase.name() << " leaves the mesh " << mesh_.bounds()
-            << ": from " << x << " with velocity " << cloud.velocity(pointi)
-            << " to " << xNew << " in the step of " << dt << " s after time "
-            << time.timeName() << "." << nl
-            << beyond.c_str() << written.c_str() << nl << hint.c_str()
-            << (hint.empty() ? "M" : "Otherwise m")
-            << "ake the mesh larger, or keep points inside by the boundary"
-            << " conditions of U." << phase.velocityField()
-            << " (fixedValue or slip), or by a wall:  contact { floor { fields ("
-            << phase.velocityField() << "); patch ...; type ...; } }  in"
-            << " constant/phaseProperties"
-            << (coupling_ ? "." : ", or let them go:  outflow { patches (...); }"
-               "  there.")
-            << exit(FatalError);
+        const string beyond(walls_ ? walls_->words(cloud.cellOf(pointi), to) : string());
+        FatalErrorInFunction << "Material point " << label(cloud.id()[0][pointi]) << " of "
+                             << phase.name() << " leaves the mesh " << mesh_.bounds() << ": from "
+                             << x << " with velocity " << cloud.velocity(pointi) << " to " << xNew
+                             << " in the step of " << dt << " s after time " << time.timeName()
+                             << "." << nl << beyond.c_str() << written.c_str() << nl << hint.c_str()
+                             << (hint.empty() ? "M" : "Otherwise m")
+                             << "ake the mesh larger, or keep points inside by the boundary"
+                             << " conditions of U." << phase.velocityField()
+                             << " (fixedValue or slip), or by a wall:  contact { floor { fields ("
+                             << phase.velocityField() << "); patch ...; type ...; } }  in"
+                             << " constant/phaseProperties"
+                             << (coupling_ ? "."
+                                           : ", or let them go:  outflow { patches (...); }"
+                                             "  there.")
+                             << exit(FatalError);
     }
-    FatalErrorInFunction
-        << "Material point " << label(cloud.id()[0][pointi]) << " of "
-        << phase.name() << " at " << x << ", time " << time.timeName()
-        << ": " << (badStress ? "sigma (stress)" : "U (velocity)")
-        << " is not finite in the step of " << dt << " s." << nl
-        << written.c_str() << nl << hint.c_str()
-        << "A smaller maxCo in system/controlDict or maxStrain in"
-        << " fvSolution.materialPoints reduces the time step."
-        << exit(FatalError);
+    FatalErrorInFunction << "Material point " << label(cloud.id()[0][pointi]) << " of "
+                         << phase.name() << " at " << x << ", time " << time.timeName() << ": "
+                         << (badStress ? "sigma (stress)" : "U (velocity)")
+                         << " is not finite in the step of " << dt << " s." << nl << written.c_str()
+                         << nl << hint.c_str()
+                         << "A smaller maxCo in system/controlDict or maxStrain in"
+                         << " fvSolution.materialPoints reduces the time step." << exit(FatalError);
 }
 
-
-void Foam::mpm::materialPointSystem::checkExtent
-(
-    materialPointPhase& phase,
-    const UList<materialPointCloud::cellChange>& cellChanges
-)
+void Foam::mpm::materialPointSystem::checkExtent(
+    materialPointPhase& phase, const UList<materialPointCloud::cellChange>& cellChanges)
 {
     // GIMP's stencil reaches one cell beyond: from two cell widths on weights
     // would become negative
@@ -184,44 +155,33 @@ void Foam::mpm::materialPointSystem::checkExtent
         {
             const scalar l = (*cloud.halfSize())[d][mv.point];
             const scalar h = grid_.width(mv.cell, d);
-            if (l > 2*h)
+            if (l > 2 * h)
             {
-                FatalErrorInFunction
-                    << "Material point " << label(cloud.id()[0][mv.point])
-                    << " of " << phase.name() << " at "
-                    << mesh_.cellCentres()[mv.cell]
-                    << ", time " << mesh_.time().timeName()
-                    << ", has half-size " << l << " and moves into a cell"
-                    << " only " << h << " wide." << nl
-                    << "Use more points per cell in setMaterialPointsDict, or"
-                    << " a mesh that is graded less." << exit(FatalError);
+                FatalErrorInFunction << "Material point " << label(cloud.id()[0][mv.point])
+                                     << " of " << phase.name() << " at "
+                                     << mesh_.cellCentres()[mv.cell] << ", time "
+                                     << mesh_.time().timeName() << ", has half-size " << l
+                                     << " and moves into a cell"
+                                     << " only " << h << " wide." << nl
+                                     << "Use more points per cell in setMaterialPointsDict, or"
+                                     << " a mesh that is graded less." << exit(FatalError);
             }
         }
     }
 }
 
-
-void Foam::mpm::materialPointSystem::stopForStress
-(
-    const materialPointPhase& phase,
-    const label p,
-    const scalar dt
-) const
+void Foam::mpm::materialPointSystem::stopForStress(
+    const materialPointPhase& phase, const label p, const scalar dt) const
 {
     const materialPointCloud& cloud = phase.cloud();
     const point x(cloud.position(p, cloud.cellOf(p)));
-    FatalErrorInFunction
-        << "Material point " << label(cloud.id()[0][p]) << " of "
-        << phase.name() << " at " << x << ", step of " << dt
-        << " s after time " << mesh_.time().timeName()
-        << ": sigma (stress) from the law " << phase.law().type()
-        << " is not finite; velocity " << cloud.velocity(p)
-        << ", volume " << cloud.volume()[0][p] << "." << nl
-        << "Nothing is written: the last written time is the last"
-        << " good state." << nl
-        << "A smaller maxCo in system/controlDict or maxStrain in"
-        << " fvSolution.materialPoints reduces the time step."
-        << exit(FatalError);
+    FatalErrorInFunction << "Material point " << label(cloud.id()[0][p]) << " of " << phase.name()
+                         << " at " << x << ", step of " << dt << " s after time "
+                         << mesh_.time().timeName() << ": sigma (stress) from the law "
+                         << phase.law().type() << " is not finite; velocity " << cloud.velocity(p)
+                         << ", volume " << cloud.volume()[0][p] << "." << nl
+                         << "Nothing is written: the last written time is the last"
+                         << " good state." << nl
+                         << "A smaller maxCo in system/controlDict or maxStrain in"
+                         << " fvSolution.materialPoints reduces the time step." << exit(FatalError);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "materialPointSystem.H"
 #include "pointEnergy.H"
@@ -14,12 +8,8 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::materialPointSystem::filter
-(
-    const velocityField::series s,
-    const scalar weight,
-    const scalar scale
-)
+void Foam::mpm::materialPointSystem::filter(
+    const velocityField::series s, const scalar weight, const scalar scale)
 {
     if (weight <= 0)
     {
@@ -40,13 +30,7 @@ void Foam::mpm::materialPointSystem::filter
             {
                 if (fieldOf_[phasei] == fieldi && !phases_[phasei].motion())
                 {
-                    gridTransfer_->massTimes
-                    (
-                        phases_[phasei].cloud(),
-                        false,
-                        field.increment(),
-                        Mv
-                    );
+                    gridTransfer_->massTimes(phases_[phasei].cloud(), false, field.increment(), Mv);
                 }
             }
             field.sumColumn(Mv);
@@ -59,7 +43,6 @@ void Foam::mpm::materialPointSystem::filter
         }
     }
 }
-
 
 void Foam::mpm::materialPointSystem::finishForce(const scalar dt)
 {
@@ -87,7 +70,6 @@ void Foam::mpm::materialPointSystem::strainVelocity()
     filter(velocityField::ofStrain, transfer_->strainFilter());
 }
 
-
 void Foam::mpm::materialPointSystem::strainVelocityL()
 {
     if (transfer_->order() > 1 && transfer_->filtered() == velocityField::ofDU)
@@ -106,7 +88,6 @@ void Foam::mpm::materialPointSystem::strainVelocityL()
     }
 }
 
-
 void Foam::mpm::materialPointSystem::strainVelocityAnew()
 {
     const noTraps guard;
@@ -121,12 +102,8 @@ void Foam::mpm::materialPointSystem::strainVelocityAnew()
         {
             if (!phases_[phasei].motion())
             {
-                gridTransfer_->project
-                (
-                    phases_[phasei].cloud(),
-                    pointGridTransfer::oldPlaces,
-                    mU[fieldOf_[phasei]]
-                );
+                gridTransfer_->project(
+                    phases_[phasei].cloud(), pointGridTransfer::oldPlaces, mU[fieldOf_[phasei]]);
             }
         }
         for (velocityField& field : fields_)
@@ -137,7 +114,6 @@ void Foam::mpm::materialPointSystem::strainVelocityAnew()
     }
     filter(velocityField::ofStrain, transfer_->strainFilter());
 }
-
 
 void Foam::mpm::materialPointSystem::force(const scalar dt)
 {
@@ -152,23 +128,14 @@ void Foam::mpm::materialPointSystem::force(const scalar dt)
     {
         if (!phases_[phasei].motion())
         {
-            gridTransfer_->force
-            (
-                phases_[phasei].cloud(),
-                fields_[fieldOf_[phasei]].force()
-            );
+            gridTransfer_->force(phases_[phasei].cloud(), fields_[fieldOf_[phasei]].force());
         }
     }
     finishForce(dt);
 }
 
-
-void Foam::mpm::materialPointSystem::correctStress
-(
-    const scalar dt,
-    const bool withForce,
-    const scalar dtForce
-)
+void Foam::mpm::materialPointSystem::correctStress(
+    const scalar dt, const bool withForce, const scalar dtForce)
 {
     // If a part changes the force it is made anew at the start of the step
     const bool makesForce = withForce && !parts_.changesForce();
@@ -192,26 +159,12 @@ void Foam::mpm::materialPointSystem::correctStress
         autoPtr<bookedLosses> booked;
         if (energy_->active())
         {
-            booked.reset
-            (
-                new bookedLosses(phase.failure(), phase.law(), grid_.nDim())
-            );
+            booked.reset(new bookedLosses(phase.failure(), phase.law(), grid_.nDim()));
         }
-        const pointGridTransfer::stressResult result
-        (
-            gridTransfer_->correctStress
-            (
-                phase.cloud(),
-                phase.law(),
-                booked ? booked.get() : phase.failure(),
-                dt,
-                meanMove() ? 0 : stressUpdate_->square(),
-                fields_[fieldOf_[phasei]].Ustrain(),
-                makesForce
-              ? fields_[fieldOf_[phasei]].force()
-              : nullptr
-            )
-        );
+        const pointGridTransfer::stressResult result(gridTransfer_->correctStress(
+            phase.cloud(), phase.law(), booked ? booked.get() : phase.failure(), dt,
+            meanMove() ? 0 : stressUpdate_->square(), fields_[fieldOf_[phasei]].Ustrain(),
+            makesForce ? fields_[fieldOf_[phasei]].force() : nullptr));
         if (result.badPoint >= 0)
         {
             stopForStress(phase, result.badPoint, dt);
@@ -231,5 +184,3 @@ void Foam::mpm::materialPointSystem::correctStress
         finishForce(dtForce);
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "fixedVelocity.H"
 #include "valuePointPatchField.H"
@@ -37,7 +31,6 @@ void Foam::mpm::fixedVelocity::read()
         }
     }
 }
-
 
 Foam::Map<Foam::labelPair> Foam::mpm::fixedVelocity::winners() const
 {
@@ -75,15 +68,13 @@ Foam::Map<Foam::labelPair> Foam::mpm::fixedVelocity::winners() const
             {
                 continue;
             }
-            labelPair& b =
-                best(iter.val(), labelPair(labelMax, labelMax));
+            labelPair& b = best(iter.val(), labelPair(labelMax, labelMax));
             const labelPair candidate(entry.second(), proci);
             b = candidate < b ? candidate : b;
         }
     }
     return best;
 }
-
 
 void Foam::mpm::fixedVelocity::share()
 {
@@ -111,19 +102,15 @@ void Foam::mpm::fixedVelocity::share()
             node_.append(iter.key());
             patch_.append(-1);
             index_.append(-1);
-            parts_.append
-            (
-                {iter.key(), iter.val().first(), true, {}, point(Zero)}
-            );
+            parts_.append({iter.key(), iter.val().first(), true, {}, point(Zero)});
         }
     }
     reduce(elsewhere_, orOp<bool>());
     if (elsewhere_)
     {
-        work_.setSize(grid_.nDim()*grid_.nNodes());
+        work_.setSize(grid_.nDim() * grid_.nNodes());
     }
 }
-
 
 void Foam::mpm::fixedVelocity::exchange()
 {
@@ -133,14 +120,14 @@ void Foam::mpm::fixedVelocity::exchange()
     {
         for (int d = 0; d < D; ++d)
         {
-            work_[D*n + d] = 0;
+            work_[D * n + d] = 0;
         }
     }
     forAll(node_, i)
     {
         for (int d = 0; d < D; ++d)
         {
-            work_[D*node_[i] + d] = value_[D*i + d];
+            work_[D * node_[i] + d] = value_[D * i + d];
         }
     }
     shared_.sum(work_.data(), D, D);
@@ -148,31 +135,23 @@ void Foam::mpm::fixedVelocity::exchange()
     {
         for (int d = 0; d < D; ++d)
         {
-            value_[D*i + d] = work_[D*node_[i] + d];
+            value_[D * i + d] = work_[D * node_[i] + d];
         }
     }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::fixedVelocity::fixedVelocity
-(
-    const pointGrid& grid,
-    const sharedNodes& shared,
-    pointVectorField& Ufield
-)
-:
-    grid_(grid),
-    shared_(shared),
-    Ufield_(Ufield),
-    elsewhere_(false)
+Foam::mpm::fixedVelocity::fixedVelocity(
+    const pointGrid& grid, const sharedNodes& shared, pointVectorField& Ufield) :
+    grid_(grid), shared_(shared), Ufield_(Ufield), elsewhere_(false)
 {
     read();
     if (Pstream::parRun())
     {
         share();
     }
-    value_.setSize(grid_.nDim()*node_.size());
+    value_.setSize(grid_.nDim() * node_.size());
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -208,18 +187,15 @@ void Foam::mpm::fixedVelocity::update(const scalar dt)
         {
             for (int d = 0; d < D; ++d)
             {
-                value_[D*i + d] = 0;
+                value_[D * i + d] = 0;
             }
             continue;
         }
         const valuePointPatchField<vector>& pf =
-            refCast<const valuePointPatchField<vector>>
-            (
-                Ufield_.boundaryField()[patch_[i]]
-            );
+            refCast<const valuePointPatchField<vector>>(Ufield_.boundaryField()[patch_[i]]);
         for (int d = 0; d < D; ++d)
         {
-            value_[D*i + d] = pf[index_[i]][grid_.direction(d)];
+            value_[D * i + d] = pf[index_[i]][grid_.direction(d)];
         }
     }
 
@@ -229,23 +205,15 @@ void Foam::mpm::fixedVelocity::update(const scalar dt)
     }
 }
 
-
-void Foam::mpm::fixedVelocity::impose
-(
-    scalar* u,
-    const int stride,
-    const bool homogeneous,
-    const bool
-) const
+void Foam::mpm::fixedVelocity::impose(
+    scalar* u, const int stride, const bool homogeneous, const bool) const
 {
     const int D = grid_.nDim();
     forAll(node_, i)
     {
         for (int d = 0; d < D; ++d)
         {
-            u[stride*node_[i] + d] = homogeneous ? 0 : value_[D*i + d];
+            u[stride * node_[i] + d] = homogeneous ? 0 : value_[D * i + d];
         }
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "nodeReactions.H"
 #include "scalarField.H"
@@ -12,17 +6,9 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::nodeReactions::nodeReactions
-(
-    const pointGrid& grid,
-    const UList<part>& parts,
-    const sharedNodes& shared
-)
-:
-    grid_(grid),
-    parts_(parts),
-    place_(grid.nNodes(), label(-1)),
-    dt_(0)
+Foam::mpm::nodeReactions::nodeReactions(
+    const pointGrid& grid, const UList<part>& parts, const sharedNodes& shared) :
+    grid_(grid), parts_(parts), place_(grid.nNodes(), label(-1)), dt_(0)
 {
     label n = 0;
     for (const part& p : parts_)
@@ -32,7 +18,7 @@ Foam::mpm::nodeReactions::nodeReactions
             place_[p.node] = n++;
         }
     }
-    impulse_.setSize(grid_.nDim()*n, Zero);
+    impulse_.setSize(grid_.nDim() * n, Zero);
 
     // Ghost nodes have no mesh point: the mean of what other processors have,
     // which is one place unless sides are cyclic
@@ -40,14 +26,14 @@ Foam::mpm::nodeReactions::nodeReactions
     if (Pstream::parRun())
     {
         nActive_.setSize(grid_.nNodes(), 1);
-        x.setSize(4*grid_.nNodes(), Zero);
+        x.setSize(4 * grid_.nNodes(), Zero);
         forAll(grid_.nodePoint(), node)
         {
             if (grid_.nodePoint()[node] >= 0)
             {
                 const point& at = grid_.mesh().points()[grid_.nodePoint()[node]];
-                std::copy(at.begin(), at.end(), &x[4*node]);
-                x[4*node + 3] = 1;
+                std::copy(at.begin(), at.end(), &x[4 * node]);
+                x[4 * node + 3] = 1;
             }
         }
         shared.sum(x.data(), 4, 4);
@@ -60,8 +46,8 @@ Foam::mpm::nodeReactions::nodeReactions
         }
         else
         {
-            const scalar* at = &x[4*p.node];
-            p.x = point(at[0], at[1], at[2])/at[3];
+            const scalar* at = &x[4 * p.node];
+            p.x = point(at[0], at[1], at[2]) / at[3];
         }
     }
 }
@@ -71,28 +57,23 @@ Foam::mpm::nodeReactions::nodeReactions
 Foam::vector Foam::mpm::nodeReactions::impulse(const part& p) const
 {
     const int D = grid_.nDim();
-    const scalar* J = impulse_.cdata() + D*place_[p.node];
+    const scalar* J = impulse_.cdata() + D * place_[p.node];
 
     scalar along = 0;
     for (int d = 0; d < D; ++d)
     {
-        along += J[d]*p.normal[d];
+        along += J[d] * p.normal[d];
     }
     vector result(Zero);
     for (int d = 0; d < D; ++d)
     {
-        result[grid_.direction(d)] = p.fixed ? J[d] : along*p.normal[d];
+        result[grid_.direction(d)] = p.fixed ? J[d] : along * p.normal[d];
     }
-    return nActive_.size() ? result/max(nActive_[p.node], scalar(1)) : result;
+    return nActive_.size() ? result / max(nActive_[p.node], scalar(1)) : result;
 }
 
-
-void Foam::mpm::nodeReactions::start
-(
-    const scalar dt,
-    const labelUList& active,
-    const sharedNodes& shared
-)
+void Foam::mpm::nodeReactions::start(
+    const scalar dt, const labelUList& active, const sharedNodes& shared)
 {
     dt_ = dt;
     impulse_ = Zero;
@@ -111,20 +92,15 @@ void Foam::mpm::nodeReactions::start
     }
 }
 
-
 template<class Impulse>
-void Foam::mpm::nodeReactions::addAt
-(
-    const labelUList& nodes,
-    const Impulse& impulse
-)
+void Foam::mpm::nodeReactions::addAt(const labelUList& nodes, const Impulse& impulse)
 {
     const int D = grid_.nDim();
     for (const label n : nodes)
     {
         if (place_[n] >= 0)
         {
-            scalar* J = impulse_.data() + D*place_[n];
+            scalar* J = impulse_.data() + D * place_[n];
             for (int d = 0; d < D; ++d)
             {
                 J[d] += impulse(n, d);
@@ -133,47 +109,22 @@ void Foam::mpm::nodeReactions::addAt
     }
 }
 
-
-void Foam::mpm::nodeReactions::add
-(
-    const labelUList& nodes,
-    const scalar sign,
-    const scalar* u,
-    const scalar* mU,
-    const int stride
-)
+void Foam::mpm::nodeReactions::add(
+    const labelUList& nodes, const scalar sign, const scalar* u, const scalar* mU, const int stride)
 {
     const int D = grid_.nDim();
-    addAt
-    (
+    addAt(
         nodes,
-        [=](const label n, const int d)
-        {
-            return sign*mU[stride*n + D]*u[stride*n + d];
-        }
-    );
+        [=](const label n, const int d) { return sign * mU[stride * n + D] * u[stride * n + d]; });
 }
 
-
-void Foam::mpm::nodeReactions::addProjected
-(
-    const labelUList& nodes,
-    const scalar share,
-    const scalar* u,
-    const scalar* mU,
-    const int stride
-)
+void Foam::mpm::nodeReactions::addProjected(
+    const labelUList& nodes, const scalar share, const scalar* u, const scalar* mU,
+    const int stride)
 {
     const int D = grid_.nDim();
-    addAt
-    (
+    addAt(
         nodes,
         [=](const label n, const int d)
-        {
-            return
-                share*(mU[stride*n + D]*u[stride*n + d] - mU[stride*n + d]);
-        }
-    );
+        { return share * (mU[stride * n + D] * u[stride * n + d] - mU[stride * n + d]); });
 }
-
-// ************************************************************************* //

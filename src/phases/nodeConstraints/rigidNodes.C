@@ -1,79 +1,48 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "rigidNodes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::rigidNodes::setVelocity
-(
-    const label phasei,
-    const rigidMotion& motion,
-    nodeSet& set
-)
+void Foam::mpm::rigidNodes::setVelocity(const label phasei, const rigidMotion& motion, nodeSet& set)
 {
     const int D = grid_.nDim();
-    set.value.resize(D*set.node.size());
+    set.value.resize(D * set.node.size());
     forAll(set.node, i)
     {
         if (set.phase[i] == phasei)
         {
-            const vector u
-            (
-                motion.now().velocityAt(position_[set.node[i]])
-            );
+            const vector u(motion.now().velocityAt(position_[set.node[i]]));
             for (int d = 0; d < D; ++d)
             {
-                set.value[D*i + d] = u[grid_.direction(d)];
+                set.value[D * i + d] = u[grid_.direction(d)];
             }
         }
     }
 }
 
-
-void Foam::mpm::rigidNodes::setVelocity
-(
-    const bodyOf& b,
-    const freeBody::vector6& V,
-    const bool tentative,
-    const nodeSet& set,
-    DynamicList<scalar>& to
-) const
+void Foam::mpm::rigidNodes::setVelocity(
+    const bodyOf& b, const freeBody::vector6& V, const bool tentative, const nodeSet& set,
+    DynamicList<scalar>& to) const
 {
     const int D = grid_.nDim();
-    to.resize(D*set.node.size());
+    to.resize(D * set.node.size());
     forAll(set.node, i)
     {
         if (set.phase[i] == b.phase)
         {
-            const Eigen::Matrix<scalar, 3, 1> u
-            (
-                b.body->at(position_[set.node[i]], tentative)*V
-            );
+            const Eigen::Matrix<scalar, 3, 1> u(b.body->at(position_[set.node[i]], tentative) * V);
             for (int d = 0; d < D; ++d)
             {
-                to[D*i + d] = u(grid_.direction(d));
+                to[D * i + d] = u(grid_.direction(d));
             }
         }
     }
 }
 
-
-Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
-(
-    const bodyOf& b,
-    const bool tentative,
-    const scalar* u,
-    const freeBody::vector6& V,
-    const scalar* mU,
-    const int stride,
-    freeBody::matrix6* A
-) const
+Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver(
+    const bodyOf& b, const bool tentative, const scalar* u, const freeBody::vector6& V,
+    const scalar* mU, const int stride, freeBody::matrix6* A) const
 {
     const nodeSet& set = tentative ? next_ : now_;
     const int D = grid_.nDim();
@@ -85,7 +54,7 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
     forAll(set.node, i)
     {
         const label n = set.node[i];
-        const scalar m = set.part[i]*mU[stride*n + D];
+        const scalar m = set.part[i] * mU[stride * n + D];
         if (set.phase[i] != b.phase || !(m > 0))
         {
             continue;
@@ -94,12 +63,12 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
         Eigen::Matrix<scalar, 3, 1> un(Eigen::Matrix<scalar, 3, 1>::Zero());
         for (int d = 0; d < D; ++d)
         {
-            un(grid_.direction(d)) = u[stride*n + d];
+            un(grid_.direction(d)) = u[stride * n + d];
         }
-        rhs += m*(G.transpose()*(un - G*V));
+        rhs += m * (G.transpose() * (un - G * V));
         if (A)
         {
-            mass += m*(G.transpose()*G);
+            mass += m * (G.transpose() * G);
         }
     }
     label k = 0;
@@ -133,12 +102,7 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::rigidNodes::rigidNodes(const pointGrid& grid)
-:
-    grid_(grid),
-    shares_(false),
-    power_(2)
-{}
+Foam::mpm::rigidNodes::rigidNodes(const pointGrid& grid) : grid_(grid), shares_(false), power_(2) {}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -148,28 +112,22 @@ void Foam::mpm::rigidNodes::setPhases(const label n)
     sum_.setSize(n, vector(Zero));
 }
 
-
-Foam::scalar* Foam::mpm::rigidNodes::clearMass
-(
-    const labelList& active,
-    const int stride
-)
+Foam::scalar* Foam::mpm::rigidNodes::clearMass(const labelList& active, const int stride)
 {
     if (!mass_.data())
     {
-        mass_ = alignedArray(stride*grid_.nNodes());
+        mass_ = alignedArray(stride * grid_.nNodes());
         position_ = grid_.nodePositions();
     }
     for (const label n : active)
     {
         for (int c = 0; c < stride; ++c)
         {
-            mass_.data()[stride*n + c] = 0;
+            mass_.data()[stride * n + c] = 0;
         }
     }
     return mass_.data();
 }
-
 
 void Foam::mpm::rigidNodes::clear()
 {
@@ -181,32 +139,17 @@ void Foam::mpm::rigidNodes::clear()
     next_.weight.clear();
 }
 
-
-void Foam::mpm::rigidNodes::add
-(
-    const label phasei,
-    const rigidMotion& motion,
-    const scalar largest,
-    const scalarList* volume,
-    const labelList& active,
-    const int stride
-)
+void Foam::mpm::rigidNodes::add(
+    const label phasei, const rigidMotion& motion, const scalar largest, const scalarList* volume,
+    const labelList& active, const int stride)
 {
     const scalar* mass = mass_.data() + grid_.nDim();
     const auto weight = [&](const label n)
     {
-        return
-            volume
-          ? std::pow
-            (
-                min
-                (
-                    scalar(1),
-                    mass[stride*n]/(*volume)[n]*mass_.data()[stride*n]/0.8
-                ),
-                power_
-            )
-          : 1;
+        return volume ? std::pow(
+                   min(scalar(1), mass[stride * n] / (*volume)[n] * mass_.data()[stride * n] / 0.8),
+                   power_)
+                      : 1;
     };
 
     // Nodes that an earlier phase of the list has as well are marked by a
@@ -214,16 +157,16 @@ void Foam::mpm::rigidNodes::add
     forAll(next_.node, i)
     {
         const label n = next_.node[i];
-        if (mass[stride*n] > 1e-9*largest && weight(n) > next_.weight[i])
+        if (mass[stride * n] > 1e-9 * largest && weight(n) > next_.weight[i])
         {
             next_.phase[i] = phasei;
             next_.weight[i] = weight(n);
         }
-        mass_.data()[stride*n + grid_.nDim()] = -1;
+        mass_.data()[stride * n + grid_.nDim()] = -1;
     }
     for (const label n : active)
     {
-        if (mass[stride*n] > 1e-9*largest)
+        if (mass[stride * n] > 1e-9 * largest)
         {
             next_.node.append(n);
             next_.phase.append(phasei);
@@ -233,55 +176,31 @@ void Foam::mpm::rigidNodes::add
     setVelocity(phasei, motion, next_);
 }
 
-
-Foam::scalar* Foam::mpm::rigidNodes::marks
-(
-    const labelList& active,
-    const int stride
-)
+Foam::scalar* Foam::mpm::rigidNodes::marks(const labelList& active, const int stride)
 {
     scalar* marks = clearMass(active, stride);
     for (const label n : next_.node)
     {
-        marks[stride*n] = 1;
+        marks[stride * n] = 1;
     }
     return marks;
 }
-
 
 void Foam::mpm::rigidNodes::setParts(const scalar* marks, const int stride)
 {
     next_.part.resize(next_.node.size());
     forAll(next_.node, i)
     {
-        next_.part[i] = 1/marks[stride*next_.node[i]];
+        next_.part[i] = 1 / marks[stride * next_.node[i]];
     }
 }
 
-
-void Foam::mpm::rigidNodes::combine
-(
-    const scalar* u,
-    const scalar* mU,
-    const int stride
-)
+void Foam::mpm::rigidNodes::combine(const scalar* u, const scalar* mU, const int stride)
 {
     for (const bodyOf& b : bodies_)
     {
         freeBody::matrix6 A;
-        const freeBody::vector6 rhs
-        (
-            sumOver
-            (
-                b,
-                true,
-                u,
-                b.body->velocityNew(),
-                mU,
-                stride,
-                &A
-            )
-        );
+        const freeBody::vector6 rhs(sumOver(b, true, u, b.body->velocityNew(), mU, stride, &A));
         b.body->combine(A, rhs);
         setVelocity(b, b.body->start(true), true, next_, next_.value);
     }
@@ -292,7 +211,6 @@ void Foam::mpm::rigidNodes::combine
     }
 }
 
-
 void Foam::mpm::rigidNodes::begin(const scalar dt, const vector& g)
 {
     for (const bodyOf& b : bodies_)
@@ -302,57 +220,28 @@ void Foam::mpm::rigidNodes::begin(const scalar dt, const vector& g)
     renew();
 }
 
-
-void Foam::mpm::rigidNodes::take
-(
-    const scalar* u,
-    const scalar* mU,
-    const int stride
-)
+void Foam::mpm::rigidNodes::take(const scalar* u, const scalar* mU, const int stride)
 {
     for (const bodyOf& b : bodies_)
     {
         if (b.body->shares())
         {
-            b.body->change
-            (
-                b.body->response
-                (
-                    sumOver
-                    (
-                        b,
-                        false,
-                        u,
-                        b.body->step(),
-                        mU,
-                        stride,
-                        nullptr
-                    )
-                )
-            );
+            b.body->change(
+                b.body->response(sumOver(b, false, u, b.body->step(), mU, stride, nullptr)));
         }
     }
     renew();
 }
 
-
-void Foam::mpm::rigidNodes::takeIncrement
-(
-    const scalar* u,
-    const scalar* mU,
-    const int stride,
-    const bool changes
-)
+void Foam::mpm::rigidNodes::takeIncrement(
+    const scalar* u, const scalar* mU, const int stride, const bool changes)
 {
     for (const bodyOf& b : bodies_)
     {
         freeBody::vector6 W(freeBody::vector6::Zero());
         if (b.body->shares())
         {
-            W = b.body->response
-            (
-                sumOver(b, false, u, W, mU, stride, nullptr)
-            );
+            W = b.body->response(sumOver(b, false, u, W, mU, stride, nullptr));
         }
         setVelocity(b, W, false, now_, now_.increment);
         if (changes)
@@ -366,7 +255,6 @@ void Foam::mpm::rigidNodes::takeIncrement
     }
 }
 
-
 void Foam::mpm::rigidNodes::renew()
 {
     for (const bodyOf& b : bodies_)
@@ -375,12 +263,7 @@ void Foam::mpm::rigidNodes::renew()
     }
 }
 
-
-void Foam::mpm::rigidNodes::addIncrement
-(
-    const bodyOf& b,
-    const freeBody::vector6& W
-)
+void Foam::mpm::rigidNodes::addIncrement(const bodyOf& b, const freeBody::vector6& W)
 {
     DynamicList<scalar> more;
     setVelocity(b, W, false, now_, more);
@@ -389,31 +272,20 @@ void Foam::mpm::rigidNodes::addIncrement
     {
         for (int d = 0; now_.phase[i] == b.phase && d < D; ++d)
         {
-            now_.increment[D*i + d] += more[D*i + d];
+            now_.increment[D * i + d] += more[D * i + d];
         }
     }
     b.body->change(W);
     renew();
 }
 
-
-void Foam::mpm::rigidNodes::newVelocity
-(
-    const label phasei,
-    const rigidMotion& motion
-)
+void Foam::mpm::rigidNodes::newVelocity(const label phasei, const rigidMotion& motion)
 {
     setVelocity(phasei, motion, now_);
 }
 
-
-void Foam::mpm::rigidNodes::impose
-(
-    scalar* u,
-    const int stride,
-    const bool homogeneous,
-    const bool tentative
-) const
+void Foam::mpm::rigidNodes::impose(
+    scalar* u, const int stride, const bool homogeneous, const bool tentative) const
 {
     const nodeSet& set = tentative ? next_ : now_;
     const int D = grid_.nDim();
@@ -422,35 +294,28 @@ void Foam::mpm::rigidNodes::impose
         const scalar w = set.weight[i];
         for (int d = 0; d < D; ++d)
         {
-            scalar& un = u[stride*set.node[i] + d];
-            const scalar to = imposed(set, homogeneous, D*i + d);
-            un = w < 1 ? un + w*(to - un) : to;
+            scalar& un = u[stride * set.node[i] + d];
+            const scalar to = imposed(set, homogeneous, D * i + d);
+            un = w < 1 ? un + w * (to - un) : to;
         }
     }
 }
 
-
-void Foam::mpm::rigidNodes::addImpulse
-(
-    const scalar* u,
-    const bool homogeneous,
-    const scalar* mU,
-    const int stride
-)
+void Foam::mpm::rigidNodes::addImpulse(
+    const scalar* u, const bool homogeneous, const scalar* mU, const int stride)
 {
     const int D = grid_.nDim();
     forAll(now_.node, i)
     {
         const label n = now_.node[i];
-        const scalar m = now_.weight[i]*now_.part[i]*mU[stride*n + D];
+        const scalar m = now_.weight[i] * now_.part[i] * mU[stride * n + D];
         for (int d = 0; d < D; ++d)
         {
             step_[now_.phase[i]][grid_.direction(d)] +=
-                m*(u[stride*n + d] - imposed(now_, homogeneous, D*i + d));
+                m * (u[stride * n + d] - imposed(now_, homogeneous, D * i + d));
         }
     }
 }
-
 
 void Foam::mpm::rigidNodes::mark(labelHashSet& constrained) const
 {
@@ -467,14 +332,8 @@ void Foam::mpm::rigidNodes::mark(labelHashSet& constrained) const
     }
 }
 
-
-void Foam::mpm::rigidNodes::addProjectionImpulse
-(
-    const scalar a,
-    const scalar* U,
-    const scalar* mU,
-    const int stride
-)
+void Foam::mpm::rigidNodes::addProjectionImpulse(
+    const scalar a, const scalar* U, const scalar* mU, const int stride)
 {
     const int D = grid_.nDim();
     forAll(now_.node, i)
@@ -483,37 +342,24 @@ void Foam::mpm::rigidNodes::addProjectionImpulse
         for (int d = 0; d < D; ++d)
         {
             step_[now_.phase[i]][grid_.direction(d)] +=
-                a*now_.part[i]
-               *(mU[stride*n + d] - mU[stride*n + D]*U[stride*n + d]);
+                a * now_.part[i] * (mU[stride * n + d] - mU[stride * n + D] * U[stride * n + d]);
         }
     }
 }
 
-
-void Foam::mpm::rigidNodes::addImpulse
-(
-    const scalar* J,
-    const scalar* mU,
-    const int stride
-)
+void Foam::mpm::rigidNodes::addImpulse(const scalar* J, const scalar* mU, const int stride)
 {
     const int D = grid_.nDim();
     forAll(now_.node, i)
     {
-        for (int d = 0; d < D && !(mU[stride*now_.node[i] + D] > 0); ++d)
+        for (int d = 0; d < D && !(mU[stride * now_.node[i] + D] > 0); ++d)
         {
-            step_[now_.phase[i]][grid_.direction(d)] +=
-                now_.part[i]*J[stride*now_.node[i] + d];
+            step_[now_.phase[i]][grid_.direction(d)] += now_.part[i] * J[stride * now_.node[i] + d];
         }
     }
 }
 
-
-void Foam::mpm::rigidNodes::newTime()
-{
-    step_ = Zero;
-}
-
+void Foam::mpm::rigidNodes::newTime() { step_ = Zero; }
 
 void Foam::mpm::rigidNodes::takeNew()
 {
@@ -527,10 +373,9 @@ void Foam::mpm::rigidNodes::takeNew()
     }
     now_.part.swap(next_.part);
     now_.weight.swap(next_.weight);
-    traction_.resize(shares_ ? grid_.nDim()*now_.node.size() : 0);
+    traction_.resize(shares_ ? grid_.nDim() * now_.node.size() : 0);
     traction_ = 0;
 }
-
 
 void Foam::mpm::rigidNodes::accept()
 {
@@ -541,26 +386,17 @@ void Foam::mpm::rigidNodes::accept()
     }
 }
 
-
 Foam::vector Foam::mpm::rigidNodes::stepImpulse(const label phasei) const
 {
     return returnReduce(step_[phasei], sumOp<vector>());
 }
-
 
 Foam::vector Foam::mpm::rigidNodes::impulse(const label phasei) const
 {
     return returnReduce(sum_[phasei], sumOp<vector>());
 }
 
-
-void Foam::mpm::rigidNodes::setImpulse
-(
-    const label phasei,
-    const vector& impulse
-)
+void Foam::mpm::rigidNodes::setImpulse(const label phasei, const vector& impulse)
 {
     sum_[phasei] = Pstream::master() ? impulse : vector(Zero);
 }
-
-// ************************************************************************* //

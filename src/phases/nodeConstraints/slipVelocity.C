@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "slipVelocity.H"
 #include "cornerNormal.H"
@@ -23,7 +17,7 @@ using namespace Foam;
 labelList onAxis(const mpm::pointGrid& grid)
 {
     DynamicList<label> nodes(grid.axisNodes());
-    const scalar near = 1e-6*grid.mesh().bounds().mag();
+    const scalar near = 1e-6 * grid.mesh().bounds().mag();
     const int r = grid.direction(grid.radial());
     forAll(grid.nodePoint(), n)
     {
@@ -52,10 +46,7 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
     const auto add = [&](const label n, const label patchi, const vector& nf)
     {
         const label key = parallel ? grid_.nodeKey()[n] : n;
-        (isShared.found(n) ? mine : others).append
-        (
-            faceNormal(labelPair(key, patchi), nf)
-        );
+        (isShared.found(n) ? mine : others).append(faceNormal(labelPair(key, patchi), nf));
     };
 
     forAll(U.boundaryField(), patchi)
@@ -65,8 +56,7 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
         {
             continue;
         }
-        const polyPatch& pp =
-            grid_.mesh().boundaryMesh()[pf.patch().index()];
+        const polyPatch& pp = grid_.mesh().boundaryMesh()[pf.patch().index()];
         forAll(pp.meshPoints(), i)
         {
             const label n = grid_.pointToNode()[pp.meshPoints()[i]];
@@ -95,12 +85,8 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
     return normals;
 }
 
-
-Foam::mpm::slipVelocity::normalsOfNodes Foam::mpm::slipVelocity::byNode
-(
-    const List<List<faceNormal>>& normals,
-    const labelHashSet& fixed
-) const
+Foam::mpm::slipVelocity::normalsOfNodes Foam::mpm::slipVelocity::byNode(
+    const List<List<faceNormal>>& normals, const labelHashSet& fixed) const
 {
     const bool parallel = Pstream::parRun();
     Map<label> nodeOfKey;
@@ -133,27 +119,18 @@ Foam::mpm::slipVelocity::normalsOfNodes Foam::mpm::slipVelocity::byNode
     // In an order that is the same on all processors
     for (auto& entry : ofNode)
     {
-        std::sort
-        (
-            entry.second.begin(),
-            entry.second.end(),
-            [](const vector& a, const vector& b)
-            {
-                return
-                    a.x() != b.x() ? a.x() < b.x()
-                  : a.y() != b.y() ? a.y() < b.y()
-                  : a.z() < b.z();
-            }
-        );
+        std::sort(
+            entry.second.begin(), entry.second.end(),
+            [](const vector& a, const vector& b) {
+                return a.x() != b.x() ? a.x() < b.x()
+                    : a.y() != b.y()  ? a.y() < b.y()
+                                      : a.z() < b.z();
+            });
     }
     return ofNode;
 }
 
-
-std::vector<Foam::vector> Foam::mpm::slipVelocity::surfaces
-(
-    std::vector<vector>& faces
-)
+std::vector<Foam::vector> Foam::mpm::slipVelocity::surfaces(std::vector<vector>& faces)
 {
     // pointNormals() would average over the edges of a patch that has some.
     // Faces at less than 45 degrees are one smooth surface; others are
@@ -164,7 +141,7 @@ std::vector<Foam::vector> Foam::mpm::slipVelocity::surfaces
         bool known = false;
         for (vector& g : groups)
         {
-            if (!known && (g & nf) > 0.7*mag(g)*mag(nf))
+            if (!known && (g & nf) > 0.7 * mag(g) * mag(nf))
             {
                 g += nf;
                 known = true;
@@ -178,24 +155,16 @@ std::vector<Foam::vector> Foam::mpm::slipVelocity::surfaces
     return groups;
 }
 
-
-void Foam::mpm::slipVelocity::join
-(
-    const label patchi,
-    const std::vector<vector>& normals,
-    std::vector<surface>& all
-)
+void Foam::mpm::slipVelocity::join(
+    const label patchi, const std::vector<vector>& normals, std::vector<surface>& all)
 {
     for (const vector& n : normals)
     {
         surface* same = nullptr;
         for (surface& s : all)
         {
-            if
-            (
-                !same && s.first() >= 0 && patchi >= 0 && s.first() != patchi
-             && (s.second() & n) > 0.94*mag(s.second())*mag(n)
-            )
+            if (!same && s.first() >= 0 && patchi >= 0 && s.first() != patchi
+                && (s.second() & n) > 0.94 * mag(s.second()) * mag(n))
             {
                 same = &s;
             }
@@ -211,13 +180,8 @@ void Foam::mpm::slipVelocity::join
     }
 }
 
-
-void Foam::mpm::slipVelocity::findTurn
-(
-    const label node,
-    const std::vector<vector>& faces,
-    const std::vector<surface>& all
-)
+void Foam::mpm::slipVelocity::findTurn(
+    const label node, const std::vector<vector>& faces, const std::vector<surface>& all)
 {
     constexpr scalar least = 1e-4;
     for (const vector& nf : faces)
@@ -236,14 +200,8 @@ void Foam::mpm::slipVelocity::findTurn
     }
 }
 
-
-void Foam::mpm::slipVelocity::hold
-(
-    const label node,
-    const label patchi,
-    const vector& normal,
-    Eigen::Matrix3d& N
-)
+void Foam::mpm::slipVelocity::hold(
+    const label node, const label patchi, const vector& normal, Eigen::Matrix3d& N)
 {
     const int D = grid_.nDim();
     Eigen::Vector3d v(Eigen::Vector3d::Zero());
@@ -255,36 +213,35 @@ void Foam::mpm::slipVelocity::hold
     {
         v.normalize();
     }
-    const Eigen::Vector3d rest(v - N*v);
+    const Eigen::Vector3d rest(v - N * v);
     if (!(rest.norm() > 1e-3))
     {
         return;
     }
-    N += rest*rest.transpose()/rest.squaredNorm();
+    N += rest * rest.transpose() / rest.squaredNorm();
 
     if (patchi >= 0)
     {
         nodeReactions::part part{node, patchi, false, {}, point(Zero)};
         for (int d = 0; d < D; ++d)
         {
-            part.normal[d] = rest(d)/rest.norm();
+            part.normal[d] = rest(d) / rest.norm();
         }
         parts_.append(part);
     }
 }
 
-
 void Foam::mpm::slipVelocity::apply(const label i, scalar* u) const
 {
     const int D = grid_.nDim();
-    const scalar* R = projection_.cdata() + D*D*i;
+    const scalar* R = projection_.cdata() + D * D * i;
     scalar v[3];
     for (int a = 0; a < D; ++a)
     {
         v[a] = 0;
         for (int b = 0; b < D; ++b)
         {
-            v[a] += R[D*a + b]*u[b];
+            v[a] += R[D * a + b] * u[b];
         }
     }
     for (int a = 0; a < D; ++a)
@@ -295,16 +252,10 @@ void Foam::mpm::slipVelocity::apply(const label i, scalar* u) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::slipVelocity::slipVelocity
-(
-    const pointGrid& grid,
-    const sharedNodes& shared,
-    const pointVectorField& U,
-    const labelUList& fixedNodes
-)
-:
-    grid_(grid),
-    shared_(shared)
+Foam::mpm::slipVelocity::slipVelocity(
+    const pointGrid& grid, const sharedNodes& shared, const pointVectorField& U,
+    const labelUList& fixedNodes) :
+    grid_(grid), shared_(shared)
 {
     labelHashSet fixed;
     fixed.insert(fixedNodes);
@@ -313,12 +264,7 @@ Foam::mpm::slipVelocity::slipVelocity
     std::map<label, std::vector<surface>> ofAll;
     for (auto& entry : ofNode)
     {
-        join
-        (
-            entry.first.second(),
-            surfaces(entry.second),
-            ofAll[entry.first.first()]
-        );
+        join(entry.first.second(), surfaces(entry.second), ofAll[entry.first.first()]);
     }
 
     for (const auto& entry : ofNode)
@@ -353,11 +299,9 @@ Foam::mpm::slipVelocity::slipVelocity
 
 bool Foam::mpm::slipVelocity::is(const pointPatchField<vector>& pf)
 {
-    return
-        isA<basicSymmetryPointPatchField<vector>>(pf)
-     && !isA<fixedNormalSlipPointPatchField<vector>>(pf);
+    return isA<basicSymmetryPointPatchField<vector>>(pf)
+        && !isA<fixedNormalSlipPointPatchField<vector>>(pf);
 }
-
 
 void Foam::mpm::slipVelocity::project(const label node, scalar* v) const
 {
@@ -368,19 +312,10 @@ void Foam::mpm::slipVelocity::project(const label node, scalar* v) const
     }
 }
 
-
-void Foam::mpm::slipVelocity::impose
-(
-    scalar* u,
-    const int stride,
-    const bool,
-    const bool
-) const
+void Foam::mpm::slipVelocity::impose(scalar* u, const int stride, const bool, const bool) const
 {
     forAll(node_, i)
     {
-        apply(i, u + stride*node_[i]);
+        apply(i, u + stride * node_[i]);
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "phaseNames.H"
 #include "dictionaryTools.H"
@@ -13,34 +7,27 @@ License
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::wordList Foam::mpm::phaseNames
-(
-    const dictionary& dict,
-    const wordList& types
-)
+Foam::wordList Foam::mpm::phaseNames(const dictionary& dict, const wordList& types)
 {
     requireKeyword(dict, "phases");
     const wordList names(dict.get<wordList>("phases"));
     if (names.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "There are no phases; list at least one in phases (...);"
-            << exit(FatalIOError);
+            << "There are no phases; list at least one in phases (...);" << exit(FatalIOError);
     }
     constexpr label most = 1000;
     if (names.size() > most)
     {
-        FatalIOErrorInFunction(dict)
-            << "There are " << names.size() << " phases; at most " << most
-            << " are possible." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "There are " << names.size() << " phases; at most " << most
+                                     << " are possible." << exit(FatalIOError);
     }
     forAll(names, i)
     {
         if (names.find(names[i]) != i)
         {
             FatalIOErrorInFunction(dict)
-                << "Phase " << names[i] << " is listed twice."
-                << exit(FatalIOError);
+                << "Phase " << names[i] << " is listed twice." << exit(FatalIOError);
         }
     }
     wordList valid(names);
@@ -58,8 +45,7 @@ Foam::wordList Foam::mpm::phaseNames
                 << "Dictionary " << e.keyword() << " is not a phase: not in"
                 << " the list phases " << flatOutput(names) << "." << nl
                 << "Add it there, or remove the dictionary; others that may"
-                << " be there are contact, fluids, outflow and stepParts."
-                << exit(FatalIOError);
+                << " be there are contact, fluids, outflow and stepParts." << exit(FatalIOError);
         }
     }
     checkKeywords(dict, valid);
@@ -67,16 +53,9 @@ Foam::wordList Foam::mpm::phaseNames
     DynamicList<word> found, gases, fluids;
     for (const word& name : names)
     {
-        const word kind
-        (
-            oneOfOrDefault
-            (
-                requiredDict(dict, name),
-                "type",
-                "materialPoints",
-                {"materialPoints", "rigid", "gas", "fluid"}
-            )
-        );
+        const word kind(oneOfOrDefault(
+            requiredDict(dict, name), "type", "materialPoints",
+            {"materialPoints", "rigid", "gas", "fluid"}));
         if (types.found(kind))
         {
             found.append(name);
@@ -89,13 +68,11 @@ Foam::wordList Foam::mpm::phaseNames
     if (gases.size() && fluids.size())
     {
         FatalIOErrorInFunction(requiredDict(dict, gases[0]))
-            << "Phase " << gases[0] << " is of type gas, but phase "
-            << fluids[0] << " of type fluid. What shares cells with a fluid is"
+            << "Phase " << gases[0] << " is of type gas, but phase " << fluids[0]
+            << " of type fluid. What shares cells with a fluid is"
             << " a fluid too: write  type fluid;  here, with the files p,"
-            << " U, alpha." << gases[0] << " and T." << gases[0]
-            << " in place of U." << gases[0] << "." << exit(FatalIOError);
+            << " U, alpha." << gases[0] << " and T." << gases[0] << " in place of U." << gases[0]
+            << "." << exit(FatalIOError);
     }
     return wordList(std::move(found));
 }
-
-// ************************************************************************* //

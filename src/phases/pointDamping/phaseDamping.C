@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "phaseDamping.H"
 #include "materialPointSystem.H"
@@ -13,12 +7,10 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::phaseDamping::phaseDamping(materialPointSystem& points)
-:
-    stepPart("damping"),
-    points_(points),
-    damped_(0)
-{}
+Foam::mpm::phaseDamping::phaseDamping(materialPointSystem& points) :
+    stepPart("damping"), points_(points), damped_(0)
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -33,7 +25,6 @@ bool Foam::mpm::phaseDamping::damps() const
     }
     return false;
 }
-
 
 void Foam::mpm::phaseDamping::start(const scalar dt)
 {
@@ -51,7 +42,7 @@ void Foam::mpm::phaseDamping::start(const scalar dt)
             if (factor != 1)
             {
                 phase.scaleVelocity(factor);
-                points_.energy().sums().damping -= (1 - sqr(factor))*K;
+                points_.energy().sums().damping -= (1 - sqr(factor)) * K;
                 changed = true;
             }
         }
@@ -61,7 +52,6 @@ void Foam::mpm::phaseDamping::start(const scalar dt)
         points_.projectAnew(0);
     }
 }
-
 
 void Foam::mpm::phaseDamping::addState(dictionary& state) const
 {
@@ -79,7 +69,6 @@ void Foam::mpm::phaseDamping::addState(dictionary& state) const
     }
 }
 
-
 void Foam::mpm::phaseDamping::setState(const dictionary& state)
 {
     if (!state.found("damping"))
@@ -91,12 +80,7 @@ void Foam::mpm::phaseDamping::setState(const dictionary& state)
     {
         if (phase.damping())
         {
-            phase.damping()->setBefore
-            (
-                before.getOrDefault<scalar>(phase.name(), 0)
-            );
+            phase.damping()->setBefore(before.getOrDefault<scalar>(phase.name(), 0));
         }
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "shapeTransfer.H"
 #include "bSplineShape.H"
@@ -17,15 +11,7 @@ namespace Foam::mpm
 typedef shapeFunction<quadraticBSplineShape> quadraticBSpline;
 typedef shapeFunction<cubicBSplineShape> cubicBSpline;
 
-addNamedToRunTimeSelectionTable
-(
-    pointGridTransfer, quadraticBSpline, grid, quadraticBSpline
-);
-addNamedToRunTimeSelectionTable
-(
-    pointGridTransfer, cubicBSpline, grid, cubicBSpline
-);
+addNamedToRunTimeSelectionTable(pointGridTransfer, quadraticBSpline, grid, quadraticBSpline);
+addNamedToRunTimeSelectionTable(pointGridTransfer, cubicBSpline, grid, cubicBSpline);
 
 }
-
-// ************************************************************************* //

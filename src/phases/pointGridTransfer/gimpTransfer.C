@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "shapeTransfer.H"
 #include "gimpShape.H"
@@ -18,5 +12,3 @@ typedef shapeFunction<gimpShape> GIMP;
 addNamedToRunTimeSelectionTable(pointGridTransfer, GIMP, grid, GIMP);
 
 }
-
-// ************************************************************************* //

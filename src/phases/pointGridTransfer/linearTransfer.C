@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "shapeTransfer.H"
 #include "linearShape.H"
@@ -21,15 +15,11 @@ struct linear
 {
     static autoPtr<pointGridTransfer> New(const pointGrid& grid)
     {
-        return
-            grid.hasLattice()
-          ? shapeFunction<linearShape>::New(grid)
-          : shapeFunction<hexShape>::New(grid);
+        return grid.hasLattice() ? shapeFunction<linearShape>::New(grid)
+                                 : shapeFunction<hexShape>::New(grid);
     }
 };
 
 addNamedToRunTimeSelectionTable(pointGridTransfer, linear, grid, linear);
 
 }
-
-// ************************************************************************* //

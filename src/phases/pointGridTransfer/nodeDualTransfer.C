@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "nodeDualTransfer.H"
 #include "dualBoxShape.H"
@@ -32,20 +26,13 @@ struct nodeDualFunctions
 
     static autoPtr<pointGridTransfer> New(const pointGrid& grid)
     {
-        return
-            grid.hasLattice() && grid.radial() < 0
-          ? shapeFunction<dualBoxShape, nodeDualTransfer>::New(grid)
-          : onlySimplices(grid)
-          ? shapeFunction<dualSimplexShape, nodeDualTransfer>::New(grid)
-          : shapeFunction<simplexShape, nodeDualTransfer>::New(grid);
+        return grid.hasLattice() && grid.radial() < 0
+            ? shapeFunction<dualBoxShape, nodeDualTransfer>::New(grid)
+            : onlySimplices(grid) ? shapeFunction<dualSimplexShape, nodeDualTransfer>::New(grid)
+                                  : shapeFunction<simplexShape, nodeDualTransfer>::New(grid);
     }
 };
 
-addNamedToRunTimeSelectionTable
-(
-    pointGridTransfer, nodeDualFunctions, grid, nodeDual
-);
+addNamedToRunTimeSelectionTable(pointGridTransfer, nodeDualFunctions, grid, nodeDual);
 
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointGridTransfer.H"
 #include "dictionaryTools.H"
@@ -13,8 +7,8 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(pointGridTransfer, 0);
-    defineRunTimeSelectionTable(pointGridTransfer, grid);
+defineTypeNameAndDebug(pointGridTransfer, 0);
+defineRunTimeSelectionTable(pointGridTransfer, grid);
 }
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
@@ -33,7 +27,6 @@ Foam::word Foam::mpm::pointGridTransfer::usual(const pointGrid& grid)
     }
 }
 
-
 Foam::autoPtr<Foam::mpm::pointGridTransfer>
 Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
 {
@@ -48,83 +41,60 @@ Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
             {
                 autoPtr<pointGridTransfer> passes(iter.val()(grid));
                 passes->cellMeans =
-                    oneOfOrDefault
-                    (
-                        dict, "dilatation", "point", {"point", "cellMean"}
-                    )
-                 == "cellMean";
+                    oneOfOrDefault(dict, "dilatation", "point", {"point", "cellMean"})
+                    == "cellMean";
                 return passes;
             }
             catch (const string& reason)
             {
                 FatalIOErrorInFunction(dict)
-                    << "The shape function " << name
-                    << " does not allow this mesh: " << reason << "." << nl
-                    << "linear allows every mesh of hexahedra, nodeDual any"
+                    << "The shape function " << name << " does not allow this mesh: " << reason
+                    << "." << nl << "linear allows every mesh of hexahedra, nodeDual any"
                     << " cells, GIMP needs boxes along the axes without"
                     << " re-entrant corners, quadraticBSpline and"
                     << " cubicBSpline also one width of all cells in each"
-                    << " direction."
-                    << exit(FatalIOError);
+                    << " direction." << exit(FatalIOError);
             }
         }
     }
 
-    FatalIOErrorInFunction(dict)
-        << "Unknown shapeFunction " << name << nl << nl
-        << "Valid shape functions are: "
-        << (gridConstructorTablePtr_ ? gridConstructorTablePtr_->sortedToc() : wordList())
-        << exit(FatalIOError);
+    FatalIOErrorInFunction(dict) << "Unknown shapeFunction " << name << nl << nl
+                                 << "Valid shape functions are: "
+                                 << (gridConstructorTablePtr_
+                                         ? gridConstructorTablePtr_->sortedToc()
+                                         : wordList())
+                                 << exit(FatalIOError);
 
     return nullptr;
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalarList Foam::mpm::pointGridTransfer::nodeVolumes
-(
-    const pointGrid& grid,
-    const bool byRadius
-) const
+Foam::scalarList
+Foam::mpm::pointGridTransfer::nodeVolumes(const pointGrid& grid, const bool byRadius) const
 {
     return grid.nodeVolumes(grid.shared(reach()), byRadius);
 }
 
-
-Foam::scalar Foam::mpm::pointGridTransfer::meanWidth
-(
-    const pointGrid& grid,
-    const label celli
-) const
+Foam::scalar Foam::mpm::pointGridTransfer::meanWidth(const pointGrid& grid, const label celli) const
 {
     scalar product = 1;
     for (int d = 0; d < grid.nDim(); ++d)
     {
         product *= grid.width(celli, d);
     }
-    return
-        grid.nDim() == 1 ? product
-      : grid.nDim() == 2 ? std::sqrt(product)
-      : std::cbrt(product);
+    return grid.nDim() == 1 ? product : grid.nDim() == 2 ? std::sqrt(product) : std::cbrt(product);
 }
 
-
-void Foam::mpm::pointGridTransfer::forNodesOf
-(
-    const materialPointCloud& cloud,
-    const boolList& marked,
-    const std::function
-    <
-        void(const label, const label, const scalar, const scalar*)
-    >& f
-) const
+void Foam::mpm::pointGridTransfer::forNodesOf(
+    const materialPointCloud& cloud, const boolList& marked,
+    const std::function<void(const label, const label, const scalar, const scalar*)>& f) const
 {
     const int D = cloud.grid().nDim(), radial = cloud.grid().radial();
     const column* half = cloud.halfSize();
     DynamicList<label> nodes;
     DynamicList<scalar> S, gradS;
-    forStencils
-    (
+    forStencils(
         cloud,
         [&](const label k, const labelUList& stencil)
         {
@@ -142,10 +112,7 @@ void Foam::mpm::pointGridTransfer::forNodesOf
                     x[d] = cloud.x()[d][p];
                     l[d] = half ? (*half)[d][p] : 0;
                 }
-                weights
-                (
-                    cloud.cells()[k], x, half ? l : nullptr, nodes, S, gradS
-                );
+                weights(cloud.cells()[k], x, half ? l : nullptr, nodes, S, gradS);
                 const scalar v = cloud.volume()[0][p];
                 forAll(nodes, i)
                 {
@@ -156,17 +123,14 @@ void Foam::mpm::pointGridTransfer::forNodesOf
                     scalar A[3];
                     for (int d = 0; d < D; ++d)
                     {
-                        A[d] = v*gradS[D*i + d];
+                        A[d] = v * gradS[D * i + d];
                     }
                     if (radial >= 0)
                     {
-                        A[radial] += v*S[i]/x[radial];
+                        A[radial] += v * S[i] / x[radial];
                     }
                     f(p, nodes[i], S[i], A);
                 }
             }
-        }
-    );
+        });
 }
-
-// ************************************************************************* //

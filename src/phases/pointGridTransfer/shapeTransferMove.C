@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     Included by shapeTransfer.H.
@@ -15,15 +12,9 @@ namespace Foam::mpm
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<template<int> class Shape, int DIM, bool HOOP>
-MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::add
-(
-    const scalar* mass,
-    const column* bodyForce,
-    const label p,
-    const int n,
-    const T (&v)[DIM],
-    const T (&du)[DIM]
-)
+MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::add(
+    const scalar* mass, const column* bodyForce, const label p, const int n, const T (&v)[DIM],
+    const T (&du)[DIM])
 {
     // Lanes beyond n may hold anything
     const scalar lane[] = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -32,23 +23,19 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::add
     const T m = select(own, load<W>(mass + p), none);
     for (int d = 0; d < DIM; ++d)
     {
-        const T w = m*select(own, v[d] + 0.5*du[d], none);
-        work += w*select(own, du[d], none);
+        const T w = m * select(own, v[d] + 0.5 * du[d], none);
+        work += w * select(own, du[d], none);
         momentum[d] += w;
         if (bodyForce)
         {
-            body += w*select(own, load<W>((*bodyForce)[d] + p), none);
+            body += w * select(own, load<W>((*bodyForce)[d] + p), none);
         }
     }
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::write
-(
-    const pointGrid& grid,
-    moveResult& result
-) const
+MPM_INLINE void
+shapeTransfer<Shape, DIM, HOOP>::workSums::write(const pointGrid& grid, moveResult& result) const
 {
     for (int l = 0; l < W; ++l)
     {
@@ -61,18 +48,10 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::write
     }
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::leave
-(
-    const label celli,
-    const label point,
-    const int lane,
-    const T (&X)[DIM],
-    const T& way,
-    movedPoints& to,
-    leavers& all
-) const
+MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::leave(
+    const label celli, const label point, const int lane, const T (&X)[DIM], const T& way,
+    movedPoints& to, leavers& all) const
 {
     leaver& of = all.of[all.n++];
     bool finite = true;
@@ -87,7 +66,7 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::leave
         to.U[radial_][point] = -to.U[radial_][point];
         if (to.displacement[radial_])
         {
-            to.displacement[radial_][point] += 2*of.x[radial_];
+            to.displacement[radial_][point] += 2 * of.x[radial_];
         }
     }
     of.cell = celli;
@@ -96,24 +75,12 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::leave
     of.near = finite && way[lane] <= 2;
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::changeCell
-(
-    const moveRule& rule,
-    const leaver& of,
-    label cell,
-    scalar* x,
-    movedPoints& to,
-    moveResult& result,
-    DynamicList<materialPointCloud::cellChange>& cellChanges
-) const
+void shapeTransfer<Shape, DIM, HOOP>::changeCell(
+    const moveRule& rule, const leaver& of, label cell, scalar* x, movedPoints& to,
+    moveResult& result, DynamicList<materialPointCloud::cellChange>& cellChanges) const
 {
-    if
-    (
-        cell < 0 && of.finite && rule.outflow
-     && rule.outflow->through(of.cell, of.x)
-    )
+    if (cell < 0 && of.finite && rule.outflow && rule.outflow->through(of.cell, of.x))
     {
         cell = outflowPatches::gone;
     }
@@ -146,17 +113,10 @@ void shapeTransfer<Shape, DIM, HOOP>::changeCell
     }
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::changeCells
-(
-    const pointGrid& grid,
-    const moveRule& rule,
-    leavers& all,
-    movedPoints& to,
-    moveResult& result,
-    DynamicList<materialPointCloud::cellChange>& cellChanges
-) const
+void shapeTransfer<Shape, DIM, HOOP>::changeCells(
+    const pointGrid& grid, const moveRule& rule, leavers& all, movedPoints& to, moveResult& result,
+    DynamicList<materialPointCloud::cellChange>& cellChanges) const
 {
     const leaver* of = all.of;
     const label n = all.n;
@@ -164,13 +124,13 @@ void shapeTransfer<Shape, DIM, HOOP>::changeCells
 
     // A point that moves too far is not located: the step will be redone
     label cells[together] = {}, nNear = 0;
-    scalar x[3*together];
+    scalar x[3 * together];
     for (label i = 0; i < n; ++i)
     {
         if (of[i].near)
         {
             cells[nNear] = of[i].cell;
-            std::copy_n(of[i].x, 3, x + 3*nNear);
+            std::copy_n(of[i].x, 3, x + 3 * nNear);
             ++nNear;
         }
     }
@@ -188,29 +148,20 @@ void shapeTransfer<Shape, DIM, HOOP>::changeCells
     {
         scalar far[3] = {of[i].x[0], of[i].x[1], of[i].x[2]};
         const bool near = of[i].near;
-        changeCell
-        (
-            rule,
-            of[i],
-            near ? cells[nNear] : of[i].finite ? of[i].cell : -1,
-            near ? x + 3*nNear : far,
-            to,
-            result,
-            cellChanges
-        );
+        changeCell(
+            rule, of[i],
+            near               ? cells[nNear]
+                : of[i].finite ? of[i].cell
+                               : -1,
+            near ? x + 3 * nNear : far, to, result, cellChanges);
         nNear += near;
     }
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
-(
-    materialPointCloud& cloud,
-    const moveRule& rule,
-    const nodeVelocities& u,
-    DynamicList<materialPointCloud::cellChange>& cellChanges
-) const
+pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move(
+    materialPointCloud& cloud, const moveRule& rule, const nodeVelocities& u,
+    DynamicList<materialPointCloud::cellChange>& cellChanges) const
 {
     const geometry geo(cloud, false);
     const pointGrid& grid = cloud.grid();
@@ -230,10 +181,8 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
     leavers left;
     cellChanges.clear();
 
-    forGroups
-    (
-        cloud,
-        [&](const stencil&) {},
+    forGroups(
+        cloud, [&](const stencil&) {},
         [&](const stencil& s, const label celli, const label p, const int n)
         {
             T X[DIM], L[DIM], v[DIM], V[DIM], dX[DIM];
@@ -254,15 +203,15 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
             {
                 // (7) and (8)
                 v[d] = load<W>(to.v[d] + p);
-                V[d] = c.a0*(v[d] + c.a1*du[d]) + c.a2*uL[d];
-                dX[d] = dt*(c.b0*v[d] + c.b1*du[d] + c.b2*uL[d]);
+                V[d] = c.a0 * (v[d] + c.a1 * du[d]) + c.a2 * uL[d];
+                dX[d] = dt * (c.b0 * v[d] + c.b1 * du[d] + c.b2 * uL[d]);
             }
             if (needsU)
             {
                 shapeType::template gather<DIM, P>(S, s.nodes, u.U, uN);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    dX[d] += dt*c.b3*uN[d];
+                    dX[d] += dt * c.b3 * uN[d];
                 }
             }
             if (energy)
@@ -280,8 +229,8 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
                     storePart<W>(to.displacement[d] + p, dX[d], n);
                 }
                 const double ih = shape_.inverseWidth(s, d);
-                way = laneMax(way, laneAbs(dX[d])*ih);
-                fast = laneMax(fast, laneAbs(V[d])*ih);
+                way = laneMax(way, laneAbs(dX[d]) * ih);
+                fast = laneMax(fast, laneAbs(V[d]) * ih);
                 store<W>(to.x[d] + p, X[d]);
                 store<W>(to.U[d] + p, V[d]);
             }
@@ -305,15 +254,13 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
                         leave(celli, p + l, l, X, way, to, left);
                         if (left.n == together)
                         {
-                            changeCells
-                            (grid, rule, left, to, result, cellChanges);
+                            changeCells(grid, rule, left, to, result, cellChanges);
                         }
                     }
                 }
             }
         },
-        [&](const stencil&) {}
-    );
+        [&](const stencil&) {});
     changeCells(grid, rule, left, to, result, cellChanges);
 
     result.travel = horizontalMax(travel);
@@ -323,5 +270,3 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move
 }
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     Included by shapeTransfer.H.
@@ -15,14 +12,9 @@ namespace Foam::mpm
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::shiftToMean
-(
-    const scalar* const (&diagonal)[nDiagonal],
-    const scalar* weight,
-    const scalar* damage,
-    const label n,
-    scalar* shift
-)
+void shapeTransfer<Shape, DIM, HOOP>::shiftToMean(
+    const scalar* const (&diagonal)[nDiagonal], const scalar* weight, const scalar* damage,
+    const label n, scalar* shift)
 {
     scalar sumW = VSMALL, sum = 0;
     for (label i = 0; i < n; ++i)
@@ -33,28 +25,21 @@ void shapeTransfer<Shape, DIM, HOOP>::shiftToMean
             tr += diagonal[d][i];
         }
         const scalar w = damage && damage[i] > 0 ? 0 : weight[i];
-        shift[i] = -tr/nDiagonal;
+        shift[i] = -tr / nDiagonal;
         sumW += w;
-        sum += w*shift[i];
+        sum += w * shift[i];
     }
-    const scalar mean = sum/sumW;
+    const scalar mean = sum / sumW;
     for (label i = 0; i < n; ++i)
     {
         shift[i] = damage && damage[i] > 0 ? 0 : shift[i] - mean;
     }
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::shiftStress
-(
-    const column& stress,
-    const scalar* volume,
-    const scalar* damage,
-    const label begin,
-    const label end,
-    scalar* shift
-)
+void shapeTransfer<Shape, DIM, HOOP>::shiftStress(
+    const column& stress, const scalar* volume, const scalar* damage, const label begin,
+    const label end, scalar* shift)
 {
     const scalar* diagonal[nDiagonal];
     for (int d = 0; d < DIM; ++d)
@@ -65,30 +50,18 @@ void shapeTransfer<Shape, DIM, HOOP>::shiftStress
     {
         diagonal[nDiagonal - 1] = stress[2] + begin;
     }
-    shiftToMean
-    (
-        diagonal,
-        volume + begin,
-        damage ? damage + begin : nullptr,
-        end - begin,
-        shift
-    );
+    shiftToMean(diagonal, volume + begin, damage ? damage + begin : nullptr, end - begin, shift);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::force
-(
-    materialPointCloud& cloud,
-    scalar* f
-) const
+void shapeTransfer<Shape, DIM, HOOP>::force(materialPointCloud& cloud, scalar* f) const
 {
     const geometry geo(cloud, false);
     const scalar* volume = cloud.volume()[0];
     const column& stress = cloud.stress();
-    const scalar* pressure =
-        cloud.gasPressure() ? (*cloud.gasPressure())[0] : nullptr;
+    const scalar* pressure = cloud.gasPressure() ? (*cloud.gasPressure())[0] : nullptr;
     const scalar* push[DIM] = {};
     for (int d = 0; pressure && d < DIM; ++d)
     {
@@ -113,13 +86,11 @@ void shapeTransfer<Shape, DIM, HOOP>::force
     }
 
     gradientAccumulator acc;
-    forGroups
-    (
-        cloud,
-        [&](const stencil&) { acc.clear(); },
+    forGroups(
+        cloud, [&](const stencil&) { acc.clear(); },
         [&](const stencil& s, label, const label p, const int n)
         {
-            T X[DIM], L[DIM], F[DIM*DIM];
+            T X[DIM], L[DIM], F[DIM * DIM];
             geo.load(p, X, L);
             gradientsType S;
             shape_.evaluate(s, X, L, S);
@@ -133,43 +104,33 @@ void shapeTransfer<Shape, DIM, HOOP>::force
             }
             if (pressure)
             {
-                const T vP = load<W>(volume + p)*load<W>(pressure + p);
+                const T vP = load<W>(volume + p) * load<W>(pressure + p);
                 T q[DIM];
                 for (int d = 0; d < DIM; ++d)
                 {
-                    F[d*(DIM + 1)] -= vP;
+                    F[d * (DIM + 1)] -= vP;
                     q[d] = load<W>(push[d] + p);
                 }
                 if constexpr (HOOP)
                 {
-                    q[radial_] -= vP*inverseRadius(s, X);
+                    q[radial_] -= vP * inverseRadius(s, X);
                 }
                 shapeType::template scatter<DIM>(S, q, n, acc);
             }
             shape_.toLocal(S, F);
             shapeType::scatterGradient(S, F, n, acc);
         },
-        [&](const stencil& s) { shapeType::flushGradient(acc, s.nodes, f); }
-    );
+        [&](const stencil& s) { shapeType::flushGradient(acc, s.nodes, f); });
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress
-(
-    materialPointCloud& cloud,
-    const constitutiveModel& law,
-    const failureModel* failure,
-    const scalar dt,
-    const scalar square,
-    const scalar* u,
-    scalar* f
-) const
+pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress(
+    materialPointCloud& cloud, const constitutiveModel& law, const failureModel* failure,
+    const scalar dt, const scalar square, const scalar* u, scalar* f) const
 {
     static thread_local typename stressPass::buffers room;
     stressPass pass(*this, cloud, room, dt, square);
-    const bool needsWidth =
-        law.needsWidth() || (failure && failure->needsWidth());
+    const bool needsWidth = law.needsWidth() || (failure && failure->needsWidth());
     const labelList& cells = cloud.cells();
     const labelList& first = cloud.start();
     stressResult result{0, -1, 0, -1};
@@ -235,5 +196,3 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress
 }
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     Included by shapeTransfer.H.
@@ -21,7 +18,7 @@ template<template<int> class Shape, int DIM, bool HOOP>
 struct shapeTransfer<Shape, DIM, HOOP>::stressPass
 {
     //- Components of the velocity gradient
-    static constexpr int N = DIM*DIM + (HOOP ? 1 : 0);
+    static constexpr int N = DIM * DIM + (HOOP ? 1 : 0);
 
     //- Points that go together as whole cells
     static constexpr label blockSize = 256;
@@ -54,16 +51,9 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     //- Cells from k0, before k1; points from begin, before end
     label k0, k1, begin, end;
 
-
-    stressPass
-    (
-        const shapeTransfer& t,
-        materialPointCloud& c,
-        buffers& b,
-        const scalar deltaT,
-        const scalar squareOfGradient
-    )
-    :
+    stressPass(
+        const shapeTransfer& t, materialPointCloud& c, buffers& b, const scalar deltaT,
+        const scalar squareOfGradient) :
         transfer(t),
         cloud(c),
         room(b),
@@ -79,7 +69,8 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         k1(0),
         begin(0),
         end(0)
-    {}
+    {
+    }
 
     //- Whole cells while they fit; a cell with more points than the buffer
     //  goes in pieces. False: no more cells
@@ -91,11 +82,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
             return false;
         }
         ++k1;
-        while
-        (
-            k1 < cloud.cells().size()
-         && first[k1 + 1] - first[k0] <= blockSize
-        )
+        while (k1 < cloud.cells().size() && first[k1 + 1] - first[k0] <= blockSize)
         {
             ++k1;
         }
@@ -114,29 +101,19 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         {
             const scalar l = transfer.meanWidth(cloud.grid(), cloud.cells()[k]);
             const range r(part(k));
-            std::fill
-            (
-                room.width + (r.begin - begin),
-                room.width + (r.end - begin),
-                l
-            );
+            std::fill(room.width + (r.begin - begin), room.width + (r.end - begin), l);
         }
     }
 
     //- Velocity gradient times dt of the points of a cell
-    MPM_INLINE void velocityGradient
-    (
-        const label celli,
-        const range r,
-        const scalar* u
-    ) const
+    MPM_INLINE void velocityGradient(const label celli, const range r, const scalar* u) const
     {
         stencil s;
         transfer.shape_.prepare(celli, s);
         for (label p = r.begin; p < r.end; p += W)
         {
             const label i = p - begin;
-            T X[DIM], L[DIM], G[DIM*DIM];
+            T X[DIM], L[DIM], G[DIM * DIM];
             geo.load(p, X, L);
             gradientsType S;
             transfer.shape_.evaluate(s, X, L, S);
@@ -147,9 +124,8 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
             {
                 T U[DIM];
                 shapeType::gatherBeside(S, s.nodes, u, U);
-                const T hoop =
-                    dt*U[transfer.radial_]*transfer.inverseRadius(s, X);
-                store<W>(room.dL[N - 1] + i, hoop + square*hoop*hoop);
+                const T hoop = dt * U[transfer.radial_] * transfer.inverseRadius(s, X);
+                store<W>(room.dL[N - 1] + i, hoop + square * hoop * hoop);
             }
         }
         if (cellMeans && r.begin < r.end)
@@ -159,9 +135,9 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     }
 
     //- dt L + square (dt L)^2
-    MPM_INLINE void storeGradient(T (&G)[DIM*DIM], const label at) const
+    MPM_INLINE void storeGradient(T (&G)[DIM * DIM], const label at) const
     {
-        for (int i = 0; i < DIM*DIM; ++i)
+        for (int i = 0; i < DIM * DIM; ++i)
         {
             G[i] *= dt;
         }
@@ -169,16 +145,12 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         {
             for (int j = 0; j < DIM; ++j)
             {
-                T GG = G[i*DIM]*G[j];
+                T GG = G[i * DIM] * G[j];
                 for (int k = 1; k < DIM; ++k)
                 {
-                    GG += G[i*DIM + k]*G[k*DIM + j];
+                    GG += G[i * DIM + k] * G[k * DIM + j];
                 }
-                store<W>
-                (
-                    room.dL[i*DIM + j] + at,
-                    G[i*DIM + j] + square*GG
-                );
+                store<W>(room.dL[i * DIM + j] + at, G[i * DIM + j] + square * GG);
             }
         }
     }
@@ -190,19 +162,14 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         const scalar* diagonal[nDiagonal];
         for (int d = 0; d < nDiagonal; ++d)
         {
-            diagonal[d] = room.dL[d < DIM ? d*(DIM + 1) : N - 1] + i;
+            diagonal[d] = room.dL[d < DIM ? d * (DIM + 1) : N - 1] + i;
         }
-        shiftToMean
-        (
-            diagonal,
-            volume + r.begin,
-            damage ? damage + r.begin : nullptr,
-            r.end - r.begin,
-            room.shift + i
-        );
+        shiftToMean(
+            diagonal, volume + r.begin, damage ? damage + r.begin : nullptr, r.end - r.begin,
+            room.shift + i);
         for (int d = 0; d < nDiagonal; ++d)
         {
-            scalar* to = room.dL[d < DIM ? d*(DIM + 1) : N - 1];
+            scalar* to = room.dL[d < DIM ? d * (DIM + 1) : N - 1];
             for (label j = i; j < r.end - begin; ++j)
             {
                 to[j] += room.shift[j];
@@ -215,7 +182,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         T tr = load<W>(room.dL[0] + i);
         for (int d = 1; d < DIM; ++d)
         {
-            tr += load<W>(room.dL[d*(DIM + 1)] + i);
+            tr += load<W>(room.dL[d * (DIM + 1)] + i);
         }
         if constexpr (HOOP)
         {
@@ -244,7 +211,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         for (label i = 0; i < nHere; i += W)
         {
             const int n = int(min(label(W), nHere - i));
-            const T v = load<W>(volume + begin + i)*expSeries(trace(i), terms);
+            const T v = load<W>(volume + begin + i) * expSeries(trace(i), terms);
             if (n == W)
             {
                 store<W>(volume + begin + i, v);
@@ -261,7 +228,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     {
         pointBlock b(cloud.block(begin, end - begin));
         b.dt = dt;
-        for (int i = 0; i < DIM*DIM; ++i)
+        for (int i = 0; i < DIM * DIM; ++i)
         {
             b.dL[i] = room.dL[i];
         }
@@ -270,41 +237,26 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     }
 
     //- Force of the new stress of the points of a cell
-    MPM_INLINE void addForce
-    (
-        const label celli,
-        const range r,
-        scalar* f,
-        T& notFinite
-    ) const
+    MPM_INLINE void addForce(const label celli, const range r, scalar* f, T& notFinite) const
     {
         stencil s;
         transfer.shape_.prepare(celli, s);
         gradientAccumulator acc;
         if (cellMeans && r.begin < r.end)
         {
-            shiftStress
-            (
-                stress,
-                volume,
-                damage,
-                r.begin,
-                r.end,
-                room.shift + (r.begin - begin)
-            );
+            shiftStress(stress, volume, damage, r.begin, r.end, room.shift + (r.begin - begin));
         }
         for (label p = r.begin; p < r.end; p += W)
         {
-            T X[DIM], L[DIM], F[DIM*DIM];
+            T X[DIM], L[DIM], F[DIM * DIM];
             geo.load(p, X, L);
             gradientsType S;
             transfer.shape_.evaluate(s, X, L, S);
-            const T more =
-                cellMeans ? load<W>(room.shift + (p - begin)) : T{};
+            const T more = cellMeans ? load<W>(room.shift + (p - begin)) : T{};
             minusVolumeStress(stress, volume, p, more, F);
-            for (int i = 0; i < DIM*DIM; ++i)
+            for (int i = 0; i < DIM * DIM; ++i)
             {
-                notFinite += 0.0*F[i];
+                notFinite += 0.0 * F[i];
             }
             const int n = int(min(label(W), r.end - p));
             if constexpr (HOOP)
@@ -314,7 +266,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
                 shapeType::template scatter<DIM>(S, q, n, acc);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    notFinite += 0.0*q[d];
+                    notFinite += 0.0 * q[d];
                 }
             }
             transfer.shape_.toLocal(S, F);
@@ -326,10 +278,10 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     //- Zero times volume and stress of a point
     MPM_INLINE scalar zero(const label p) const
     {
-        scalar sum = 0*volume[p];
+        scalar sum = 0 * volume[p];
         for (int i = 0; i < nStress(DIM); ++i)
         {
-            sum += 0*stress[i][p];
+            sum += 0 * stress[i][p];
         }
         return sum;
     }
@@ -359,5 +311,3 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
 };
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

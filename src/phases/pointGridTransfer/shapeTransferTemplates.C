@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     Included by shapeTransfer.H.
@@ -15,15 +12,9 @@ namespace Foam::mpm
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::weights
-(
-    const label celli,
-    const scalar* x,
-    const scalar* halfSize,
-    DynamicList<label>& nodes,
-    DynamicList<scalar>& S,
-    DynamicList<scalar>& gradS
-) const
+void shapeTransfer<Shape, DIM, HOOP>::weights(
+    const label celli, const scalar* x, const scalar* halfSize, DynamicList<label>& nodes,
+    DynamicList<scalar>& S, DynamicList<scalar>& gradS) const
 {
     stencil s;
     shape_.prepare(celli, s);
@@ -47,8 +38,8 @@ void shapeTransfer<Shape, DIM, HOOP>::weights
     gradientAccumulator grad[DIM];
     for (int d = 0; d < DIM; ++d)
     {
-        T F[DIM*DIM];
-        for (int i = 0; i < DIM*DIM; ++i)
+        T F[DIM * DIM];
+        for (int i = 0; i < DIM * DIM; ++i)
         {
             F[i] = broadcast<W>(i == d ? 1 : 0);
         }
@@ -66,14 +57,9 @@ void shapeTransfer<Shape, DIM, HOOP>::weights
     }
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::project
-(
-    materialPointCloud& cloud,
-    const states state,
-    scalar* mU
-) const
+void shapeTransfer<Shape, DIM, HOOP>::project(
+    materialPointCloud& cloud, const states state, scalar* mU) const
 {
     if (cloud.affine())
     {
@@ -83,30 +69,21 @@ void shapeTransfer<Shape, DIM, HOOP>::project
 
     const scalar* mass = cloud.mass()[0];
     const vectors U(state == current ? cloud.U() : cloud.UNew());
-    scatterPoints<DIM + 1>
-    (
-        cloud,
-        state == tentative,
-        mU,
-        [&](const stencil&, const weightsType&, const label p, T (&q)[DIM + 1])
+    scatterPoints<DIM + 1>(
+        cloud, state == tentative, mU,
+        [&](const stencil&, const weightsType&, const label p, T(&q)[DIM + 1])
         {
             q[DIM] = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {
-                q[d] = q[DIM]*load<W>(U.q[d] + p);
+                q[d] = q[DIM] * load<W>(U.q[d] + p);
             }
-        }
-    );
+        });
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::projectAffine
-(
-    materialPointCloud& cloud,
-    const states state,
-    scalar* mU
-) const
+void shapeTransfer<Shape, DIM, HOOP>::projectAffine(
+    materialPointCloud& cloud, const states state, scalar* mU) const
 {
     const geometry geo(cloud, state == tentative);
     const scalar* mass = cloud.mass()[0];
@@ -114,56 +91,45 @@ void shapeTransfer<Shape, DIM, HOOP>::projectAffine
     const vectors U(state == current ? cloud.U() : cloud.UNew());
 
     accumulator acc;
-    forGroups
-    (
-        cloud,
-        [&](const stencil&) { acc.clear(); },
+    forGroups(
+        cloud, [&](const stencil&) { acc.clear(); },
         [&](const stencil& s, const label celli, const label p, const int n)
         {
-            T X[DIM], L[DIM], q[DIM + 1], A[DIM*DIM];
+            T X[DIM], L[DIM], q[DIM + 1], A[DIM * DIM];
             geo.load(p, X, L);
             q[DIM] = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {
-                q[d] = q[DIM]*load<W>(U.q[d] + p);
+                q[d] = q[DIM] * load<W>(U.q[d] + p);
             }
-            for (int i = 0; i < DIM*DIM; ++i)
+            for (int i = 0; i < DIM * DIM; ++i)
             {
-                A[i] = q[DIM]*load<W>(C[i] + p);
+                A[i] = q[DIM] * load<W>(C[i] + p);
             }
             shape_.scatterAffine(celli, s, X, L, q, A, n, acc);
         },
-        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); }
-    );
+        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); });
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::affine
-(
-    materialPointCloud& cloud,
-    const bool moment,
-    const scalar* u,
-    const scalar dt
-) const
+void shapeTransfer<Shape, DIM, HOOP>::affine(
+    materialPointCloud& cloud, const bool moment, const scalar* u, const scalar dt) const
 {
     const geometry geo(cloud, false);
     column& C = *cloud.affineNew();
 
-    forGroups
-    (
-        cloud,
-        [&](const stencil&) {},
+    forGroups(
+        cloud, [&](const stencil&) {},
         [&](const stencil& s, const label celli, const label p, const int)
         {
-            T X[DIM], L[DIM], G[DIM*DIM], D[DIM];
+            T X[DIM], L[DIM], G[DIM * DIM], D[DIM];
             geo.load(p, X, L);
             gradientsType S;
             if (moment && shapeType::hasMoments)
             {
                 shape_.moments(celli, s, X, L, S, D);
                 shapeType::template gatherGradient<P>(S, s.nodes, u, G);
-                for (int i = 0; i < DIM*DIM; ++i)
+                for (int i = 0; i < DIM * DIM; ++i)
                 {
                     G[i] /= D[i % DIM];
                 }
@@ -182,57 +148,38 @@ void shapeTransfer<Shape, DIM, HOOP>::affine
                     T symm = {};
                     for (int k = 0; moment && k < DIM; ++k)
                     {
-                        symm += G[i*DIM + k]*G[k*DIM + j];
-                        symm += G[j*DIM + k]*G[k*DIM + i];
+                        symm += G[i * DIM + k] * G[k * DIM + j];
+                        symm += G[j * DIM + k] * G[k * DIM + i];
                     }
-                    store<W>
-                    (
-                        C[i*DIM + j] + p,
-                        G[i*DIM + j] - 0.5*dt*symm
-                    );
+                    store<W>(C[i * DIM + j] + p, G[i * DIM + j] - 0.5 * dt * symm);
                 }
             }
         },
-        [&](const stencil&) {}
-    );
+        [&](const stencil&) {});
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::forStencils
-(
+void shapeTransfer<Shape, DIM, HOOP>::forStencils(
     const materialPointCloud& cloud,
-    const std::function<void(const label, const labelUList&)>& f
-) const
+    const std::function<void(const label, const labelUList&)>& f) const
 {
     forAll(cloud.cells(), k)
     {
         stencil s;
         shape_.prepare(cloud.cells()[k], s);
-        f
-        (
-            k,
-            labelUList(const_cast<label*>(s.nodes), shapeType::count(s))
-        );
+        f(k, labelUList(const_cast<label*>(s.nodes), shapeType::count(s)));
     }
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::massShares
-(
-    materialPointCloud& cloud,
-    scalar* share
-) const
+void shapeTransfer<Shape, DIM, HOOP>::massShares(materialPointCloud& cloud, scalar* share) const
 {
     const geometry geo(cloud, false);
     const scalar* mass = cloud.mass()[0];
 
     accumulator acc;
-    forGroups
-    (
-        cloud,
-        [&](const stencil&) { acc.clear(); },
+    forGroups(
+        cloud, [&](const stencil&) { acc.clear(); },
         [&](const stencil& s, label, const label p, const int n)
         {
             T X[DIM], L[DIM];
@@ -246,57 +193,37 @@ void shapeTransfer<Shape, DIM, HOOP>::massShares
         {
             for (int i = 0; i < shapeType::maxNodes; ++i)
             {
-                *share++ =
-                    i < shapeType::count(s) ? shapeType::nodeSum(acc, i, 0) : 0;
+                *share++ = i < shapeType::count(s) ? shapeType::nodeSum(acc, i, 0) : 0;
             }
-        }
-    );
+        });
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::addBodyForce
-(
-    materialPointCloud& cloud,
-    const column& b,
-    scalar* f
-) const
+void shapeTransfer<Shape, DIM, HOOP>::addBodyForce(
+    materialPointCloud& cloud, const column& b, scalar* f) const
 {
     const scalar* mass = cloud.mass()[0];
     const vectors B(b);
-    scatterPoints<DIM>
-    (
-        cloud,
-        false,
-        f,
-        [&](const stencil&, const weightsType&, const label p, T (&q)[DIM])
+    scatterPoints<DIM>(
+        cloud, false, f,
+        [&](const stencil&, const weightsType&, const label p, T(&q)[DIM])
         {
             const T m = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {
-                q[d] = m*load<W>(B.q[d] + p);
+                q[d] = m * load<W>(B.q[d] + p);
             }
-        }
-    );
+        });
 }
 
-
 template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::massTimes
-(
-    materialPointCloud& cloud,
-    const bool tentative,
-    const scalar* u,
-    scalar* mU
-) const
+void shapeTransfer<Shape, DIM, HOOP>::massTimes(
+    materialPointCloud& cloud, const bool tentative, const scalar* u, scalar* mU) const
 {
     const scalar* mass = cloud.mass()[0];
-    scatterPoints<DIM>
-    (
-        cloud,
-        tentative,
-        mU,
-        [&](const stencil& s, const weightsType& S, const label p, T (&q)[DIM])
+    scatterPoints<DIM>(
+        cloud, tentative, mU,
+        [&](const stencil& s, const weightsType& S, const label p, T(&q)[DIM])
         {
             shapeType::template gather<DIM, P>(S, s.nodes, u, q);
             const T m = load<W>(mass + p);
@@ -304,10 +231,7 @@ void shapeTransfer<Shape, DIM, HOOP>::massTimes
             {
                 q[d] *= m;
             }
-        }
-    );
+        });
 }
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "rigidBodies.H"
 #include "materialPointSystem.H"
@@ -26,52 +20,33 @@ bool Foam::mpm::rigidBodies::sharesNodes(const label phasei) const
     return !(contact && contact->has(points_.fieldOf(phasei)));
 }
 
-
-void Foam::mpm::rigidBodies::reach
-(
-    const label phasei,
-    const pointGridTransfer::states state
-)
+void Foam::mpm::rigidBodies::reach(const label phasei, const pointGridTransfer::states state)
 {
     materialPointPhase& phase = points_.phases()[phasei];
     velocityField& field = points_.fields()[points_.fieldOf(phasei)];
     const pointGridTransfer& transfer = points_.gridTransfer();
 
-    scalar* mass =
-        field.rigid().clearMass(field.activeNew(), field.stride());
+    scalar* mass = field.rigid().clearMass(field.activeNew(), field.stride());
     transfer.project(phase.cloud(), state, mass);
     field.sumWithMass(mass);
     const bool shares = sharesNodes(phasei);
     if (shares)
     {
-        field.rigid().startShares
-        (
-            transfer,
-            phase.cloud(),
-            field.nodeVolume(transfer),
-            field.activeNew(),
-            field.stride()
-        );
+        field.rigid().startShares(
+            transfer, phase.cloud(), field.nodeVolume(transfer), field.activeNew(), field.stride());
         field.largestOfShared(mass, field.stride(), 1);
     }
-    field.rigid().add
-    (
-        phasei,
-        *phase.motion(),
-        phase.largestMass(),
-        shares ? &field.nodeVolume(transfer) : nullptr,
-        field.activeNew(),
-        field.stride()
-    );
+    field.rigid().add(
+        phasei, *phase.motion(), phase.largestMass(),
+        shares ? &field.nodeVolume(transfer) : nullptr, field.activeNew(), field.stride());
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::rigidBodies::rigidBodies(materialPointSystem& points)
-:
-    stepPart("rigid"),
-    points_(points)
-{}
+Foam::mpm::rigidBodies::rigidBodies(materialPointSystem& points) :
+    stepPart("rigid"), points_(points)
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -87,19 +62,15 @@ bool Foam::mpm::rigidBodies::shares() const
     return false;
 }
 
-
 Foam::vector Foam::mpm::rigidBodies::impulse(const label phasei) const
 {
     return points_.fields()[points_.fieldOf(phasei)].rigid().impulse(phasei);
 }
 
-
 Foam::vector Foam::mpm::rigidBodies::stepImpulse(const label phasei) const
 {
-    return
-        points_.fields()[points_.fieldOf(phasei)].rigid().stepImpulse(phasei);
+    return points_.fields()[points_.fieldOf(phasei)].rigid().stepImpulse(phasei);
 }
-
 
 void Foam::mpm::rigidBodies::constrain(const scalar dt)
 {
@@ -111,16 +82,11 @@ void Foam::mpm::rigidBodies::constrain(const scalar dt)
             motion->advance(time, time + dt);
             if (!motion->free())
             {
-                points_.fields()[points_.fieldOf(phasei)].rigid().newVelocity
-                (
-                    phasei,
-                    *motion
-                );
+                points_.fields()[points_.fieldOf(phasei)].rigid().newVelocity(phasei, *motion);
             }
         }
     }
 }
-
 
 void Foam::mpm::rigidBodies::summedForce(const scalar)
 {
@@ -130,8 +96,7 @@ void Foam::mpm::rigidBodies::summedForce(const scalar)
         bool shares = false;
         forAll(points_.phases(), phasei)
         {
-            shares = shares
-             || (points_.fieldOf(phasei) == fieldi && sharesNodes(phasei));
+            shares = shares || (points_.fieldOf(phasei) == fieldi && sharesNodes(phasei));
         }
         field.rigid().setShares(shares);
         if (!shares)
@@ -143,19 +108,15 @@ void Foam::mpm::rigidBodies::summedForce(const scalar)
         {
             if (points_.fieldOf(phasei) == fieldi)
             {
-                field.rigid().addSums
-                (
-                    points_.gridTransfer(),
-                    points_.phases()[phasei].cloud(),
-                    points_.phases()[phasei].motion()
-                );
+                field.rigid().addSums(
+                    points_.gridTransfer(), points_.phases()[phasei].cloud(),
+                    points_.phases()[phasei].motion());
             }
         }
         field.sumShared(q, rigidNodes::nSums, rigidNodes::nSums);
         field.rigid().addTraction(field.stride(), field.force());
     }
 }
-
 
 void Foam::mpm::rigidBodies::moving(const scalar dt)
 {
@@ -174,7 +135,6 @@ void Foam::mpm::rigidBodies::moving(const scalar dt)
     points_.energy().sums().all += work;
     points_.energy().sums().step.external += gravityWork;
 }
-
 
 void Foam::mpm::rigidBodies::projected(const pointGridTransfer::states state)
 {
@@ -198,15 +158,13 @@ void Foam::mpm::rigidBodies::projected(const pointGridTransfer::states state)
         if (points_.phases()[phasei].motion() && !done[fieldi])
         {
             velocityField& field = points_.fields()[fieldi];
-            scalar* marks =
-                field.rigid().marks(field.activeNew(), field.stride());
+            scalar* marks = field.rigid().marks(field.activeNew(), field.stride());
             field.sumColumn(marks);
             field.rigid().setParts(marks, field.stride());
             done[fieldi] = true;
         }
     }
 }
-
 
 void Foam::mpm::rigidBodies::accepted(const scalar)
 {
@@ -218,7 +176,6 @@ void Foam::mpm::rigidBodies::accepted(const scalar)
         }
     }
 }
-
 
 bool Foam::mpm::rigidBodies::drives() const
 {
@@ -232,7 +189,6 @@ bool Foam::mpm::rigidBodies::drives() const
     return false;
 }
 
-
 bool Foam::mpm::rigidBodies::timeDependent() const
 {
     for (const materialPointPhase& phase : points_.phases())
@@ -244,7 +200,6 @@ bool Foam::mpm::rigidBodies::timeDependent() const
     }
     return false;
 }
-
 
 void Foam::mpm::rigidBodies::addState(dictionary& state) const
 {
@@ -261,7 +216,6 @@ void Foam::mpm::rigidBodies::addState(dictionary& state) const
     state.add("rigid", rigid);
 }
 
-
 void Foam::mpm::rigidBodies::setState(const dictionary& state)
 {
     DynamicList<word> names;
@@ -271,14 +225,10 @@ void Foam::mpm::rigidBodies::setState(const dictionary& state)
         if (rigidMotion* motion = phase.motion())
         {
             names.append(phase.name());
-            const dictionary& body =
-                requiredDict(requiredDict(state, "rigid"), phase.name());
+            const dictionary& body = requiredDict(requiredDict(state, "rigid"), phase.name());
             motion->setState(points_.time().value(), body);
-            points_.fields()[points_.fieldOf(phasei)].rigid().setImpulse
-            (
-                phasei,
-                required<vector>(body, "impulse")
-            );
+            points_.fields()[points_.fieldOf(phasei)].rigid().setImpulse(
+                phasei, required<vector>(body, "impulse"));
         }
     }
     if (state.found("rigid"))
@@ -287,18 +237,15 @@ void Foam::mpm::rigidBodies::setState(const dictionary& state)
     }
 }
 
-
 void Foam::mpm::rigidBodies::report() const
 {
     forAll(points_.phases(), phasei)
     {
         if (points_.phases()[phasei].motion())
         {
-            Info<< "Load on " << points_.phases()[phasei].name() << ": force "
-                << stepImpulse(phasei)/max(points_.deltaT(), VSMALL)
-                << " N, impulse " << impulse(phasei) << " N s" << endl;
+            Info << "Load on " << points_.phases()[phasei].name() << ": force "
+                 << stepImpulse(phasei) / max(points_.deltaT(), VSMALL) << " N, impulse "
+                 << impulse(phasei) << " N s" << endl;
         }
     }
 }
-
-// ************************************************************************* //

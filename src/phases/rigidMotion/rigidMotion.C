@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "rigidMotion.H"
 #include "dictionaryTools.H"
@@ -13,57 +7,38 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(rigidMotion, 0);
-    defineRunTimeSelectionTable(rigidMotion, dictionary);
+defineTypeNameAndDebug(rigidMotion, 0);
+defineRunTimeSelectionTable(rigidMotion, dictionary);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::rigidMotion::rigidMotion(const pointGrid& grid)
-:
-    grid_(grid)
-{}
+Foam::mpm::rigidMotion::rigidMotion(const pointGrid& grid) : grid_(grid) {}
 
-
-Foam::autoPtr<Foam::mpm::rigidMotion> Foam::mpm::rigidMotion::New
-(
-    const dictionary& phaseDict,
-    const pointGrid& grid
-)
+Foam::autoPtr<Foam::mpm::rigidMotion>
+Foam::mpm::rigidMotion::New(const dictionary& phaseDict, const pointGrid& grid)
 {
     dictionary fixed;
     fixed.add("type", word("fixed"));
-    const dictionary& dict =
-        phaseDict.found("motion") ? requiredDict(phaseDict, "motion") : fixed;
+    const dictionary& dict = phaseDict.found("motion") ? requiredDict(phaseDict, "motion") : fixed;
 
-    return selectFromTable<rigidMotion>
-    (
-        dict,
-        dictionaryConstructorTablePtr_,
-        dict,
-        grid
-    );
+    return selectFromTable<rigidMotion>(dict, dictionaryConstructorTablePtr_, dict, grid);
 }
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-void Foam::mpm::rigidMotion::checkDirection
-(
-    const vector& v,
-    const char* what
-) const
+void Foam::mpm::rigidMotion::checkDirection(const vector& v, const char* what) const
 {
     vector across(v);
     for (int d = 0; d < grid_.nDim(); ++d)
     {
         across[grid_.direction(d)] = 0;
     }
-    if (mag(across) > 1e-12*mag(v))
+    if (mag(across) > 1e-12 * mag(v))
     {
-        FatalErrorInFunction
-            << "The " << what << ' ' << v << " of a rigid phase has a"
-            << " component in a direction that is not computed (empty"
-            << " patches)." << exit(FatalError);
+        FatalErrorInFunction << "The " << what << ' ' << v << " of a rigid phase has a"
+                             << " component in a direction that is not computed (empty"
+                             << " patches)." << exit(FatalError);
     }
 }
 
@@ -75,10 +50,7 @@ void Foam::mpm::rigidMotion::setVelocity(materialPointCloud& cloud) const
     {
         for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
         {
-            const vector U
-            (
-                placement_.velocityAt(cloud.position(p, cloud.cells()[k]))
-            );
+            const vector U(placement_.velocityAt(cloud.position(p, cloud.cells()[k])));
             for (int d = 0; d < grid_.nDim(); ++d)
             {
                 cloud.U()[d][p] = U[grid_.direction(d)];
@@ -87,12 +59,8 @@ void Foam::mpm::rigidMotion::setVelocity(materialPointCloud& cloud) const
     }
 }
 
-
-Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
-(
-    materialPointCloud& cloud,
-    DynamicList<materialPointCloud::cellChange>& cellChanges
-) const
+Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move(
+    materialPointCloud& cloud, DynamicList<materialPointCloud::cellChange>& cellChanges) const
 {
     const int D = grid_.nDim();
     pointGridTransfer::moveResult result{0, 0, -1, false, 0, Zero, 0};
@@ -122,7 +90,7 @@ Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
                 const scalar L = grid_.period(d);
                 if (finite && L > 0)
                 {
-                    at[d] -= L*std::round((at[d] - cloud.x()[d][p])/L);
+                    at[d] -= L * std::round((at[d] - cloud.x()[d][p]) / L);
                 }
             }
 
@@ -140,17 +108,17 @@ Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
                 const scalar h = grid_.width(celli, d);
                 const scalar u = U[grid_.direction(d)];
                 const scalar way = mag(at[d] - cloud.x()[d][p]);
-                result.rate = max(result.rate, mag(u)/h);
-                if (way < 0.5*grid_.mesh().bounds().span()[grid_.direction(d)])
+                result.rate = max(result.rate, mag(u) / h);
+                if (way < 0.5 * grid_.mesh().bounds().span()[grid_.direction(d)])
                 {
-                    result.travel = max(result.travel, way/h);
+                    result.travel = max(result.travel, way / h);
                 }
                 if (cloud.displacement())
                 {
                     // Displacement of the step, not across a cyclic side
                     const scalar L = grid_.period(d);
                     scalar w = at[d] - cloud.x()[d][p];
-                    w -= L > 0 ? L*std::round(w/L) : 0;
+                    w -= L > 0 ? L * std::round(w / L) : 0;
                     (*cloud.displacement())[d][p] = w;
                 }
                 cloud.xNew()[d][p] = at[d];
@@ -169,5 +137,3 @@ Foam::mpm::pointGridTransfer::moveResult Foam::mpm::rigidMotion::move
     }
     return result;
 }
-
-// ************************************************************************* //

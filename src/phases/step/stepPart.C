@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "stepParts.H"
 #include "dictionaryTools.H"
@@ -14,27 +8,16 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(stepPart, 0);
-    defineRunTimeSelectionTable(stepPart, dictionary);
+defineTypeNameAndDebug(stepPart, 0);
+defineRunTimeSelectionTable(stepPart, dictionary);
 }
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::stepPart> Foam::mpm::stepPart::New
-(
-    const word& name,
-    const dictionary& dict,
-    materialPointSystem& points
-)
+Foam::autoPtr<Foam::mpm::stepPart>
+Foam::mpm::stepPart::New(const word& name, const dictionary& dict, materialPointSystem& points)
 {
-    return selectFromTable<stepPart>
-    (
-        dict,
-        dictionaryConstructorTablePtr_,
-        name,
-        dict,
-        points
-    );
+    return selectFromTable<stepPart>(dict, dictionaryConstructorTablePtr_, name, dict, points);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -42,23 +25,12 @@ Foam::autoPtr<Foam::mpm::stepPart> Foam::mpm::stepPart::New
 void Foam::mpm::stepParts::add(stepPart& part)
 {
     all_.append(&part);
-    std::stable_sort
-    (
-        all_.begin(),
-        all_.end(),
-        [](const stepPart* a, const stepPart* b)
-        {
-            return a->order() < b->order();
-        }
-    );
+    std::stable_sort(
+        all_.begin(), all_.end(),
+        [](const stepPart* a, const stepPart* b) { return a->order() < b->order(); });
 }
 
-
-void Foam::mpm::stepParts::select
-(
-    const dictionary* dict,
-    materialPointSystem& points
-)
+void Foam::mpm::stepParts::select(const dictionary* dict, materialPointSystem& points)
 {
     for (const word& name : dict ? dict->toc() : wordList())
     {
@@ -71,13 +43,9 @@ void Foam::mpm::stepParts::select
                     << " choose another name." << exit(FatalIOError);
             }
         }
-        own
-        (
-            stepPart::New(name, requiredDict(*dict, name), points).ptr()
-        );
+        own(stepPart::New(name, requiredDict(*dict, name), points).ptr());
     }
 }
-
 
 Foam::scalar Foam::mpm::stepParts::courantRate() const
 {
@@ -89,7 +57,6 @@ Foam::scalar Foam::mpm::stepParts::courantRate() const
     return rate;
 }
 
-
 Foam::wordList Foam::mpm::stepParts::stateKeys() const
 {
     wordList keys;
@@ -99,5 +66,3 @@ Foam::wordList Foam::mpm::stepParts::stateKeys() const
     }
     return keys;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "stressUpdate.H"
 #include "dictionaryTools.H"
@@ -15,25 +9,16 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(stressUpdate, 0);
-    defineRunTimeSelectionTable(stressUpdate, word);
+defineTypeNameAndDebug(stressUpdate, 0);
+defineRunTimeSelectionTable(stressUpdate, word);
 }
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::stressUpdate>
-Foam::mpm::stressUpdate::New(const dictionary& dict)
+Foam::autoPtr<Foam::mpm::stressUpdate> Foam::mpm::stressUpdate::New(const dictionary& dict)
 {
-    const word name
-    (
-        oneOfOrDefault
-        (
-            dict,
-            "stressUpdate",
-            "MUSL",
-            wordConstructorTablePtr_->sortedToc()
-        )
-    );
+    const word name(
+        oneOfOrDefault(dict, "stressUpdate", "MUSL", wordConstructorTablePtr_->sortedToc()));
     return wordConstructorTablePtr_->cfind(name).val()();
 }
 
@@ -42,12 +27,9 @@ Foam::mpm::stressUpdate::New(const dictionary& dict)
 namespace Foam::mpm
 {
 
-class MUSL
-:
-    public stressUpdate
+class MUSL : public stressUpdate
 {
 public:
-
     TypeName("MUSL");
 
     bool early() const override { return false; }
@@ -62,13 +44,9 @@ public:
 defineTypeNameAndDebug(MUSL, 0);
 addToRunTimeSelectionTable(stressUpdate, MUSL, word);
 
-
-class USL
-:
-    public stressUpdate
+class USL : public stressUpdate
 {
 public:
-
     TypeName("USL");
 
     scalar square() const override { return -0.5; }
@@ -79,22 +57,15 @@ public:
         points.correctStress(dt, false);
     }
 
-    void end(materialPointSystem& points, const scalar dt) const override
-    {
-        points.force(dt);
-    }
+    void end(materialPointSystem& points, const scalar dt) const override { points.force(dt); }
 };
 
 defineTypeNameAndDebug(USL, 0);
 addToRunTimeSelectionTable(stressUpdate, USL, word);
 
-
-class USF
-:
-    public stressUpdate
+class USF : public stressUpdate
 {
 public:
-
     TypeName("USF");
 
     void start(materialPointSystem& points, const scalar dt) const override
@@ -107,13 +78,9 @@ public:
 defineTypeNameAndDebug(USF, 0);
 addToRunTimeSelectionTable(stressUpdate, USF, word);
 
-
-class USAVG
-:
-    public stressUpdate
+class USAVG : public stressUpdate
 {
 public:
-
     TypeName("USAVG");
 
     scalar square() const override { return 0; }
@@ -121,13 +88,13 @@ public:
     void start(materialPointSystem& points, const scalar dt) const override
     {
         points.strainVelocity();
-        points.correctStress(0.5*dt, true);
+        points.correctStress(0.5 * dt, true);
     }
 
     void moved(materialPointSystem& points, const scalar dt) const override
     {
         points.strainVelocityAnew();
-        points.correctStress(0.5*dt, false);
+        points.correctStress(0.5 * dt, false);
     }
 };
 
@@ -135,5 +102,3 @@ defineTypeNameAndDebug(USAVG, 0);
 addToRunTimeSelectionTable(stressUpdate, USAVG, word);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "transferScheme.H"
 #include "dictionaryTools.H"
@@ -13,8 +7,8 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(transferScheme, 0);
-    defineRunTimeSelectionTable(transferScheme, dictionary);
+defineTypeNameAndDebug(transferScheme, 0);
+defineRunTimeSelectionTable(transferScheme, dictionary);
 }
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -25,18 +19,12 @@ namespace
 using namespace Foam;
 using namespace Foam::mpm;
 
-wordList schemes()
-{
-    return transferScheme::dictionaryConstructorTablePtr_->sortedToc();
-}
-
+wordList schemes() { return transferScheme::dictionaryConstructorTablePtr_->sortedToc(); }
 
 autoPtr<transferScheme> make(const word& name, const dictionary& dict)
 {
-    return
-        transferScheme::dictionaryConstructorTablePtr_->cfind(name).val()(dict);
+    return transferScheme::dictionaryConstructorTablePtr_->cfind(name).val()(dict);
 }
-
 
 //- Entries of a scheme; none if some of them are required
 wordList keywordsOf(const word& name)
@@ -50,7 +38,8 @@ wordList keywordsOf(const word& name)
         keys = make(name, defaults)->keywords();
     }
     catch (const IOerror&)
-    {}
+    {
+    }
     FatalIOError.throwExceptions(throwing);
     return keys;
 }
@@ -59,8 +48,7 @@ wordList keywordsOf(const word& name)
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::transferScheme>
-Foam::mpm::transferScheme::New(const dictionary& dict)
+Foam::autoPtr<Foam::mpm::transferScheme> Foam::mpm::transferScheme::New(const dictionary& dict)
 {
     const word name(oneOf(dict, "transfer", schemes()));
     autoPtr<transferScheme> scheme(make(name, dict));
@@ -80,17 +68,15 @@ Foam::mpm::transferScheme::New(const dictionary& dict)
         if (!owners.empty() && !own.found(key))
         {
             FatalIOErrorInFunction(dict)
-                << "Entry " << key << " belongs to transfer " << owners.c_str()
-                << ", not to " << name << "; remove it, or choose that"
+                << "Entry " << key << " belongs to transfer " << owners.c_str() << ", not to "
+                << name << "; remove it, or choose that"
                 << " transfer." << exit(FatalIOError);
         }
     }
     return scheme;
 }
 
-
-Foam::wordList
-Foam::mpm::transferScheme::keywordsOfAll(const dictionary& dict)
+Foam::wordList Foam::mpm::transferScheme::keywordsOfAll(const dictionary& dict)
 {
     const word chosen(dict.getOrDefault<word>("transfer", ""));
     wordList all({"transfer"});
@@ -116,7 +102,5 @@ Foam::mpm::transferScheme::keywordsOfAll(const dictionary& dict)
 
 void Foam::mpm::transferScheme::write(Ostream& os, const bool) const
 {
-    os  << "transfer " << type() << nl;
+    os << "transfer " << type() << nl;
 }
-
-// ************************************************************************* //

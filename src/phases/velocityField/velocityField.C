@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "velocityField.H"
 #include "pointMesh.H"
@@ -18,29 +12,16 @@ namespace
 using namespace Foam;
 
 //- The field of a file, which must be there, or of a state
-pointVectorField fieldOfNodes
-(
-    const IOobject& io,
-    const pointMesh& mesh,
-    const mpm::fieldStates* states
-)
+pointVectorField
+fieldOfNodes(const IOobject& io, const pointMesh& mesh, const mpm::fieldStates* states)
 {
-    if
-    (
-        !states
-     && returnReduce
-        (
-            io.localFilePath(pointVectorField::typeName).empty(),
-            orOp<bool>()
-        )
-    )
+    if (!states && returnReduce(io.localFilePath(pointVectorField::typeName).empty(), orOp<bool>()))
     {
-        FatalErrorInFunction
-            << "there is no such file." << nl
-            << "It holds the velocity of the mesh points of velocityField "
-            << io.group() << " with its boundary conditions: a pointVectorField"
-            << " for each velocityField of constant/phaseProperties (without"
-            << " the entry: the name of the phase)." << exit(FatalError);
+        FatalErrorInFunction << "there is no such file." << nl
+                             << "It holds the velocity of the mesh points of velocityField "
+                             << io.group() << " with its boundary conditions: a pointVectorField"
+                             << " for each velocityField of constant/phaseProperties (without"
+                             << " the entry: the name of the phase)." << exit(FatalError);
     }
     return mpm::fileOrState<pointVectorField>(io, mesh, states);
 }
@@ -49,40 +30,23 @@ pointVectorField fieldOfNodes
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::velocityField::velocityField
-(
-    const pointGrid& grid,
-    const word& name,
-    const label reach,
-    const fieldStates* states
-)
-:
+Foam::mpm::velocityField::velocityField(
+    const pointGrid& grid, const word& name, const label reach, const fieldStates* states) :
     grid_(grid),
     name_(name),
     nDim_(grid.nDim()),
     stride_(grid.nDim() == 1 ? 2 : 4),
-    Ufield_
-    (
-        fieldOfNodes
-        (
-            IOobject
-            (
-                IOobject::groupName("U", name),
-                grid.mesh().time().timeName(),
-                grid.mesh(),
-                IOobject::MUST_READ,
-                IOobject::AUTO_WRITE
-            ),
-            pointMesh::New(grid.mesh()),
-            states
-        )
-    ),
-    mU_(stride_*grid.nNodes()),
-    mUNew_(stride_*grid.nNodes()),
-    f_(stride_*grid.nNodes()),
-    U_(stride_*grid.nNodes()),
-    UL_(stride_*grid.nNodes()),
-    dU_(stride_*grid.nNodes()),
+    Ufield_(fieldOfNodes(
+        IOobject(
+            IOobject::groupName("U", name), grid.mesh().time().timeName(), grid.mesh(),
+            IOobject::MUST_READ, IOobject::AUTO_WRITE),
+        pointMesh::New(grid.mesh()), states)),
+    mU_(stride_ * grid.nNodes()),
+    mUNew_(stride_ * grid.nNodes()),
+    f_(stride_ * grid.nNodes()),
+    U_(stride_ * grid.nNodes()),
+    UL_(stride_ * grid.nNodes()),
+    dU_(stride_ * grid.nNodes()),
     filtered_(ofUL),
     strainIsU_(true),
     stamp_(grid.nNodes(), label(-1)),
@@ -91,14 +55,13 @@ Foam::mpm::velocityField::velocityField
     fixed_(grid, shared_, Ufield_),
     slip_(grid, shared_, Ufield_, fixed_.nodes()),
     rigid_(grid),
-    UNew_(stride_*grid.nNodes())
+    UNew_(stride_ * grid.nNodes())
 {
     if (Ufield_.dimensions() != dimVelocity)
     {
-        FatalErrorInFunction
-            << "Field " << Ufield_.objectPath() << " has the dimensions "
-            << Ufield_.dimensions() << "; they must be " << dimVelocity
-            << " (m/s)." << exit(FatalError);
+        FatalErrorInFunction << "Field " << Ufield_.objectPath() << " has the dimensions "
+                             << Ufield_.dimensions() << "; they must be " << dimVelocity
+                             << " (m/s)." << exit(FatalError);
     }
     checkBoundary();
     addConstraint(fixed_);
@@ -112,7 +75,7 @@ Foam::mpm::velocityField::velocityField
         shared_.sum(share_.begin(), 1, 1);
         for (scalar& part : share_)
         {
-            part = 1/part;
+            part = 1 / part;
         }
     }
 }
@@ -128,14 +91,8 @@ void Foam::mpm::velocityField::clearForce()
     }
 }
 
-
-void Foam::mpm::velocityField::constrain
-(
-    scalar* u,
-    const int stride,
-    const bool homogeneous,
-    const bool tentative
-) const
+void Foam::mpm::velocityField::constrain(
+    scalar* u, const int stride, const bool homogeneous, const bool tentative) const
 {
     for (const nodeConstraint* constraint : constraints_)
     {
@@ -143,12 +100,7 @@ void Foam::mpm::velocityField::constrain
     }
 }
 
-
-void Foam::mpm::velocityField::constrainStep
-(
-    scalar* u,
-    const bool homogeneous
-)
+void Foam::mpm::velocityField::constrainStep(scalar* u, const bool homogeneous)
 {
     const scalar* mU = mU_.data();
     if (reactions_)
@@ -166,7 +118,6 @@ void Foam::mpm::velocityField::constrainStep
     }
 }
 
-
 void Foam::mpm::velocityField::velocity()
 {
     const scalar* __restrict__ mU = mUNew_.data();
@@ -174,11 +125,11 @@ void Foam::mpm::velocityField::velocity()
 
     for (const label n : activeNew_)
     {
-        const scalar m = mU[stride_*n + nDim_];
-        const scalar rm = m > 0 ? 1/m : 0;
+        const scalar m = mU[stride_ * n + nDim_];
+        const scalar rm = m > 0 ? 1 / m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            U[stride_*n + d] = rm*mU[stride_*n + d];
+            U[stride_ * n + d] = rm * mU[stride_ * n + d];
         }
     }
     rigid_.fill(mU, stride_);
@@ -186,13 +137,7 @@ void Foam::mpm::velocityField::velocity()
     constrain(U, stride_, false, true);
 }
 
-
-void Foam::mpm::velocityField::momentumStep
-(
-    const scalar dt,
-    const vector& g,
-    const bool turn
-)
+void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g, const bool turn)
 {
     const scalar* __restrict__ mU = mU_.data();
     const scalar* __restrict__ U = U_.data();
@@ -208,12 +153,12 @@ void Foam::mpm::velocityField::momentumStep
 
     for (const label n : active_)
     {
-        const scalar m = mU[stride_*n + nDim_];
-        const scalar dtm = m > 0 ? dt/m : 0;
+        const scalar m = mU[stride_ * n + nDim_];
+        const scalar dtm = m > 0 ? dt / m : 0;
         for (int d = 0; d < nDim_; ++d)
         {
-            UL[stride_*n + d] =
-                m > 0 ? U[stride_*n + d] + dtm*f[stride_*n + d] + dt*gd[d] : 0;
+            UL[stride_ * n + d] =
+                m > 0 ? U[stride_ * n + d] + dtm * f[stride_ * n + d] + dt * gd[d] : 0;
         }
     }
     if (reactions_)
@@ -232,7 +177,6 @@ void Foam::mpm::velocityField::momentumStep
         turnWithWalls();
     }
 }
-
 
 Foam::labelList Foam::mpm::velocityField::constrained() const
 {
@@ -254,30 +198,22 @@ Foam::labelList Foam::mpm::velocityField::constrained() const
     return labelList(std::move(active));
 }
 
-
-Foam::scalar Foam::mpm::velocityField::boundaryWork
-(
-    const scalar dt,
-    const vector& g
-) const
+Foam::scalar Foam::mpm::velocityField::boundaryWork(const scalar dt, const vector& g) const
 {
     scalar w = 0;
     const labelHashSet turning(turning_);
     const auto add = [&](const label n)
     {
-        const scalar m = mU_.data()[stride_*n + nDim_];
+        const scalar m = mU_.data()[stride_ * n + nDim_];
         const scalar part = share_.size() ? share_[n] : 1;
         for (int d = 0; m > 0 && d < nDim_; ++d)
         {
-            const scalar du = dU_.data()[stride_*n + d];
+            const scalar du = dU_.data()[stride_ * n + d];
             const scalar J =
-                m*(du - dt*g[grid_.direction(d)])
-              - dt*f_.data()[stride_*n + d];
+                m * (du - dt * g[grid_.direction(d)]) - dt * f_.data()[stride_ * n + d];
             const scalar u =
-                turning.found(n)
-              ? mU_.data()[stride_*n + d]/m
-              : U_.data()[stride_*n + d];
-            w += part*J*(u + 0.5*du);
+                turning.found(n) ? mU_.data()[stride_ * n + d] / m : U_.data()[stride_ * n + d];
+            w += part * J * (u + 0.5 * du);
         }
     };
     for (const label n : constrained())
@@ -288,37 +224,30 @@ Foam::scalar Foam::mpm::velocityField::boundaryWork
     return w + rigid_.tractionWork(dt, U_.data(), dU_.data(), stride_);
 }
 
-
-Foam::scalar Foam::mpm::velocityField::addImpulse
-(
-    const scalar* impulse,
-    const bool withWork,
-    const bool bodiesKnow
-)
+Foam::scalar Foam::mpm::velocityField::addImpulse(
+    const scalar* impulse, const bool withWork, const bool bodiesKnow)
 {
     const scalar* mU = mU_.data();
     scalar* UL = UL_.data();
     scalar* dU = dU_.data();
-    forMasses
-    (
+    forMasses(
         mU,
         [&](const label i, const scalar rm)
         {
             // du gets the change that is left after boundary conditions
             dU[i] -= UL[i];
-            UL[i] += rm*impulse[i];
-        }
-    );
+            UL[i] += rm * impulse[i];
+        });
 
     // Impulse J = m (u* - u) of the conditions, at the mean velocity
     const labelList nodes(withWork ? constrained() : labelList());
     scalar work = 0;
-    scalarList free(nDim_*nodes.size());
+    scalarList free(nDim_ * nodes.size());
     forAll(nodes, i)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            free[nDim_*i + d] = UL[stride_*nodes[i] + d];
+            free[nDim_ * i + d] = UL[stride_ * nodes[i] + d];
         }
     }
     if (!bodiesKnow)
@@ -329,19 +258,16 @@ Foam::scalar Foam::mpm::velocityField::addImpulse
     forAll(nodes, i)
     {
         const label n = nodes[i];
-        const scalar m =
-            (share_.size() ? share_[n] : 1)*mU[stride_*n + nDim_];
+        const scalar m = (share_.size() ? share_[n] : 1) * mU[stride_ * n + nDim_];
         for (int d = 0; m > 0 && d < nDim_; ++d)
         {
-            const scalar u = UL[stride_*n + d];
-            work +=
-                m*(u - free[nDim_*i + d])*0.5*(U_.data()[stride_*n + d] + u);
+            const scalar u = UL[stride_ * n + d];
+            work += m * (u - free[nDim_ * i + d]) * 0.5 * (U_.data()[stride_ * n + d] + u);
         }
     }
     forComponents([&](const label i) { dU[i] += UL[i]; });
     return work;
 }
-
 
 void Foam::mpm::velocityField::accept()
 {
@@ -351,7 +277,6 @@ void Foam::mpm::velocityField::accept()
     U_.swap(UNew_);
 }
 
-
 void Foam::mpm::velocityField::replace()
 {
     active_.transfer(activeNew_);
@@ -360,18 +285,13 @@ void Foam::mpm::velocityField::replace()
     U_.swap(UNew_);
 }
 
-
-Foam::scalar Foam::mpm::velocityField::maxStrain
-(
-    const labelList& cells,
-    const scalar dt
-) const
+Foam::scalar Foam::mpm::velocityField::maxStrain(const labelList& cells, const scalar dt) const
 {
     const scalar* mU = mUNew_.data();
     const scalar* U = UNew_.data();
     const auto raise = [&](const label a, const label b, scalar& most)
     {
-        const label lo = stride_*a, hi = stride_*b;
+        const label lo = stride_ * a, hi = stride_ * b;
         if (mU[lo + nDim_] > 0 && mU[hi + nDim_] > 0)
         {
             for (int e = 0; e < nDim_; ++e)
@@ -396,16 +316,15 @@ Foam::scalar Foam::mpm::velocityField::maxStrain
                     raise(nodes[j], nodes[i], most);
                 }
             }
-            largest = max(largest, most/grid_.shortestSide(celli));
+            largest = max(largest, most / grid_.shortestSide(celli));
         }
         else
         {
             largest = max(largest, grid_.largestSlope(celli, raise));
         }
     }
-    return dt*largest;
+    return dt * largest;
 }
-
 
 void Foam::mpm::velocityField::needReactions()
 {
@@ -417,20 +336,10 @@ void Foam::mpm::velocityField::needReactions()
     }
 }
 
-
 void Foam::mpm::velocityField::addProjected(const scalar share)
 {
     const auto add = [&](const labelUList& nodes, const scalar part)
-    {
-        reactions_->addProjected
-        (
-            nodes,
-            part,
-            U_.data(),
-            mU_.data(),
-            stride_
-        );
-    };
+    { reactions_->addProjected(nodes, part, U_.data(), mU_.data(), stride_); };
     if (reactions_ && share > 0)
     {
         add(active_, share);
@@ -442,7 +351,6 @@ void Foam::mpm::velocityField::addProjected(const scalar share)
     }
 }
 
-
 void Foam::mpm::velocityField::turnToSide(const label pointi, vector& u) const
 {
     const int r = grid_.direction(grid_.radial());
@@ -452,11 +360,10 @@ void Foam::mpm::velocityField::turnToSide(const label pointi, vector& u) const
     if (radius > 0)
     {
         const scalar ur = u[r];
-        u[r] = ur*x[r]/radius;
-        u[across] = ur*x[across]/radius;
+        u[r] = ur * x[r] / radius;
+        u[across] = ur * x[across] / radius;
     }
 }
-
 
 void Foam::mpm::velocityField::writeField()
 {
@@ -474,7 +381,7 @@ void Foam::mpm::velocityField::writeField()
         {
             for (int d = 0; d < nDim_; ++d)
             {
-                U[pointi][grid_.direction(d)] = U_.data()[stride_*n + d];
+                U[pointi][grid_.direction(d)] = U_.data()[stride_ * n + d];
             }
             if (grid_.radial() >= 0)
             {
@@ -484,21 +391,11 @@ void Foam::mpm::velocityField::writeField()
     }
 }
 
-
 Foam::scalar Foam::mpm::velocityField::bytes() const
 {
-    return
-        scalar(grid_.nNodes())
-       *(
-            sizeof(scalar)*stride_
-           *(7 + (increment_.data() ? 2 : 0) + (Ustrain_.data() ? 1 : 0))
-          + sizeof(label)
-        )
-      + sizeof(label)*scalar
-        (
-            active_.size() + activeNew_.size() + ringStart_.size()
-          + ring_.size()
-        );
+    return scalar(grid_.nNodes())
+        * (sizeof(scalar) * stride_ * (7 + (increment_.data() ? 2 : 0) + (Ustrain_.data() ? 1 : 0))
+           + sizeof(label))
+        + sizeof(label)
+        * scalar(active_.size() + activeNew_.size() + ringStart_.size() + ring_.size());
 }
-
-// ************************************************************************* //

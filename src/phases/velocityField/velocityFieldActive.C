@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "velocityField.H"
 
@@ -36,14 +30,10 @@ void Foam::mpm::velocityField::findRings()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::velocityField::activate
-(
-    const UList<const labelList*>& cells,
-    const int reach
-)
+void Foam::mpm::velocityField::activate(const UList<const labelList*>& cells, const int reach)
 {
     ++stampNow_;
-    DynamicList<label> nodes(active_.size() + active_.size()/8 + 16);
+    DynamicList<label> nodes(active_.size() + active_.size() / 8 + 16);
 
     // Always active: other processors send sums for them
     for (const label n : shared_.nodes())
@@ -84,7 +74,6 @@ void Foam::mpm::velocityField::activate
     activeNew_.transfer(nodes);
 }
 
-
 void Foam::mpm::velocityField::addLoad()
 {
     if (!load_.data())
@@ -95,7 +84,6 @@ void Foam::mpm::velocityField::addLoad()
     forComponents([&](const label i) { f_.data()[i] += load_.data()[i]; });
 }
 
-
 Foam::scalar Foam::mpm::velocityField::loadWork(const scalar dt) const
 {
     scalar work = 0;
@@ -104,22 +92,14 @@ Foam::scalar Foam::mpm::velocityField::loadWork(const scalar dt) const
         const label n = active_[i];
         for (int d = 0; d < nDim_; ++d)
         {
-            work +=
-                part(n)*dt*load_.data()[stride_*n + d]
-               *(
-                    U_.data()[stride_*n + d]
-                  + 0.5*dU_.data()[stride_*n + d]
-                );
+            work += part(n) * dt * load_.data()[stride_ * n + d]
+                * (U_.data()[stride_ * n + d] + 0.5 * dU_.data()[stride_ * n + d]);
         }
     }
     return work;
 }
 
-
-const Foam::scalarList& Foam::mpm::velocityField::nodeVolume
-(
-    const pointGridTransfer& transfer
-)
+const Foam::scalarList& Foam::mpm::velocityField::nodeVolume(const pointGridTransfer& transfer)
 {
     if (nodeVolume_.empty())
     {
@@ -127,5 +107,3 @@ const Foam::scalarList& Foam::mpm::velocityField::nodeVolume
     }
     return nodeVolume_;
 }
-
-// ************************************************************************* //

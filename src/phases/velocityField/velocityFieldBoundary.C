@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "velocityField.H"
 #include "valuePointPatchField.H"
@@ -22,30 +16,22 @@ void Foam::mpm::velocityField::checkBoundary() const
     {
         const pointPatchField<vector>& pf = Ufield_.boundaryField()[patchi];
 
-        if
-        (
-            isA<emptyPointPatchField<vector>>(pf)
-         || isA<wedgePointPatchField<vector>>(pf)
-         || isA<coupledPointPatchField<vector>>(pf)
-         || isA<calculatedPointPatchField<vector>>(pf)
-         || isA<zeroGradientPointPatchField<vector>>(pf)
-         || isA<valuePointPatchField<vector>>(pf)
-         || slipVelocity::is(pf)
-        )
+        if (isA<emptyPointPatchField<vector>>(pf) || isA<wedgePointPatchField<vector>>(pf)
+            || isA<coupledPointPatchField<vector>>(pf) || isA<calculatedPointPatchField<vector>>(pf)
+            || isA<zeroGradientPointPatchField<vector>>(pf) || isA<valuePointPatchField<vector>>(pf)
+            || slipVelocity::is(pf))
         {
             continue;
         }
-        FatalErrorInFunction
-            << "Patch " << pf.patch().name() << " of " << Ufield_.name()
-            << " (" << Ufield_.objectPath() << ") has the type "
-            << pf.type() << ", which material points do not know." << nl
-            << "Valid types: fixedValue, timeVaryingUniformFixedValue and"
-            << " others with a value (fixed velocity); slip, symmetry,"
-            << " symmetryPlane (no normal velocity); calculated, zeroGradient"
-            << " (free); cyclic; empty; wedge." << exit(FatalError);
+        FatalErrorInFunction << "Patch " << pf.patch().name() << " of " << Ufield_.name() << " ("
+                             << Ufield_.objectPath() << ") has the type " << pf.type()
+                             << ", which material points do not know." << nl
+                             << "Valid types: fixedValue, timeVaryingUniformFixedValue and"
+                             << " others with a value (fixed velocity); slip, symmetry,"
+                             << " symmetryPlane (no normal velocity); calculated, zeroGradient"
+                             << " (free); cyclic; empty; wedge." << exit(FatalError);
     }
 }
-
 
 void Foam::mpm::velocityField::turnWithWalls()
 {
@@ -53,7 +39,7 @@ void Foam::mpm::velocityField::turnWithWalls()
     DynamicList<label> turning;
     for (const label n : active_)
     {
-        const scalar m = mU_.data()[stride_*n + nDim_];
+        const scalar m = mU_.data()[stride_ * n + nDim_];
         if (!slip_.turns(n) || !(m > 0) || rigid.found(n))
         {
             continue;
@@ -61,8 +47,8 @@ void Foam::mpm::velocityField::turnWithWalls()
         turning.append(n);
         for (int d = 0; d < nDim_; ++d)
         {
-            dU_.data()[stride_*n + d] +=
-                U_.data()[stride_*n + d] - mU_.data()[stride_*n + d]/m;
+            dU_.data()[stride_ * n + d] +=
+                U_.data()[stride_ * n + d] - mU_.data()[stride_ * n + d] / m;
         }
     }
     turning_.transfer(turning);
@@ -92,11 +78,8 @@ bool Foam::mpm::velocityField::drives() const
     return false;
 }
 
-
 bool Foam::mpm::velocityField::holds(const label patchi) const
 {
     const pointPatchField<vector>& pf = Ufield_.boundaryField()[patchi];
     return slipVelocity::is(pf) || isA<valuePointPatchField<vector>>(pf);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "velocityField.H"
 
@@ -20,26 +14,21 @@ void Foam::mpm::velocityField::strainFromU(const bool copy)
     }
 }
 
-
 void Foam::mpm::velocityField::strainFromUL(const scalar weight)
 {
     scalar* to = strainMomentum();
-    forComponents
-    (
+    forComponents(
         [&](const label i)
         {
             const scalar u = U_.data()[i] + dU_.data()[i];
-            to[i] = u + weight*(UL_.data()[i] - u);
-        }
-    );
+            to[i] = u + weight * (UL_.data()[i] - u);
+        });
 }
-
 
 void Foam::mpm::velocityField::addChangeToStrain()
 {
     forComponents([&](const label i) { Ustrain_.data()[i] += dU_.data()[i]; });
 }
-
 
 Foam::scalar* Foam::mpm::velocityField::strainMomentum()
 {
@@ -47,7 +36,6 @@ Foam::scalar* Foam::mpm::velocityField::strainMomentum()
     need(Ustrain_);
     return zero(Ustrain_);
 }
-
 
 void Foam::mpm::velocityField::strainFromMomentum()
 {
@@ -57,25 +45,18 @@ void Foam::mpm::velocityField::strainFromMomentum()
     constrain(u, stride_, false, false);
 }
 
-
-void Foam::mpm::velocityField::startFilter
-(
-    const series s,
-    const scalar scale
-)
+void Foam::mpm::velocityField::startFilter(const series s, const scalar scale)
 {
     filtered_ = s;
     need(increment_);
     need(product_);
-    const scalar* from =
-        s == ofUL ? UL_.data()
-      : s == ofU ? U_.data()
-      : s == ofDU ? dU_.data()
-      : Ustrain_.data();
+    const scalar* from = s == ofUL ? UL_.data()
+        : s == ofU                 ? U_.data()
+        : s == ofDU                ? dU_.data()
+                                   : Ustrain_.data();
     scalar* v = increment_.data();
-    forComponents([&](const label i) { v[i] = scale*from[i]; });
+    forComponents([&](const label i) { v[i] = scale * from[i]; });
 }
-
 
 void Foam::mpm::velocityField::nextIncrement(const series s)
 {
@@ -83,7 +64,7 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
     scalar* v = increment_.data();
     const scalar* Mv = product_.data();
 
-    forMasses(mU, [&](const label i, const scalar rm) { v[i] -= rm*Mv[i]; });
+    forMasses(mU, [&](const label i, const scalar rm) { v[i] -= rm * Mv[i]; });
 
     // Increments are zero at fixed nodes: the sum keeps their velocity
     rigid_.takeIncrement(v, mU, stride_, s != ofStrain);
@@ -97,34 +78,24 @@ void Foam::mpm::velocityField::nextIncrement(const series s)
     }
 }
 
-
 void Foam::mpm::velocityField::addToIncrement(const scalar* impulse)
 {
     scalar* v = increment_.data();
-    forMasses
-    (
-        mU_.data(),
-        [&](const label i, const scalar rm) { v[i] += rm*impulse[i]; }
-    );
+    forMasses(mU_.data(), [&](const label i, const scalar rm) { v[i] += rm * impulse[i]; });
     constrainStep(v, true);
 }
-
 
 void Foam::mpm::velocityField::addIncrement(const series s, const scalar weight)
 {
     const scalar* v = increment_.data();
     scalar* to = s == ofStrain ? Ustrain_.data() : UL_.data();
-    forComponents
-    (
+    forComponents(
         [&](const label i)
         {
-            to[i] += weight*v[i];
+            to[i] += weight * v[i];
             if (s == ofDU)
             {
-                dU_.data()[i] += weight*v[i];
+                dU_.data()[i] += weight * v[i];
             }
-        }
-    );
+        });
 }
-
-// ************************************************************************* //

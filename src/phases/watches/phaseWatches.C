@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "phaseWatches.H"
 #include "materialPointSystem.H"
@@ -14,8 +8,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::phaseWatches::phaseWatches(materialPointSystem& points)
-:
+Foam::mpm::phaseWatches::phaseWatches(materialPointSystem& points) :
     stepPart("watches"),
     points_(points),
     warned_(points.fields().size() < 2),
@@ -48,31 +41,18 @@ Foam::mpm::phaseWatches::phaseWatches(materialPointSystem& points)
 
 void Foam::mpm::phaseWatches::readWeights()
 {
-    IOobject header
-    (
-        "cellWeights",
-        points_.mesh().time().timeName(),
-        points_.mesh(),
-        IOobject::MUST_READ,
-        IOobject::AUTO_WRITE
-    );
+    IOobject header(
+        "cellWeights", points_.mesh().time().timeName(), points_.mesh(), IOobject::MUST_READ,
+        IOobject::AUTO_WRITE);
     const fieldStates* states = points_.startFields();
     const bool found =
-        states
-      ? states->found(header.name())
-      : header.typeHeaderOk<volScalarField>(true);
+        states ? states->found(header.name()) : header.typeHeaderOk<volScalarField>(true);
     if (returnReduce(found, andOp<bool>()))
     {
-        weights_.reset
-        (
-            new volScalarField
-            (
-                fileOrState<volScalarField>(header, points_.mesh(), states)
-            )
-        );
+        weights_.reset(
+            new volScalarField(fileOrState<volScalarField>(header, points_.mesh(), states)));
     }
 }
-
 
 void Foam::mpm::phaseWatches::updateWeights()
 {
@@ -88,12 +68,10 @@ void Foam::mpm::phaseWatches::updateWeights()
         const materialPointCloud& cloud = phase.cloud();
         forAll(cloud.cells(), k)
         {
-            (*weights_)[cloud.cells()[k]] +=
-                cloud.start()[k + 1] - cloud.start()[k];
+            (*weights_)[cloud.cells()[k]] += cloud.start()[k + 1] - cloud.start()[k];
         }
     }
 }
-
 
 void Foam::mpm::phaseWatches::checkOverlap()
 {
@@ -114,23 +92,13 @@ void Foam::mpm::phaseWatches::checkOverlap()
         }
         for (const label n : field.active())
         {
-            if
-            (
-                grid.nodePoint()[n] < 0
-             || (
-                    rigidOf[n] != fieldi
-                 && !(field.momentum()[field.stride()*n + grid.nDim()] > 0)
-                )
-            )
+            if (grid.nodePoint()[n] < 0
+                || (rigidOf[n] != fieldi
+                    && !(field.momentum()[field.stride() * n + grid.nDim()] > 0)))
             {
                 continue;
             }
-            if
-            (
-                owner[n] >= 0
-             && !warned_
-             && !(contact && contact->between(owner[n], fieldi))
-            )
+            if (owner[n] >= 0 && !warned_ && !(contact && contact->between(owner[n], fieldi)))
             {
                 warned_ = true;
                 warnOfOverlap(owner[n], fieldi, n);
@@ -140,74 +108,61 @@ void Foam::mpm::phaseWatches::checkOverlap()
     }
 }
 
-
-void Foam::mpm::phaseWatches::warnOfOverlap
-(
-    const label a,
-    const label b,
-    const label node
-)
+void Foam::mpm::phaseWatches::warnOfOverlap(const label a, const label b, const label node)
 {
-    WarningInFunction
-        << "The velocity fields " << points_.fields()[a].name() << " and "
-        << points_.fields()[b].name() << " share the mesh point "
-        << points_.mesh().points()[points_.grid().nodePoint()[node]]
-        << " at time " << points_.time().timeName()
-        << ": points of both reach it, from up to two cells away."
-        << " Nothing acts between them: phases with own velocity fields pass"
-        << " through each other. Give them the same velocityField in"
-        << " constant/phaseProperties to let them stick and push, or add"
-        << " contact { ... }; there." << endl;
+    WarningInFunction << "The velocity fields " << points_.fields()[a].name() << " and "
+                      << points_.fields()[b].name() << " share the mesh point "
+                      << points_.mesh().points()[points_.grid().nodePoint()[node]] << " at time "
+                      << points_.time().timeName()
+                      << ": points of both reach it, from up to two cells away."
+                      << " Nothing acts between them: phases with own velocity fields pass"
+                      << " through each other. Give them the same velocityField in"
+                      << " constant/phaseProperties to let them stick and push, or add"
+                      << " contact { ... }; there." << endl;
 }
 
-Foam::dictionary Foam::mpm::phaseWatches::material
-(
-    const materialPointPhase& phase
-) const
+Foam::dictionary Foam::mpm::phaseWatches::material(const materialPointPhase& phase) const
 {
     dictionary now;
     now.add("rho", phase.rho());
-    now.add("modulus", phase.rho()*sqr(phase.law().waveSpeed()));
+    now.add("modulus", phase.rho() * sqr(phase.law().waveSpeed()));
     now.add("failureModel", phase.failure() ? phase.failure()->type() : "none");
     return now;
 }
 
-
-void Foam::mpm::phaseWatches::warnOfChange
-(
-    const word& phase,
-    const dictionary& old,
-    const dictionary& now
-) const
+void Foam::mpm::phaseWatches::warnOfChange(
+    const word& phase, const dictionary& old, const dictionary& now) const
 {
     const word time(points_.time().timeName());
-    const struct {const char* key; const char* advice;} numbers[] =
-        {
-            {"rho", " kg/m3: the points keep their mass. For another density run"
-                " setMaterialPoints again."},
-            {"modulus", " Pa (rho c^2): the strains of the points come from the"
-                " old one."}
-        };
+    const struct
+    {
+        const char* key;
+        const char* advice;
+    } numbers[] = {
+        {"rho",
+         " kg/m3: the points keep their mass. For another density run"
+         " setMaterialPoints again."},
+        {"modulus",
+         " Pa (rho c^2): the strains of the points come from the"
+         " old one."}};
     for (const auto& n : numbers)
     {
         const scalar before = bounded(old, n.key, 0, GREAT);
         const scalar after = now.get<scalar>(n.key);
-        if (mag(after - before) > 1e-6*before)
+        if (mag(after - before) > 1e-6 * before)
         {
-            WarningInFunction
-                << "Since time " << time << " was written " << n.key
-                << " of phase " << phase << " has changed from " << before
-                << " to " << after << n.advice << endl;
+            WarningInFunction << "Since time " << time << " was written " << n.key << " of phase "
+                              << phase << " has changed from " << before << " to " << after
+                              << n.advice << endl;
         }
     }
     const word before(required<word>(old, "failureModel"));
     if (before != "none" && now.get<word>("failureModel") == "none")
     {
-        WarningInFunction
-            << "Points of phase " << phase << " have the damage of the"
-            << " failureModel " << before << " at time " << time << ", but the"
-            << " phase has no failureModel now: they would carry again what"
-            << " they had lost." << endl;
+        WarningInFunction << "Points of phase " << phase << " have the damage of the"
+                          << " failureModel " << before << " at time " << time << ", but the"
+                          << " phase has no failureModel now: they would carry again what"
+                          << " they had lost." << endl;
     }
 }
 
@@ -225,7 +180,6 @@ void Foam::mpm::phaseWatches::addState(dictionary& state) const
     }
     state.add("materials", materials);
 }
-
 
 void Foam::mpm::phaseWatches::setState(const dictionary& state)
 {
@@ -249,7 +203,6 @@ void Foam::mpm::phaseWatches::setState(const dictionary& state)
     checkKeywords(materials, wordList(names));
 }
 
-
 void Foam::mpm::phaseWatches::addFields(fieldStates& fields) const
 {
     if (weights_)
@@ -257,7 +210,6 @@ void Foam::mpm::phaseWatches::addFields(fieldStates& fields) const
         fields.set(weights_->name(), fieldDictionary(*weights_));
     }
 }
-
 
 void Foam::mpm::phaseWatches::write()
 {
@@ -270,5 +222,3 @@ void Foam::mpm::phaseWatches::write()
     }
     updateWeights();
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "startHints.H"
 #include "phaseNames.H"
@@ -51,14 +45,9 @@ bool filledWithRho(const fileName& file, const word& phase)
     return filled && !own;
 }
 
-
 //- Mass [kg] and centre of mass [m] of the points of a velocity field
-scalar centreOfMass
-(
-    const PtrList<mpm::materialPointPhase>& phases,
-    const word& field,
-    point& centre
-)
+scalar
+centreOfMass(const PtrList<mpm::materialPointPhase>& phases, const word& field, point& centre)
 {
     scalar mass = 0;
     centre = Zero;
@@ -67,16 +56,11 @@ scalar centreOfMass
         const mpm::materialPointCloud& cloud = phase.cloud();
         forAll(cloud.cells(), k)
         {
-            for
-            (
-                label p = cloud.start()[k];
-                phase.velocityField() == field && p < cloud.start()[k + 1];
-                ++p
-            )
+            for (label p = cloud.start()[k];
+                 phase.velocityField() == field && p < cloud.start()[k + 1]; ++p)
             {
                 mass += cloud.mass()[0][p];
-                centre +=
-                    cloud.mass()[0][p]*cloud.position(p, cloud.cells()[k]);
+                centre += cloud.mass()[0][p] * cloud.position(p, cloud.cells()[k]);
             }
         }
     }
@@ -85,7 +69,6 @@ scalar centreOfMass
     centre /= max(mass, VSMALL);
     return mass;
 }
-
 
 //- The first modulus of a law: "E 70", or "its moduli"
 std::string modulus(const dictionary& law)
@@ -101,67 +84,46 @@ std::string modulus(const dictionary& law)
     return "its moduli";
 }
 
-
 //- Warn of a strength that is probably one in MPa: below 1e-6 of the modulus
-void warnOfStrength
-(
-    const mpm::materialPointPhase& phase,
-    const dictionary& dict,
-    const word& key
-)
+void warnOfStrength(const mpm::materialPointPhase& phase, const dictionary& dict, const word& key)
 {
     scalar value;
     const scalar E = phase.law().elasticModulus();
-    if (dict.readIfPresent(key, value) && value > 0 && value < 1e-6*E)
+    if (dict.readIfPresent(key, value) && value > 0 && value < 1e-6 * E)
     {
-        IOWarningInFunction(dict)
-            << "Entry " << key << " of phase " << phase.name() << " is " << value
-            << " Pa, " << value/E << " of its modulus " << E << " Pa: no matter"
-            << " is that weak. In MPa it needs e6: 400e6 for 400 MPa." << endl;
+        IOWarningInFunction(dict) << "Entry " << key << " of phase " << phase.name() << " is "
+                                  << value << " Pa, " << value / E << " of its modulus " << E
+                                  << " Pa: no matter"
+                                  << " is that weak. In MPa it needs e6: 400e6 for 400 MPa."
+                                  << endl;
     }
 }
 
-
 //- Warn of a number between 0 and the least that matter has
-void warnOfLeast
-(
-    const mpm::materialPointPhase& phase,
-    const dictionary& dict,
-    const word& key,
-    const scalar least,
-    const char* words
-)
+void warnOfLeast(
+    const mpm::materialPointPhase& phase, const dictionary& dict, const word& key,
+    const scalar least, const char* words)
 {
     scalar value;
     if (dict.readIfPresent(key, value) && value > 0 && value < least)
     {
-        IOWarningInFunction(dict)
-            << "Entry " << key << " of phase " << phase.name() << " is " << value
-            << ": " << words << endl;
+        IOWarningInFunction(dict) << "Entry " << key << " of phase " << phase.name() << " is "
+                                  << value << ": " << words << endl;
     }
 }
 
-
 //- Warn of temperatures of Johnson and Cook's law and damage that differ
-void warnOfDifference
-(
-    const mpm::materialPointPhase& phase,
-    const dictionary& law,
-    const dictionary& damage,
-    const word& key
-)
+void warnOfDifference(
+    const mpm::materialPointPhase& phase, const dictionary& law, const dictionary& damage,
+    const word& key)
 {
     scalar a, b;
-    if
-    (
-        law.readIfPresent(key, a) && damage.readIfPresent(key, b)
-     && mag(a - b) > 0.05*max(mag(a), mag(b))
-    )
+    if (law.readIfPresent(key, a) && damage.readIfPresent(key, b)
+        && mag(a - b) > 0.05 * max(mag(a), mag(b)))
     {
         IOWarningInFunction(damage)
-            << "Entry " << key << " of the failureModel of phase "
-            << phase.name() << " is " << b << " K, that of its law " << a
-            << " K: both are the matter's." << endl;
+            << "Entry " << key << " of the failureModel of phase " << phase.name() << " is " << b
+            << " K, that of its law " << a << " K: both are the matter's." << endl;
     }
 }
 
@@ -169,15 +131,10 @@ void warnOfDifference
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::requireGas
-(
-    const dictionary& phaseProperties,
-    const wordList& names
-)
+void Foam::mpm::requireGas(const dictionary& phaseProperties, const wordList& names)
 {
-    const bool gas =
-        phaseNames(phaseProperties, {"gas"}).size()
-     || phaseNames(phaseProperties, {"fluid"}).size();
+    const bool gas = phaseNames(phaseProperties, {"gas"}).size()
+        || phaseNames(phaseProperties, {"fluid"}).size();
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(phaseProperties, name);
@@ -187,23 +144,19 @@ void Foam::mpm::requireGas
             {
                 FatalIOErrorInFunction(dict)
                     << "Entry " << key << " of phase " << name
-                    << " acts between points and a gas, but phases "
-                    << flatOutput(names) << " has none. Remove it, or add a"
+                    << " acts between points and a gas, but phases " << flatOutput(names)
+                    << " has none. Remove it, or add a"
                     << " phase of type gas or fluid." << exit(FatalIOError);
             }
         }
     }
 }
 
-
 void Foam::mpm::warnOfDensity(const materialPointPhase& phase)
 {
     const materialPointCloud& cloud = phase.cloud();
     const Time& time = cloud.time();
-    const fileName state
-    (
-        time.path()/time.timeName()/"uniform"/"materialPointState"
-    );
+    const fileName state(time.path() / time.timeName() / "uniform" / "materialPointState");
     scalar mass = 0, volume = 0;
     for (label p = 0; p < cloud.size(); ++p)
     {
@@ -217,35 +170,21 @@ void Foam::mpm::warnOfDensity(const materialPointPhase& phase)
     {
         return;
     }
-    const scalar rho = mass/volume;
-    if
-    (
-        mag(rho - phase.rho()) > 0.01*phase.rho()
-     && Pstream::master()
-     && filledWithRho
-        (
-            time.globalPath()/time.system()/"setMaterialPointsDict",
-            phase.name()
-        )
-    )
+    const scalar rho = mass / volume;
+    if (mag(rho - phase.rho()) > 0.01 * phase.rho() && Pstream::master()
+        && filledWithRho(time.globalPath() / time.system() / "setMaterialPointsDict", phase.name()))
     {
-        WarningInFunction
-            << "The points of phase " << phase.name() << " have the density "
-            << rho << " kg/m3 (mass over volume), but its rho is "
-            << phase.rho() << " kg/m3: they were made with another rho. Run"
-            << " setMaterialPoints again"
-            << (Pstream::parRun() ? ", then decomposePar -force." : ".")
-            << endl;
+        WarningInFunction << "The points of phase " << phase.name() << " have the density " << rho
+                          << " kg/m3 (mass over volume), but its rho is " << phase.rho()
+                          << " kg/m3: they were made with another rho. Run"
+                          << " setMaterialPoints again"
+                          << (Pstream::parRun() ? ", then decomposePar -force." : ".") << endl;
     }
 }
 
-
-void Foam::mpm::warnOfNormals
-(
-    const dictionary& phaseProperties,
-    const pointGrid& grid,
-    const PtrList<materialPointPhase>& phases
-)
+void Foam::mpm::warnOfNormals(
+    const dictionary& phaseProperties, const pointGrid& grid,
+    const PtrList<materialPointPhase>& phases)
 {
     for (const entry& e : phaseProperties.subOrEmptyDict("contact"))
     {
@@ -267,25 +206,20 @@ void Foam::mpm::warnOfNormals
                 way[grid.direction(d)] = 0;
             }
         }
-        if (ma > 0 && mb > 0 && (n & way) < -1e-6*mag(way))
+        if (ma > 0 && mb > 0 && (n & way) < -1e-6 * mag(way))
         {
             IOWarningInFunction(e.dict())
                 << "Contact " << e.keyword() << ": normal " << n
                 << " is from the first field to the second, but points"
-                << " against the way from the centre of mass of " << fields[0]
-                << ' ' << a << " to that of " << fields[1] << ' ' << b
+                << " against the way from the centre of mass of " << fields[0] << ' ' << a
+                << " to that of " << fields[1] << ' ' << b
                 << ": they may never touch. If it is reversed, write"
-                << "  normal " << (0*n - n) << ";" << endl;
+                << "  normal " << (0 * n - n) << ";" << endl;
         }
     }
 }
 
-
-void Foam::mpm::warnOfUnits
-(
-    const materialPointPhase& phase,
-    const dictionary& dict
-)
+void Foam::mpm::warnOfUnits(const materialPointPhase& phase, const dictionary& dict)
 {
     if (phase.motion() || !phase.law().hasStress())
     {
@@ -302,36 +236,35 @@ void Foam::mpm::warnOfUnits
     {
         // In mm a solid has 1e-9 t/mm3 or 1e-6 kg/mm3
         const bool tonnes = rho < 1e-7;
-        os  << rho << (tonnes ? " t/mm3 are " : " kg/mm3 are ")
-            << (tonnes ? 1e12 : 1e9)*rho << " kg/m3: materialPointFoam works in"
-            << " m, kg, s and Pa.";
+        os << rho << (tonnes ? " t/mm3 are " : " kg/mm3 are ") << (tonnes ? 1e12 : 1e9) * rho
+           << " kg/m3: materialPointFoam works in"
+           << " m, kg, s and Pa.";
     }
     else if (rho < 23 && c > 1000)
     {
-        os  << "rho " << rho << " kg/m3 is that of a gas. " << rho
-            << " g/cm3 are " << 1000*rho << " kg/m3.";
+        os << "rho " << rho << " kg/m3 is that of a gas. " << rho << " g/cm3 are " << 1000 * rho
+           << " kg/m3.";
     }
     else if (c > 2e4)
     {
-        os  << "No matter is that fast (diamond 18 km/s): rho is " << rho
-            << " kg/m3, " << modulus(law).c_str() << '.';
+        os << "No matter is that fast (diamond 18 km/s): rho is " << rho << " kg/m3, "
+           << modulus(law).c_str() << '.';
     }
     else if (solid && c < 0.57)
     {
-        os  << "No solid is that slow: " << modulus(law).c_str()
-            << ". A modulus in GPa needs e9: 70e9 for 70 GPa.";
+        os << "No solid is that slow: " << modulus(law).c_str()
+           << ". A modulus in GPa needs e9: 70e9 for 70 GPa.";
     }
     else if (solid && c < 20 && rho > 3000)
     {
-        os  << "Matter of rho " << rho << " kg/m3 is not that slow: "
-            << modulus(law).c_str() << ". A modulus in MPa needs e6: 70000e6"
-            << " for 70000 MPa.";
+        os << "Matter of rho " << rho << " kg/m3 is not that slow: " << modulus(law).c_str()
+           << ". A modulus in MPa needs e6: 70000e6"
+           << " for 70000 MPa.";
     }
     if (os.str().size())
     {
-        IOWarningInFunction(law)
-            << "The law of phase " << phase.name() << " has a wave speed of "
-            << waveSpeed.str().c_str() << " m/s. " << os.str().c_str() << endl;
+        IOWarningInFunction(law) << "The law of phase " << phase.name() << " has a wave speed of "
+                                 << waveSpeed.str().c_str() << " m/s. " << os.str().c_str() << endl;
     }
     warnOfStrength(phase, law, "yield");
     if (law.get<word>("type") == "JohnsonCook")
@@ -342,22 +275,11 @@ void Foam::mpm::warnOfUnits
     warnOfStrength(phase, failure, "strength");
     if (law.get<word>("type") == "JohnsonCook")
     {
-        warnOfLeast
-        (
-            phase, law, "G", 1e5, "it is in Pa, 77e9 for 77 GPa."
-        );
-        warnOfLeast
-        (
-            phase, law, "cp", 20, "it is in J/kg/K, 477 for 0.477 J/g/K."
-        );
-        warnOfLeast
-        (
-            phase, law, "referenceTemperature", 60,
-            "it is in K, 294 for 21 degrees Celsius."
-        );
+        warnOfLeast(phase, law, "G", 1e5, "it is in Pa, 77e9 for 77 GPa.");
+        warnOfLeast(phase, law, "cp", 20, "it is in J/kg/K, 477 for 0.477 J/g/K.");
+        warnOfLeast(
+            phase, law, "referenceTemperature", 60, "it is in K, 294 for 21 degrees Celsius.");
         warnOfDifference(phase, law, failure, "referenceTemperature");
         warnOfDifference(phase, law, failure, "meltTemperature");
     }
 }
-
-// ************************************************************************* //

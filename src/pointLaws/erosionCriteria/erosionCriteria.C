@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     The criteria of the table in erosionCriterion.H.
@@ -17,27 +14,22 @@ namespace Foam::mpm
 {
 
 //- A history column of the law above a limit
-class columnErosion
-:
-    public erosionCriterion
+class columnErosion : public erosionCriterion
 {
     const scalar limit_;
     const int column_;
 
 public:
-
-    columnErosion(const dictionary& dict, const erodible& of, const word& name)
-    :
-        limit_(positive(dict, "limit")),
-        column_(of.law.columnOf(name, of.nDim))
+    columnErosion(const dictionary& dict, const erodible& of, const word& name) :
+        limit_(positive(dict, "limit")), column_(of.law.columnOf(name, of.nDim))
     {
         checkKeywords(dict, {"type", "limit"});
         if (column_ < 0)
         {
             FatalIOErrorInFunction(dict)
                 << "erosion by " << dict.get<word>("type") << " needs a law"
-                << " with the column " << name << "; " << of.law.type()
-                << " has none." << exit(FatalIOError);
+                << " with the column " << name << "; " << of.law.type() << " has none."
+                << exit(FatalIOError);
         }
     }
 
@@ -51,50 +43,34 @@ public:
     }
 };
 
-
-class plasticStrainErosion
-:
-    public columnErosion
+class plasticStrainErosion : public columnErosion
 {
 public:
-
     TypeName("plasticStrain");
 
-    plasticStrainErosion(const dictionary& dict, const erodible& of)
-    :
+    plasticStrainErosion(const dictionary& dict, const erodible& of) :
         columnErosion(dict, of, "plasticStrain")
-    {}
+    {
+    }
 };
 
-
-class temperatureErosion
-:
-    public columnErosion
+class temperatureErosion : public columnErosion
 {
 public:
-
     TypeName("temperature");
 
-    temperatureErosion(const dictionary& dict, const erodible& of)
-    :
-        columnErosion(dict, of, "T")
-    {}
+    temperatureErosion(const dictionary& dict, const erodible& of) : columnErosion(dict, of, "T") {}
 };
 
-
-class volumeRatioErosion
-:
-    public erosionCriterion
+class volumeRatioErosion : public erosionCriterion
 {
     const scalar rho_;
     scalar min_, max_;
 
 public:
-
     TypeName("volumeRatio");
 
-    volumeRatioErosion(const dictionary& dict, const erodible& of)
-    :
+    volumeRatioErosion(const dictionary& dict, const erodible& of) :
         rho_(of.law.rho()),
         min_(boundedOrDefault(dict, "min", 0, 0, 1)),
         max_(boundedOrDefault(dict, "max", GREAT, 1, GREAT))
@@ -112,33 +88,27 @@ public:
     {
         for (label p = 0; p < b.points.n; ++p)
         {
-            const scalar J = rho_*b.points.volume[p]/b.points.mass[p];
+            const scalar J = rho_ * b.points.volume[p] / b.points.mass[p];
             gone[p] = gone[p] || J > max_ || J < min_;
         }
     }
 };
 
-
 //- Damage that has been 1 for a time
-class damageErosion
-:
-    public erosionCriterion
+class damageErosion : public erosionCriterion
 {
     const scalar time_;
 
 protected:
-
     bool marks(const erosionBlock& b, const label p) const
     {
         return b.points.damage[p] >= 1 && b.failedTime[p] >= time_;
     }
 
 public:
-
     TypeName("damage");
 
-    damageErosion(const dictionary& dict, const erodible& of)
-    :
+    damageErosion(const dictionary& dict, const erodible& of) :
         time_(boundedOrDefault(dict, "time", 0, 0, GREAT))
     {
         checkKeywords(dict, {"type", "time"});
@@ -151,10 +121,7 @@ public:
         }
     }
 
-    bool needsFailedTime() const override
-    {
-        return true;
-    }
+    bool needsFailedTime() const override { return true; }
 
     void mark(const erosionBlock& b, boolList& gone) const override
     {
@@ -165,13 +132,9 @@ public:
     }
 };
 
-
-class loneErosion
-:
-    public damageErosion
+class loneErosion : public damageErosion
 {
 public:
-
     TypeName("lone");
 
     using damageErosion::damageErosion;
@@ -189,20 +152,14 @@ public:
     }
 };
 
-
-class speedErosion
-:
-    public erosionCriterion
+class speedErosion : public erosionCriterion
 {
     const scalar limit_;
 
 public:
-
     TypeName("speed");
 
-    speedErosion(const dictionary& dict, const erodible&)
-    :
-        limit_(positive(dict, "limit"))
+    speedErosion(const dictionary& dict, const erodible&) : limit_(positive(dict, "limit"))
     {
         checkKeywords(dict, {"type", "limit"});
     }
@@ -221,28 +178,22 @@ public:
     }
 };
 
-
-class outsideErosion
-:
-    public erosionCriterion
+class outsideErosion : public erosionCriterion
 {
     const point min_, max_;
 
 public:
-
     TypeName("outside");
 
-    outsideErosion(const dictionary& dict, const erodible&)
-    :
-        min_(required<vector>(dict, "min")),
-        max_(required<vector>(dict, "max"))
+    outsideErosion(const dictionary& dict, const erodible&) :
+        min_(required<vector>(dict, "min")), max_(required<vector>(dict, "max"))
     {
         checkKeywords(dict, {"type", "min", "max"});
         if (!(cmptMin(max_ - min_) > 0))
         {
             FatalIOErrorInFunction(dict)
-                << "The box of erosion by outside is empty: min is "
-                << min_ << ", max is " << max_ << "." << exit(FatalIOError);
+                << "The box of erosion by outside is empty: min is " << min_ << ", max is " << max_
+                << "." << exit(FatalIOError);
         }
     }
 
@@ -259,27 +210,21 @@ public:
     }
 };
 
-
-class timeStepErosion
-:
-    public erosionCriterion
+class timeStepErosion : public erosionCriterion
 {
     //- Limit of h/speed [s], 0: none; of the speed [m/s]
     scalar limit_, fastest_;
 
     bool marks(const scalar width, const scalar speed) const
     {
-        return width < limit_*speed || speed > fastest_;
+        return width < limit_ * speed || speed > fastest_;
     }
 
 public:
-
     TypeName("timeStep");
 
-    timeStepErosion(const dictionary& dict, const erodible& of)
-    :
-        limit_(dict.found("limit") ? positive(dict, "limit") : 0),
-        fastest_(GREAT)
+    timeStepErosion(const dictionary& dict, const erodible& of) :
+        limit_(dict.found("limit") ? positive(dict, "limit") : 0), fastest_(GREAT)
     {
         checkKeywords(dict, {"type", limit_ > 0 ? "limit" : "share"});
         const scalar c0 = of.law.waveSpeed();
@@ -289,12 +234,11 @@ public:
         }
         if (!(c0 > 0))
         {
-            FatalIOErrorInFunction(dict)
-                << "erosion by timeStep needs a limit [s]: the law "
-                << of.law.type() << " has no sound speed to take a share"
-                << " from." << exit(FatalIOError);
+            FatalIOErrorInFunction(dict) << "erosion by timeStep needs a limit [s]: the law "
+                                         << of.law.type() << " has no sound speed to take a share"
+                                         << " from." << exit(FatalIOError);
         }
-        fastest_ = c0/boundedOrDefault(dict, "share", 0.25, 1e-6, 0.5);
+        fastest_ = c0 / boundedOrDefault(dict, "share", 0.25, 1e-6, 0.5);
     }
 
     bool needsSpeeds(const scalar width, const scalar speed) const override
@@ -311,15 +255,11 @@ public:
     }
 };
 
-
-class anyErosion
-:
-    public erosionCriterion
+class anyErosion : public erosionCriterion
 {
     PtrList<erosionCriterion> parts_;
 
 public:
-
     TypeName("any");
 
     anyErosion(const dictionary& dict, const erodible& of)
@@ -328,10 +268,7 @@ public:
         {
             if (e.keyword() != "type")
             {
-                parts_.append
-                (
-                    erosionCriterion::New(requiredDict(dict, e.keyword()), of)
-                );
+                parts_.append(erosionCriterion::New(requiredDict(dict, e.keyword()), of));
             }
         }
         if (parts_.empty())
@@ -380,8 +317,8 @@ public:
 defineTypeNameAndDebug(erosionCriterion, 0);
 defineRunTimeSelectionTable(erosionCriterion, dictionary);
 
-#define addErosion(criterion)                                                  \
-    defineTypeNameAndDebug(criterion, 0);                                      \
+#define addErosion(criterion)                                                                      \
+    defineTypeNameAndDebug(criterion, 0);                                                          \
     addToRunTimeSelectionTable(erosionCriterion, criterion, dictionary)
 
 addErosion(plasticStrainErosion);
@@ -397,5 +334,3 @@ addErosion(anyErosion);
 #undef addErosion
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

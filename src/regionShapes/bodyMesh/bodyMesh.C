@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "bodyMesh.H"
 #include "simplexParts.H"
@@ -19,11 +13,7 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::bodyMesh::checkGroups
-(
-    const wordList& groups,
-    const wordList& valid
-) const
+void Foam::mpm::bodyMesh::checkGroups(const wordList& groups, const wordList& valid) const
 {
     for (const word& group : groups)
     {
@@ -35,18 +25,16 @@ void Foam::mpm::bodyMesh::checkGroups
                 << "Entry group: the mesh " << file_ << " has no elements of a"
                 << " physical group " << group << " in " << nDim_ << "D, the"
                 << " dimensions of the case."
-                << (
-                       valid.empty() && nDim_ == 3
-                     ? string(" It has no group in 3D at all: if the scene is in 2D,"
-                       " front and back of the case's mesh must be of type"
-                       " empty, or wedge.")
-                     : " Valid groups: " + groupNames.str()
-                   ).c_str()
+                << (valid.empty() && nDim_ == 3
+                        ? string(" It has no group in 3D at all: if the scene is in 2D,"
+                                 " front and back of the case's mesh must be of type"
+                                 " empty, or wedge.")
+                        : " Valid groups: " + groupNames.str())
+                       .c_str()
                 << exit(FatalIOError);
         }
     }
 }
-
 
 void Foam::mpm::bodyMesh::readMsh(const wordList& groups)
 {
@@ -54,9 +42,7 @@ void Foam::mpm::bodyMesh::readMsh(const wordList& groups)
     points_ = file.points();
 
     const auto nameOf = [&](const label tag)
-    {
-        return file.names(nDim_).lookup(tag, Foam::name(tag));
-    };
+    { return file.names(nDim_).lookup(tag, Foam::name(tag)); };
 
     int highest = 0;
     wordHashSet valid;
@@ -82,24 +68,18 @@ void Foam::mpm::bodyMesh::readMsh(const wordList& groups)
     if (highest > nDim_)
     {
         FatalIOErrorInFunction(dict_)
-            << "The mesh " << file_ << " has elements in " << highest
-            << "D; that of the case is " << nDim_ << "D." << exit(FatalIOError);
+            << "The mesh " << file_ << " has elements in " << highest << "D; that of the case is "
+            << nDim_ << "D." << exit(FatalIOError);
     }
 }
 
-
-void Foam::mpm::bodyMesh::readVtk
-(
-    const objectRegistry& registry,
-    const wordList& groups
-)
+void Foam::mpm::bodyMesh::readVtk(const objectRegistry& registry, const wordList& groups)
 {
     IFstream is(file_);
     if (!is.good())
     {
         FatalIOErrorInFunction(dict_)
-            << "Cannot read the mesh " << file_ << ": there is no such file."
-            << exit(FatalIOError);
+            << "Cannot read the mesh " << file_ << ": there is no such file." << exit(FatalIOError);
     }
     const vtkUnstructuredReader file(registry, is);
     points_ = file.points();
@@ -123,12 +103,11 @@ void Foam::mpm::bodyMesh::readVtk
         if (min(e) < 0 || max(e) >= points_.size() || e.size() > 8)
         {
             FatalIOErrorInFunction(dict_)
-                << "Cannot read the mesh " << file_ << ": an element has nodes "
-                << e << " of " << points_.size() << "." << exit(FatalIOError);
+                << "Cannot read the mesh " << file_ << ": an element has nodes " << e << " of "
+                << points_.size() << "." << exit(FatalIOError);
         }
     }
 }
-
 
 Foam::faceList Foam::mpm::bodyMesh::faces(const labelUList& corners) const
 {
@@ -143,19 +122,19 @@ Foam::faceList Foam::mpm::bodyMesh::faces(const labelUList& corners) const
         }
         return result;
     }
-    static const cellModel* models[9] =
-    {
-        nullptr, nullptr, nullptr, nullptr,
+    static const cellModel* models[9] = {
+        nullptr,
+        nullptr,
+        nullptr,
+        nullptr,
         &cellModel::ref(cellModel::TET),
         &cellModel::ref(cellModel::PYR),
         &cellModel::ref(cellModel::PRISM),
         nullptr,
-        &cellModel::ref(cellModel::HEX)
-    };
+        &cellModel::ref(cellModel::HEX)};
     result = models[corners.size()]->faces(corners);
     return result;
 }
-
 
 Foam::vector Foam::mpm::bodyMesh::normal(const face& f) const
 {
@@ -169,7 +148,6 @@ Foam::vector Foam::mpm::bodyMesh::normal(const face& f) const
     n[b] = -along[a];
     return n;
 }
-
 
 void Foam::mpm::bodyMesh::check() const
 {
@@ -193,34 +171,27 @@ void Foam::mpm::bodyMesh::check() const
                 point F(Zero);
                 for (const label i : f)
                 {
-                    F += points_[i]/f.size();
+                    F += points_[i] / f.size();
                 }
                 forAll(f, i)
                 {
                     const edge ab(f.faceEdge(i));
-                    byFaces +=
-                        ((F - O) & ((points_[ab[0]] - O) ^ (points_[ab[1]] - O)))
-                       /6;
+                    byFaces += ((F - O) & ((points_[ab[0]] - O) ^ (points_[ab[1]] - O))) / 6;
                 }
             }
             byFaces = mag(byFaces);
         }
-        if
-        (
-            !(min(r.volume()) > 0)
-         || !(mag(byFaces - whole) <= tolerance*whole)
-        )
+        if (!(min(r.volume()) > 0) || !(mag(byFaces - whole) <= tolerance * whole))
         {
             FatalIOErrorInFunction(dict_)
-                << "The mesh " << file_ << " has an element of "
-                << elements_[e].size() << " nodes at " << r.centre()
+                << "The mesh " << file_ << " has an element of " << elements_[e].size()
+                << " nodes at " << r.centre()
                 << " that is folded over or has no volume: the sum of its parts"
-                << " is " << whole << ", by its sides " << byFaces
-                << "; improve the mesh." << exit(FatalIOError);
+                << " is " << whole << ", by its sides " << byFaces << "; improve the mesh."
+                << exit(FatalIOError);
         }
     }
 }
-
 
 void Foam::mpm::bodyMesh::findOutside()
 {
@@ -255,14 +226,12 @@ void Foam::mpm::bodyMesh::findOutside()
     }
 }
 
-
 Foam::label Foam::mpm::bodyMesh::row(const int d, const scalar x) const
 {
     const int c = grid_.direction(d);
-    const scalar at = (x - bounds_.min()[c])/bounds_.span()[c]*n_[d];
+    const scalar at = (x - bounds_.min()[c]) / bounds_.span()[c] * n_[d];
     return at < 0 ? 0 : at >= n_[d] ? n_[d] - 1 : label(at);
 }
-
 
 void Foam::mpm::bodyMesh::makeBoxes()
 {
@@ -272,14 +241,14 @@ void Foam::mpm::bodyMesh::makeBoxes()
     {
         size *= bounds_.span()[grid_.direction(d)];
     }
-    const scalar side = std::pow(size/elements_.size(), 1.0/nDim_);
+    const scalar side = std::pow(size / elements_.size(), 1.0 / nDim_);
     label nBoxes = 1;
     for (int d = 0; d < 3; ++d)
     {
         n_[d] = 1;
         if (d < nDim_)
         {
-            const scalar n = bounds_.span()[grid_.direction(d)]/side;
+            const scalar n = bounds_.span()[grid_.direction(d)] / side;
             n_[d] = label(min(max(n, scalar(1)), scalar(1000)));
         }
         nBoxes *= n_[d];
@@ -301,19 +270,14 @@ void Foam::mpm::bodyMesh::makeBoxes()
             {
                 for (label i = low[0]; i <= high[0]; ++i)
                 {
-                    inBox_[i + n_[0]*(j + n_[1]*k)].append(e);
+                    inBox_[i + n_[0] * (j + n_[1] * k)].append(e);
                 }
             }
         }
     }
 }
 
-
-bool Foam::mpm::bodyMesh::contains
-(
-    const labelUList& corners,
-    const point& x
-) const
+bool Foam::mpm::bodyMesh::contains(const labelUList& corners, const point& x) const
 {
     // Beyond no side, by as much as rounding
     constexpr scalar tolerance = 1e-12;
@@ -332,14 +296,14 @@ bool Foam::mpm::bodyMesh::contains
     point O(Zero);
     for (const label i : corners)
     {
-        O += points_[i]/corners.size();
+        O += points_[i] / corners.size();
     }
     for (const face& f : faces(corners))
     {
         point F(Zero);
         for (const label i : f)
         {
-            F += points_[i]/f.size();
+            F += points_[i] / f.size();
         }
         forAll(f, i)
         {
@@ -357,20 +321,10 @@ bool Foam::mpm::bodyMesh::contains
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::bodyMesh::bodyMesh
-(
-    const fileName& file,
-    const dictionary& dict,
-    const pointGrid& grid,
-    const wordList& groups,
-    const scalar scale
-)
-:
-    file_(file),
-    dict_(dict),
-    grid_(grid),
-    nDim_(grid.nDim()),
-    volume_(0)
+Foam::mpm::bodyMesh::bodyMesh(
+    const fileName& file, const dictionary& dict, const pointGrid& grid, const wordList& groups,
+    const scalar scale) :
+    file_(file), dict_(dict), grid_(grid), nDim_(grid.nDim()), volume_(0)
 {
     const word ext(file.ext());
     if (nDim_ < 2)
@@ -391,14 +345,12 @@ Foam::mpm::bodyMesh::bodyMesh
     {
         FatalIOErrorInFunction(dict_)
             << "Entry file: a mesh is a .msh of gmsh or a .vtk, not " << file
-            << ". A closed surface (.stl, .obj) is a region of type surface."
-            << exit(FatalIOError);
+            << ". A closed surface (.stl, .obj) is a region of type surface." << exit(FatalIOError);
     }
     if (elements_.empty())
     {
-        FatalIOErrorInFunction(dict_)
-            << "The mesh " << file_ << " has no elements in " << nDim_ << "D."
-            << exit(FatalIOError);
+        FatalIOErrorInFunction(dict_) << "The mesh " << file_ << " has no elements in " << nDim_
+                                      << "D." << exit(FatalIOError);
     }
 
     bool computed[3] = {false, false, false};
@@ -410,7 +362,7 @@ Foam::mpm::bodyMesh::bodyMesh
     {
         for (int c = 0; c < 3; ++c)
         {
-            x[c] = computed[c] ? scale*x[c] : 0;
+            x[c] = computed[c] ? scale * x[c] : 0;
         }
     }
     for (const labelList& e : elements_)
@@ -421,13 +373,7 @@ Foam::mpm::bodyMesh::bodyMesh
     forAll(elements_, e)
     {
         const cornerRegions r(regions(e));
-        volume_ +=
-            r.whole()
-           *(
-                grid.radial() < 0
-              ? 1
-              : r.centre()[grid.direction(grid.radial())]
-            );
+        volume_ += r.whole() * (grid.radial() < 0 ? 1 : r.centre()[grid.direction(grid.radial())]);
     }
     findOutside();
     makeBoxes();
@@ -445,43 +391,27 @@ Foam::label Foam::mpm::bodyMesh::mostParts(const label pointsPerCell) const
     return most;
 }
 
-
 Foam::mpm::cornerRegions Foam::mpm::bodyMesh::regions(const label e) const
 {
-    return
-        nDim_ == 2
-      ? cornerRegions(face(elements_[e]), points_)
-      : cornerRegions(elements_[e], faces(elements_[e]), points_);
+    return nDim_ == 2 ? cornerRegions(face(elements_[e]), points_)
+                      : cornerRegions(elements_[e], faces(elements_[e]), points_);
 }
 
-
-Foam::autoPtr<Foam::mpm::cellParts> Foam::mpm::bodyMesh::parts
-(
-    const label e,
-    const label pointsPerCell
-) const
+Foam::autoPtr<Foam::mpm::cellParts>
+Foam::mpm::bodyMesh::parts(const label e, const label pointsPerCell) const
 {
     const labelList& corners = elements_[e];
     if (pointsPerCell < 3)
     {
         return autoPtr<cellParts>(new cornerRegions(regions(e)));
     }
-    return autoPtr<cellParts>
-    (
-        nDim_ == 2
-      ? new simplexParts(face(corners), points_, pointsPerCell)
-      : new simplexParts(corners, faces(corners), points_, pointsPerCell)
-    );
+    return autoPtr<cellParts>(
+        nDim_ == 2 ? new simplexParts(face(corners), points_, pointsPerCell)
+                   : new simplexParts(corners, faces(corners), points_, pointsPerCell));
 }
 
-
-Foam::scalar Foam::mpm::bodyMesh::fit
-(
-    const label e,
-    const label corner,
-    const point& x,
-    const vector& l
-) const
+Foam::scalar
+Foam::mpm::bodyMesh::fit(const label e, const label corner, const point& x, const vector& l) const
 {
     scalar factor = GREAT;
     for (const face& f : outside_[e])
@@ -490,12 +420,11 @@ Foam::scalar Foam::mpm::bodyMesh::fit
         {
             const vector n(normalised(normal(f)));
             const scalar s = n & (points_[f[0]] - x);
-            factor = min(factor, max(s, scalar(0))/mag(cmptMultiply(l, n)));
+            factor = min(factor, max(s, scalar(0)) / mag(cmptMultiply(l, n)));
         }
     }
     return factor < GREAT ? factor : 1;
 }
-
 
 bool Foam::mpm::bodyMesh::contains(const point& x) const
 {
@@ -509,7 +438,7 @@ bool Foam::mpm::bodyMesh::contains(const point& x) const
         {
             return false;
         }
-        box += stride*row(d, at[c]);
+        box += stride * row(d, at[c]);
         stride *= n_[d];
     }
     for (const label e : inBox_[box])
@@ -521,5 +450,3 @@ bool Foam::mpm::bodyMesh::contains(const point& x) const
     }
     return false;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "cornerRegions.H"
 #include "polyMesh.H"
@@ -14,16 +8,12 @@ License
 namespace
 {
 
-Foam::point meanOf
-(
-    const Foam::labelUList& corners,
-    const Foam::UList<Foam::point>& points
-)
+Foam::point meanOf(const Foam::labelUList& corners, const Foam::UList<Foam::point>& points)
 {
     Foam::point mean(Foam::Zero);
     for (const Foam::label i : corners)
     {
-        mean += points[i]/corners.size();
+        mean += points[i] / corners.size();
     }
     return mean;
 }
@@ -32,20 +22,13 @@ Foam::point meanOf
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::mpm::cornerRegions::cornerRegions(const labelUList& corners)
-:
-    cellParts(corners.size()),
-    corners_(corners)
-{}
+Foam::mpm::cornerRegions::cornerRegions(const labelUList& corners) :
+    cellParts(corners.size()), corners_(corners)
+{
+}
 
-
-void Foam::mpm::cornerRegions::addFace
-(
-    const face& f,
-    const UList<point>& points,
-    const point& F,
-    const point& O
-)
+void Foam::mpm::cornerRegions::addFace(
+    const face& f, const UList<point>& points, const point& F, const point& O)
 {
     forAll(f, i)
     {
@@ -54,26 +37,15 @@ void Foam::mpm::cornerRegions::addFace
         for (const label pointi : {e.first(), e.second()})
         {
             const point& x = points[pointi];
-            add
-            (
-                corners_.find(pointi),
-                mag((F - O) & ((E - O) ^ (x - O)))/6,
-                0.25*(O + F + E + x),
-                4,
-                {O, F, E, x}
-            );
+            add(corners_.find(pointi), mag((F - O) & ((E - O) ^ (x - O))) / 6,
+                0.25 * (O + F + E + x), 4, {O, F, E, x});
         }
     }
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::cornerRegions::cornerRegions
-(
-    const polyMesh& mesh,
-    const label celli
-)
-:
+Foam::mpm::cornerRegions::cornerRegions(const polyMesh& mesh, const label celli) :
     cornerRegions(mesh.cellPoints()[celli])
 {
     const point O(meanOf(corners_, mesh.points()));
@@ -84,14 +56,8 @@ Foam::mpm::cornerRegions::cornerRegions
     }
 }
 
-
-Foam::mpm::cornerRegions::cornerRegions
-(
-    const labelUList& corners,
-    const faceList& faces,
-    const UList<point>& points
-)
-:
+Foam::mpm::cornerRegions::cornerRegions(
+    const labelUList& corners, const faceList& faces, const UList<point>& points) :
     cornerRegions(corners)
 {
     const point O(meanOf(corners, points));
@@ -101,13 +67,7 @@ Foam::mpm::cornerRegions::cornerRegions
     }
 }
 
-
-Foam::mpm::cornerRegions::cornerRegions
-(
-    const face& f,
-    const pointField& points
-)
-:
+Foam::mpm::cornerRegions::cornerRegions(const face& f, const pointField& points) :
     cornerRegions(static_cast<const labelUList&>(f))
 {
     const point O(f.average(points, points));
@@ -118,16 +78,8 @@ Foam::mpm::cornerRegions::cornerRegions
         for (const label pointi : {e.first(), e.second()})
         {
             const point& x = points[pointi];
-            add
-            (
-                corners_.find(pointi),
-                0.5*mag((E - O) ^ (x - O)),
-                (O + E + x)/3,
-                3,
-                {O, E, x, x}
-            );
+            add(corners_.find(pointi), 0.5 * mag((E - O) ^ (x - O)), (O + E + x) / 3, 3,
+                {O, E, x, x});
         }
     }
 }
-
-// ************************************************************************* //

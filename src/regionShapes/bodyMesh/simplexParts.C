@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "simplexParts.H"
 #include "pointGrid.H"
@@ -17,17 +11,9 @@ namespace
 using namespace Foam;
 
 //- Parts along each edge of the simplices of a cell that is one or not
-label alongEdges(const bool isSimplex, const label n)
-{
-    return isSimplex ? n - 1 : n/2;
-}
+label alongEdges(const bool isSimplex, const label n) { return isSimplex ? n - 1 : n / 2; }
 
-
-label nParts(const int nDim, const label k)
-{
-    return nDim == 3 ? k*k*k : k*k;
-}
-
+label nParts(const int nDim, const label k) { return nDim == 3 ? k * k * k : k * k; }
 
 label nTriangles(const faceList& faces)
 {
@@ -39,41 +25,24 @@ label nTriangles(const faceList& faces)
     return n;
 }
 
-
 scalar volumeOf(const FixedList<point, 4>& y)
 {
-    return mag((y[1] - y[0]) & ((y[2] - y[0]) ^ (y[3] - y[0])))/6;
+    return mag((y[1] - y[0]) & ((y[2] - y[0]) ^ (y[3] - y[0]))) / 6;
 }
 
-
-scalar areaOf(const FixedList<point, 4>& y)
-{
-    return 0.5*mag((y[1] - y[0]) ^ (y[2] - y[0]));
-}
+scalar areaOf(const FixedList<point, 4>& y) { return 0.5 * mag((y[1] - y[0]) ^ (y[2] - y[0])); }
 
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::mpm::simplexParts::simplexParts
-(
-    const int nDim,
-    const label k,
-    const label nSimplices
-)
-:
-    cellParts(nSimplices*nParts(nDim, k)),
-    k_(k),
-    n_(0)
-{}
+Foam::mpm::simplexParts::simplexParts(const int nDim, const label k, const label nSimplices) :
+    cellParts(nSimplices * nParts(nDim, k)), k_(k), n_(0)
+{
+}
 
-
-void Foam::mpm::simplexParts::divide
-(
-    const int nDim,
-    const FixedList<point, 4>& y,
-    const scalar volume
-)
+void Foam::mpm::simplexParts::divide(
+    const int nDim, const FixedList<point, 4>& y, const scalar volume)
 {
     const label all = nParts(nDim, k_);
     for (label cube = 0; cube < all; ++cube)
@@ -82,7 +51,7 @@ void Foam::mpm::simplexParts::divide
         do
         {
             // Along one edge of the cube after the other
-            label z[3] = {cube % k_, cube/k_ % k_, nDim == 3 ? cube/(k_*k_) : 0};
+            label z[3] = {cube % k_, cube / k_ % k_, nDim == 3 ? cube / (k_ * k_) : 0};
             bool inside = true;
             FixedList<point, 4> x;
             point mean(Zero);
@@ -91,10 +60,10 @@ void Foam::mpm::simplexParts::divide
                 x[v] = y[0];
                 for (int i = 0; i < nDim; ++i)
                 {
-                    x[v] += (scalar(z[i])/k_)*(y[i + 1] - y[i]);
+                    x[v] += (scalar(z[i]) / k_) * (y[i + 1] - y[i]);
                     inside = inside && (i == 0 || z[i - 1] >= z[i]);
                 }
-                mean += x[v]/(nDim + 1);
+                mean += x[v] / (nDim + 1);
                 if (v < nDim)
                 {
                     ++z[order[v]];
@@ -103,7 +72,7 @@ void Foam::mpm::simplexParts::divide
             if (inside)
             {
                 x[3] = x[nDim];
-                add(n_++, volume/all, mean, nDim + 1, x);
+                add(n_++, volume / all, mean, nDim + 1, x);
             }
         } while (std::next_permutation(order, order + nDim));
     }
@@ -111,34 +80,18 @@ void Foam::mpm::simplexParts::divide
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::mpm::simplexParts::number
-(
-    const pointGrid& grid,
-    const label celli,
-    const label n
-)
+Foam::label Foam::mpm::simplexParts::number(const pointGrid& grid, const label celli, const label n)
 {
     const cellSimplices& cells = grid.simplices();
-    return
-        cells.nSimplices(celli)
-       *nParts(grid.nDim(), alongEdges(cells.isSimplex(celli), n));
+    return cells.nSimplices(celli) * nParts(grid.nDim(), alongEdges(cells.isSimplex(celli), n));
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::simplexParts::simplexParts
-(
-    const pointGrid& grid,
-    const label celli,
-    const label n
-)
-:
-    simplexParts
-    (
-        grid.nDim(),
-        alongEdges(grid.simplices().isSimplex(celli), n),
-        grid.simplices().nSimplices(celli)
-    )
+Foam::mpm::simplexParts::simplexParts(const pointGrid& grid, const label celli, const label n) :
+    simplexParts(
+        grid.nDim(), alongEdges(grid.simplices().isSimplex(celli), n),
+        grid.simplices().nSimplices(celli))
 {
     const cellSimplices& cells = grid.simplices();
     const int nDim = grid.nDim();
@@ -156,28 +109,17 @@ Foam::mpm::simplexParts::simplexParts
         FixedList<point, 4> y(place(cells.origin(celli)));
         for (int i = 0; i < nDim; ++i)
         {
-            const label corner = cells.corners(celli)[nDim*s + i];
+            const label corner = cells.corners(celli)[nDim * s + i];
             y[i + 1] = place(cells.position(celli, corner));
         }
         divide(nDim, y, cells.volumes(celli)[s]);
     }
 }
 
-
-Foam::mpm::simplexParts::simplexParts
-(
-    const labelUList& corners,
-    const faceList& faces,
-    const UList<point>& points,
-    const label n
-)
-:
-    simplexParts
-    (
-        3,
-        alongEdges(corners.size() == 4, n),
-        corners.size() == 4 ? label(1) : nTriangles(faces)
-    )
+Foam::mpm::simplexParts::simplexParts(
+    const labelUList& corners, const faceList& faces, const UList<point>& points, const label n) :
+    simplexParts(
+        3, alongEdges(corners.size() == 4, n), corners.size() == 4 ? label(1) : nTriangles(faces))
 {
     if (corners.size() == 4)
     {
@@ -194,7 +136,7 @@ Foam::mpm::simplexParts::simplexParts
         point mean(Zero);
         for (const label i : some)
         {
-            mean += points[i]/some.size();
+            mean += points[i] / some.size();
         }
         return mean;
     };
@@ -205,44 +147,23 @@ Foam::mpm::simplexParts::simplexParts
         for (label i = 0; i < (f.size() == 3 ? 1 : f.size()); ++i)
         {
             const edge e(f.faceEdge(i));
-            const FixedList<point, 4> y
-            ({
-                O,
-                f.size() == 3 ? points[f[2]] : F,
-                points[e.first()],
-                points[e.second()]
-            });
+            const FixedList<point, 4> y(
+                {O, f.size() == 3 ? points[f[2]] : F, points[e.first()], points[e.second()]});
             divide(3, y, volumeOf(y));
         }
     }
 }
 
-
-Foam::mpm::simplexParts::simplexParts
-(
-    const face& f,
-    const pointField& points,
-    const label n
-)
-:
-    simplexParts
-    (
-        2,
-        alongEdges(f.size() == 3, n),
-        f.size() == 3 ? label(1) : f.size()
-    )
+Foam::mpm::simplexParts::simplexParts(const face& f, const pointField& points, const label n) :
+    simplexParts(2, alongEdges(f.size() == 3, n), f.size() == 3 ? label(1) : f.size())
 {
     const point O(f.average(points, points));
     for (label i = 0; i < (f.size() == 3 ? 1 : f.size()); ++i)
     {
         const edge e(f.faceEdge(i));
         const point& last = points[e.second()];
-        const FixedList<point, 4> y
-        ({
-            f.size() == 3 ? points[f[2]] : O, points[e.first()], last, last
-        });
+        const FixedList<point, 4> y(
+            {f.size() == 3 ? points[f[2]] : O, points[e.first()], last, last});
         divide(2, y, areaOf(y));
     }
 }
-
-// ************************************************************************* //

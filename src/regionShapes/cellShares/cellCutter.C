@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "cellCutter.H"
 #include <Eigen/Eigenvalues>
@@ -38,7 +32,7 @@ void Foam::mpm::cellCutter::addSurface(const label i)
     };
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(A);
     const Eigen::Vector3d& k = solver.eigenvalues();
-    const scalar largest = k.cwiseAbs().maxCoeff(), tol = 1e-12*largest;
+    const scalar largest = k.cwiseAbs().maxCoeff(), tol = 1e-12 * largest;
     const auto axisOf = [&](const int j)
     {
         const auto v = solver.eigenvectors().col(j);
@@ -66,7 +60,7 @@ void Foam::mpm::cellCutter::addSurface(const label i)
     {
         if (mag(b) > 0)
         {
-            addPlane(b/mag(b), -q.constant()/mag(b));
+            addPlane(b / mag(b), -q.constant() / mag(b));
         }
         else
         {
@@ -77,15 +71,13 @@ void Foam::mpm::cellCutter::addSurface(const label i)
         return;
     }
     // |x - centre|^2 <= R^2 in the round directions
-    const vector along
-    (
-        nRound == 3 ? vector(Zero)
-      : nRound == 2 ? (b & free)*free
-      : b - (b & round)*round
-    );
-    const vector centre(-(b - along)/(2*K));
-    const scalar R2 = magSqr(centre) - q.constant()/K;
-    if (!alike || mag(along) > 1e-12*(mag(b) + largest))
+    const vector along(
+        nRound == 3       ? vector(Zero)
+            : nRound == 2 ? (b & free) * free
+                          : b - (b & round) * round);
+    const vector centre(-(b - along) / (2 * K));
+    const scalar R2 = magSqr(centre) - q.constant() / K;
+    if (!alike || mag(along) > 1e-12 * (mag(b) + largest))
     {
         atoms_.push_back(a);
     }
@@ -112,12 +104,7 @@ void Foam::mpm::cellCutter::addSurface(const label i)
     leaves_.push_back(l);
 }
 
-
-void Foam::mpm::cellCutter::addBody
-(
-    const pointRegionShape& shape,
-    columns& shared
-)
+void Foam::mpm::cellCutter::addBody(const pointRegionShape& shape, columns& shared)
 {
     leaf l{label(atoms_.size()), 0, false, 2};
     atom a{atom::shape, {Zero, 0}, Zero, Zero, 0, nullptr, &shape, -1};
@@ -136,7 +123,6 @@ void Foam::mpm::cellCutter::addBody
     leaves_.push_back(l);
 }
 
-
 bool Foam::mpm::cellCutter::isConvex(const label celli) const
 {
     const polyMesh& mesh = grid_.mesh();
@@ -147,7 +133,7 @@ bool Foam::mpm::cellCutter::isConvex(const label celli) const
     {
         size = max(size, mag(mesh.points()[i] - centre));
     }
-    const scalar tol = 1e-13*size + 1e-15*mag(centre);
+    const scalar tol = 1e-13 * size + 1e-15 * mag(centre);
     for (const label f : mesh.cells()[celli])
     {
         const vector& S = mesh.faceAreas()[f];
@@ -155,7 +141,7 @@ bool Foam::mpm::cellCutter::isConvex(const label celli) const
         {
             continue;
         }
-        const vector n((mesh.faceOwner()[f] == celli ? 1 : -1)*S/mag(S));
+        const vector n((mesh.faceOwner()[f] == celli ? 1 : -1) * S / mag(S));
         const scalar c = n & mesh.points()[mesh.faces()[f][0]];
         for (const label i : corners)
         {
@@ -177,15 +163,9 @@ bool Foam::mpm::cellCutter::isConvex(const label celli) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::cellCutter::cellCutter
-(
-    const pointGrid& grid,
-    const shapeFormula& formula,
-    columns& shared
-)
-:
-    grid_(grid),
-    formula_(formula)
+Foam::mpm::cellCutter::cellCutter(
+    const pointGrid& grid, const shapeFormula& formula, columns& shared) :
+    grid_(grid), formula_(formula)
 {
     for (label i = 0; i < formula.nSurfaces(); ++i)
     {
@@ -271,13 +251,9 @@ Foam::scalar Foam::mpm::cellCutter::share(const label celli) const
             }
         }
     }
-    const scalar share = in/V;
-    return
-        share < rounding ? scalar(0)
-      : share > 1 - rounding ? scalar(1)
-      : share;
+    const scalar share = in / V;
+    return share < rounding ? scalar(0) : share > 1 - rounding ? scalar(1) : share;
 }
-
 
 Foam::scalar Foam::mpm::cellCutter::volumeInBounds() const
 {
@@ -297,12 +273,10 @@ Foam::scalar Foam::mpm::cellCutter::volumeInBounds() const
         {
             vector n(Zero);
             n[3 - r - a] = side;
-            n[r] = -0.5*grid_.sector();
-            p.split({n/mag(n), 0}, in, out);
+            n[r] = -0.5 * grid_.sector();
+            p.split({n / mag(n), 0}, in, out);
             std::swap(p, in);
         }
     }
     return cut(0, p, states(atoms_.size(), 2), 0);
 }
-
-// ************************************************************************* //

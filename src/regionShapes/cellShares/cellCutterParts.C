@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "cellCutter.H"
 #include <algorithm>
@@ -45,49 +39,37 @@ int Foam::mpm::cellCutter::evaluate(const label celli, const states& s) const
     return formula_.evaluate(celli, inside);
 }
 
-
-bool Foam::mpm::cellCutter::contains
-(
-    const label celli,
-    const atom& a,
-    point x
-) const
+bool Foam::mpm::cellCutter::contains(const label celli, const atom& a, point x) const
 {
     switch (a.kind)
     {
-        case atom::plane:
-            return a.h.distance(x) <= 0;
-        case atom::ball:
-            return magSqr(x - a.centre) <= sqr(a.R);
-        case atom::tube:
-            return magSqr((x - a.centre) ^ a.axis) <= sqr(a.R);
-        case atom::formula:
+    case atom::plane:
+        return a.h.distance(x) <= 0;
+    case atom::ball:
+        return magSqr(x - a.centre) <= sqr(a.R);
+    case atom::tube:
+        return magSqr((x - a.centre) ^ a.axis) <= sqr(a.R);
+    case atom::formula:
+    {
+        scalar y[3] = {0, 0, 0};
+        for (int d = 0; d < grid_.nDim(); ++d)
         {
-            scalar y[3] = {0, 0, 0};
-            for (int d = 0; d < grid_.nDim(); ++d)
-            {
-                y[d] = x[grid_.direction(d)];
-            }
-            return formula_.surfaceAt(a.surface).value(y) <= 0;
+            y[d] = x[grid_.direction(d)];
         }
-        default:
-        {
-            // In the mid-plane
-            const point middle(grid_.mesh().bounds().midpoint());
-            const vector in(a.body->computed(x - middle));
-            return a.body->contains(celli, middle + in);
-        }
+        return formula_.surfaceAt(a.surface).value(y) <= 0;
+    }
+    default:
+    {
+        // In the mid-plane
+        const point middle(grid_.mesh().bounds().midpoint());
+        const vector in(a.body->computed(x - middle));
+        return a.body->contains(celli, middle + in);
+    }
     }
 }
 
-
-int Foam::mpm::cellCutter::stateOf
-(
-    const label celli,
-    const atom& a,
-    const polytope& p,
-    const bool last
-) const
+int Foam::mpm::cellCutter::stateOf(
+    const label celli, const atom& a, const polytope& p, const bool last) const
 {
     if (a.kind == atom::facets)
     {
@@ -98,7 +80,7 @@ int Foam::mpm::cellCutter::stateOf
     {
         point low, high;
         p.bounds(low, high);
-        const scalar tol = 1e-14*mag(high - low);
+        const scalar tol = 1e-14 * mag(high - low);
         for (const point& x : p.corners())
         {
             const scalar d = a.h.distance(x);
@@ -125,23 +107,19 @@ int Foam::mpm::cellCutter::stateOf
     // Far from it?
     point low, high;
     p.bounds(low, high);
-    const vector r(0.5*(low + high) - a.centre);
-    const scalar away =
-        a.kind == atom::ball
-      ? mag(max(low - a.centre, max(a.centre - high, point::zero)))
-      : mag(r ^ a.axis) - 0.5*mag(high - low);
+    const vector r(0.5 * (low + high) - a.centre);
+    const scalar away = a.kind == atom::ball
+        ? mag(max(low - a.centre, max(a.centre - high, point::zero)))
+        : mag(r ^ a.axis) - 0.5 * mag(high - low);
     return away >= a.R ? 0 : 2;
 }
 
-
 Foam::scalar Foam::mpm::cellCutter::inside(const atom& a, const polytope& p)
 {
-    return
-        a.kind == atom::ball ? p.inBall(a.centre, a.R)
-      : a.kind == atom::tube ? p.inTube(a.centre, a.axis, a.R)
-      : a.columns->inside(p);
+    return a.kind == atom::ball ? p.inBall(a.centre, a.R)
+        : a.kind == atom::tube  ? p.inTube(a.centre, a.axis, a.R)
+                                : a.columns->inside(p);
 }
-
 
 bool Foam::mpm::cellCutter::concentric(const atom& a, const atom& b)
 {
@@ -149,30 +127,18 @@ bool Foam::mpm::cellCutter::concentric(const atom& a, const atom& b)
     {
         return false;
     }
-    const scalar tol = 1e-12*(a.R + b.R);
+    const scalar tol = 1e-12 * (a.R + b.R);
     const vector r(b.centre - a.centre);
-    return
-        a.kind == atom::ball
-      ? mag(r) < tol
-      : mag(r ^ a.axis) < tol && mag(a.axis ^ b.axis) < 1e-12;
+    return a.kind == atom::ball ? mag(r) < tol
+                                : mag(r ^ a.axis) < tol && mag(a.axis ^ b.axis) < 1e-12;
 }
 
-
-Foam::scalar Foam::mpm::cellCutter::cutShells
-(
-    const label celli,
-    const polytope& p,
-    states s,
-    std::vector<label> some,
-    const scalar V
-) const
+Foam::scalar Foam::mpm::cellCutter::cutShells(
+    const label celli, const polytope& p, states s, std::vector<label> some, const scalar V) const
 {
-    std::sort
-    (
-        some.begin(),
-        some.end(),
-        [&](const label a, const label b) { return atoms_[a].R < atoms_[b].R; }
-    );
+    std::sort(
+        some.begin(), some.end(),
+        [&](const label a, const label b) { return atoms_[a].R < atoms_[b].R; });
     // From the innermost out
     for (const label i : some)
     {
@@ -182,21 +148,15 @@ Foam::scalar Foam::mpm::cellCutter::cutShells
     for (const label i : some)
     {
         const scalar in = min(max(inside(atoms_[i], p), before), V);
-        sum += evaluate(celli, s)*(in - before);
+        sum += evaluate(celli, s) * (in - before);
         s[i] = 0;
         before = in;
     }
-    return sum + evaluate(celli, s)*(V - before);
+    return sum + evaluate(celli, s) * (V - before);
 }
 
-
-Foam::scalar Foam::mpm::cellCutter::cutLast
-(
-    const label celli,
-    const polytope& p,
-    states s,
-    const std::vector<label>& some
-) const
+Foam::scalar Foam::mpm::cellCutter::cutLast(
+    const label celli, const polytope& p, states s, const std::vector<label>& some) const
 {
     const point middle(p.middle());
     for (const label i : some)
@@ -206,7 +166,7 @@ Foam::scalar Foam::mpm::cellCutter::cutLast
         if (a.kind == atom::ball || a.kind == atom::tube)
         {
             n = middle - a.centre;
-            n -= a.kind == atom::tube ? (n & a.axis)*a.axis : vector(Zero);
+            n -= a.kind == atom::tube ? (n & a.axis) * a.axis : vector(Zero);
         }
         if (mag(n) > 0)
         {
@@ -214,13 +174,9 @@ Foam::scalar Foam::mpm::cellCutter::cutLast
             polytope in, out;
             p.split({n, (n & a.centre) + a.R}, in, out);
             std::vector<label> rest;
-            std::copy_if
-            (
-                some.begin(),
-                some.end(),
-                std::back_inserter(rest),
-                [&](const label j) { return j != i; }
-            );
+            std::copy_if(
+                some.begin(), some.end(), std::back_inserter(rest),
+                [&](const label j) { return j != i; });
             scalar sum = 0;
             for (const bool inner : {true, false})
             {
@@ -235,14 +191,8 @@ Foam::scalar Foam::mpm::cellCutter::cutLast
     return evaluate(celli, s) == 1 ? p.volume() : scalar(0);
 }
 
-
-Foam::scalar Foam::mpm::cellCutter::cut
-(
-    const label celli,
-    const polytope& p,
-    states s,
-    const int depth
-) const
+Foam::scalar
+Foam::mpm::cellCutter::cut(const label celli, const polytope& p, states s, const int depth) const
 {
     const int nDim = grid_.nDim();
     std::vector<label> some;
@@ -251,7 +201,7 @@ Foam::scalar Foam::mpm::cellCutter::cut
     {
         if (s[i] == 2)
         {
-            s[i] = stateOf(celli, atoms_[i], p, depth >= fewest*nDim);
+            s[i] = stateOf(celli, atoms_[i], p, depth >= fewest * nDim);
         }
         if (s[i] == 2)
         {
@@ -262,7 +212,7 @@ Foam::scalar Foam::mpm::cellCutter::cut
     const int known = evaluate(celli, s);
     if (known < 2)
     {
-        return known*p.volume();
+        return known * p.volume();
     }
     polytope in, out;
     if (plane >= 0)
@@ -282,15 +232,14 @@ Foam::scalar Foam::mpm::cellCutter::cut
     bool together = tells(atoms_[some[0]]), other = false;
     for (const label i : some)
     {
-        together =
-            together && (i == some[0] || concentric(atoms_[i], atoms_[some[0]]));
+        together = together && (i == some[0] || concentric(atoms_[i], atoms_[some[0]]));
         other = other || !tells(atoms_[i]);
     }
     if (together)
     {
         return cutShells(celli, p, s, some, V);
     }
-    if (depth >= nDim*(other ? mostOther : mostCurved))
+    if (depth >= nDim * (other ? mostOther : mostCurved))
     {
         return cutLast(celli, p, s, some);
     }
@@ -304,8 +253,6 @@ Foam::scalar Foam::mpm::cellCutter::cut
     }
     vector n(Zero);
     n[longest] = 1;
-    p.split({n, 0.5*(low[longest] + high[longest])}, in, out);
+    p.split({n, 0.5 * (low[longest] + high[longest])}, in, out);
     return cut(celli, in, s, depth + 1) + cut(celli, out, s, depth + 1);
 }
-
-// ************************************************************************* //

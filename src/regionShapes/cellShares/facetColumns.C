@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "facetColumns.H"
 #include <algorithm>
@@ -12,25 +6,15 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::mpm::halfSpace Foam::mpm::facetColumns::sideOf
-(
-    const int d,
-    const scalar x,
-    const bool below
-) const
+Foam::mpm::halfSpace
+Foam::mpm::facetColumns::sideOf(const int d, const scalar x, const bool below) const
 {
     vector n(Zero);
     n[dir_[d]] = below ? 1 : -1;
     return {n, below ? x : -x};
 }
 
-
-void Foam::mpm::facetColumns::setBounds
-(
-    column& c,
-    const point* x,
-    const int n
-) const
+void Foam::mpm::facetColumns::setBounds(column& c, const point* x, const int n) const
 {
     const int nDim = grid_.nDim();
     for (int d = 0; d < 3; ++d)
@@ -45,7 +29,6 @@ void Foam::mpm::facetColumns::setBounds
     }
 }
 
-
 void Foam::mpm::facetColumns::addFacet(const point (&x)[3])
 {
     vector n((x[1] - x[0]) ^ (x[2] - x[0]));
@@ -57,13 +40,12 @@ void Foam::mpm::facetColumns::addFacet(const point (&x)[3])
     column c;
     c.sign = n[dir_[0]] > 0 ? 1 : -1;
     c.n = 4;
-    c.sides[0] = {c.sign*n, c.sign*(n & x[0])};
+    c.sides[0] = {c.sign * n, c.sign * (n & x[0])};
     for (int i = 0; i < 3; ++i)
     {
         // Of both facets of an edge from the same end
         point a(x[i]), b(x[(i + 1) % 3]);
-        const bool turned =
-            std::lexicographical_compare(&b[0], &b[0] + 3, &a[0], &a[0] + 3);
+        const bool turned = std::lexicographical_compare(&b[0], &b[0] + 3, &a[0], &a[0] + 3);
         if (turned)
         {
             std::swap(a, b);
@@ -77,30 +59,21 @@ void Foam::mpm::facetColumns::addFacet(const point (&x)[3])
         }
         side /= mag(side);
         const scalar way = turned == (c.sign > 0) ? -1 : 1;
-        c.sides[i + 1] = {way*side, way*(side & a)};
+        c.sides[i + 1] = {way * side, way * (side & a)};
     }
     setBounds(c, x, 3);
     columns_.push_back(c);
 }
 
-
-void Foam::mpm::facetColumns::addEdge
-(
-    point a,
-    point b,
-    const vector& n,
-    const point& middle
-)
+void Foam::mpm::facetColumns::addEdge(point a, point b, const vector& n, const point& middle)
 {
     if (grid_.nDim() == 1)
     {
-        const bool above[2] =
-            {a[dir_[1]] >= middle[dir_[1]], b[dir_[1]] >= middle[dir_[1]]};
+        const bool above[2] = {a[dir_[1]] >= middle[dir_[1]], b[dir_[1]] >= middle[dir_[1]]};
         if (above[0] != above[1])
         {
-            const scalar t =
-                (middle[dir_[1]] - a[dir_[1]])/(b[dir_[1]] - a[dir_[1]]);
-            addPlace(a + t*(b - a), n[dir_[0]]);
+            const scalar t = (middle[dir_[1]] - a[dir_[1]]) / (b[dir_[1]] - a[dir_[1]]);
+            addPlace(a + t * (b - a), n[dir_[0]]);
         }
         return;
     }
@@ -128,7 +101,6 @@ void Foam::mpm::facetColumns::addEdge
     columns_.push_back(c);
 }
 
-
 void Foam::mpm::facetColumns::addPlace(const point& x, const scalar n)
 {
     column c;
@@ -139,27 +111,20 @@ void Foam::mpm::facetColumns::addPlace(const point& x, const scalar n)
     columns_.push_back(c);
 }
 
-
-void Foam::mpm::facetColumns::binsOf
-(
-    const scalar* min,
-    const scalar* max,
-    int (&first)[2],
-    int (&last)[2]
-) const
+void Foam::mpm::facetColumns::binsOf(
+    const scalar* min, const scalar* max, int (&first)[2], int (&last)[2]) const
 {
     for (int d = 0; d < 2; ++d)
     {
         const auto at = [&](const scalar x)
         {
-            const scalar i = (x - low_[d])/width_[d];
+            const scalar i = (x - low_[d]) / width_[d];
             return int(Foam::min(Foam::max(i, scalar(0)), scalar(nBins_[d] - 1)));
         };
         first[d] = at(min[d + 1]);
         last[d] = at(max[d + 1]);
     }
 }
-
 
 void Foam::mpm::facetColumns::sort()
 {
@@ -180,10 +145,10 @@ void Foam::mpm::facetColumns::sort()
                 high = max(high, c.max[d + 1]);
             }
             nBins_[d] = most;
-            width_[d] = max(high - low_[d], VSMALL)/most;
+            width_[d] = max(high - low_[d], VSMALL) / most;
         }
     }
-    bins_.resize(nBins_[0]*nBins_[1]);
+    bins_.resize(nBins_[0] * nBins_[1]);
     for (std::size_t i = 0; i < columns_.size(); ++i)
     {
         int first[2], last[2];
@@ -192,7 +157,7 @@ void Foam::mpm::facetColumns::sort()
         {
             for (int k = first[1]; k <= last[1]; ++k)
             {
-                bins_[j + nBins_[0]*k].push_back(i);
+                bins_[j + nBins_[0] * k].push_back(i);
             }
         }
     }
@@ -200,12 +165,7 @@ void Foam::mpm::facetColumns::sort()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::facetColumns::facetColumns
-(
-    const pointGrid& grid,
-    const triSurface& surface
-)
-:
+Foam::mpm::facetColumns::facetColumns(const pointGrid& grid, const triSurface& surface) :
     grid_(grid)
 {
     const int nDim = grid.nDim();
@@ -227,8 +187,7 @@ Foam::mpm::facetColumns::facetColumns
     const point middle(grid.mesh().bounds().midpoint());
     for (const labelledTri& t : surface)
     {
-        const point x[3] =
-            {surface.points()[t[0]], surface.points()[t[1]], surface.points()[t[2]]};
+        const point x[3] = {surface.points()[t[0]], surface.points()[t[1]], surface.points()[t[2]]};
         if (nDim == 3)
         {
             addFacet(x);
@@ -248,7 +207,7 @@ Foam::mpm::facetColumns::facetColumns
                 {
                     std::swap(a, b);
                 }
-                ends[nEnds++] = a + ((middle[e] - a[e])/(b[e] - a[e]))*(b - a);
+                ends[nEnds++] = a + ((middle[e] - a[e]) / (b[e] - a[e])) * (b - a);
             }
         }
         if (nEnds == 2)
@@ -277,15 +236,12 @@ bool Foam::mpm::facetColumns::cuts(const polytope& p) const
     {
         for (int k = first[1]; k <= last[1]; ++k)
         {
-            for (const label i : bins_[j + nBins_[0]*k])
+            for (const label i : bins_[j + nBins_[0] * k])
             {
                 bool apart = false;
                 for (int d = 0; d < 3; ++d)
                 {
-                    apart =
-                        apart
-                     || columns_[i].min[d] > max[d]
-                     || columns_[i].max[d] < min[d];
+                    apart = apart || columns_[i].min[d] > max[d] || columns_[i].max[d] < min[d];
                 }
                 if (!apart)
                 {
@@ -296,7 +252,6 @@ bool Foam::mpm::facetColumns::cuts(const polytope& p) const
     }
     return false;
 }
-
 
 Foam::scalar Foam::mpm::facetColumns::inside(const polytope& p) const
 {
@@ -315,7 +270,7 @@ Foam::scalar Foam::mpm::facetColumns::inside(const polytope& p) const
     {
         for (int k = first[1]; k <= last[1]; ++k)
         {
-            const auto& bin = bins_[j + nBins_[0]*k];
+            const auto& bin = bins_[j + nBins_[0] * k];
             found.insert(found.end(), bin.begin(), bin.end());
         }
     }
@@ -326,12 +281,8 @@ Foam::scalar Foam::mpm::facetColumns::inside(const polytope& p) const
     for (const label i : found)
     {
         const column& c = columns_[i];
-        if
-        (
-            c.max[0] <= min[0]
-         || c.min[1] >= max[1] || c.max[1] <= min[1]
-         || c.min[2] >= max[2] || c.max[2] <= min[2]
-        )
+        if (c.max[0] <= min[0] || c.min[1] >= max[1] || c.max[1] <= min[1] || c.min[2] >= max[2]
+            || c.max[2] <= min[2])
         {
             continue;
         }
@@ -341,9 +292,7 @@ Foam::scalar Foam::mpm::facetColumns::inside(const polytope& p) const
             part.split(c.sides[s], in, out);
             std::swap(part, in);
         }
-        V += c.sign*part.volume();
+        V += c.sign * part.volume();
     }
     return V;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "polytope.H"
 #include <algorithm>
@@ -28,12 +22,9 @@ void Foam::mpm::polytope::addCut(std::vector<point>& corners, const vector& n)
     point middle(Zero);
     for (const point& x : corners)
     {
-        middle += x/corners.size();
+        middle += x / corners.size();
     }
-    const vector across
-    (
-        mag(n.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0)
-    );
+    const vector across(mag(n.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0));
     vector e(n ^ across);
     e /= mag(e);
     const vector f(n ^ e);
@@ -44,12 +35,8 @@ void Foam::mpm::polytope::addCut(std::vector<point>& corners, const vector& n)
         const vector r(x - middle);
         order.emplace_back(std::atan2(r & f, r & e), x);
     }
-    std::sort
-    (
-        order.begin(),
-        order.end(),
-        [](const auto& a, const auto& b) { return a.first < b.first; }
-    );
+    std::sort(
+        order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     corners.clear();
     for (const auto& o : order)
     {
@@ -61,39 +48,28 @@ void Foam::mpm::polytope::addCut(std::vector<point>& corners, const vector& n)
     addFace(corners);
 }
 
-
 Foam::vector Foam::mpm::polytope::area(const label f) const
 {
     const point& x0 = x_[start_[f]];
     vector S(Zero);
     for (label i = start_[f] + 1; i + 1 < start_[f + 1]; ++i)
     {
-        S += 0.5*((x_[i] - x0) ^ (x_[i + 1] - x0));
+        S += 0.5 * ((x_[i] - x0) ^ (x_[i + 1] - x0));
     }
     return S;
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::polytope::polytope(const point& min, const point& max)
-:
-    polytope()
+Foam::mpm::polytope::polytope(const point& min, const point& max) : polytope()
 {
     // Corner i: bit d set where coordinate d is the larger
-    const auto at = [&](const int i)
-    {
-        return point
-        (
-            i & 1 ? max.x() : min.x(),
-            i & 2 ? max.y() : min.y(),
-            i & 4 ? max.z() : min.z()
-        );
+    const auto at = [&](const int i) {
+        return point(
+            i & 1 ? max.x() : min.x(), i & 2 ? max.y() : min.y(), i & 4 ? max.z() : min.z());
     };
-    const int sides[6][4] =
-    {
-        {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}
-    };
+    const int sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                             {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     for (const auto& s : sides)
     {
         addFace({at(s[0]), at(s[1]), at(s[2]), at(s[3])});
@@ -111,7 +87,6 @@ void Foam::mpm::polytope::addFace(const std::vector<point>& corners)
     }
 }
 
-
 void Foam::mpm::polytope::bounds(point& min, point& max) const
 {
     min = max = x_[0];
@@ -122,7 +97,6 @@ void Foam::mpm::polytope::bounds(point& min, point& max) const
     }
 }
 
-
 Foam::point Foam::mpm::polytope::middle() const
 {
     point sum(Zero);
@@ -130,9 +104,8 @@ Foam::point Foam::mpm::polytope::middle() const
     {
         sum += x;
     }
-    return sum/scalar(x_.size());
+    return sum / scalar(x_.size());
 }
-
 
 Foam::scalar Foam::mpm::polytope::volume() const
 {
@@ -150,16 +123,10 @@ Foam::scalar Foam::mpm::polytope::volume() const
             V += (x0 - middle) & ((x_[i] - x0) ^ (x_[i + 1] - x0));
         }
     }
-    return V/6;
+    return V / 6;
 }
 
-
-void Foam::mpm::polytope::split
-(
-    const halfSpace& h,
-    polytope& in,
-    polytope& out
-) const
+void Foam::mpm::polytope::split(const halfSpace& h, polytope& in, polytope& out) const
 {
     in = out = polytope();
     if (empty())
@@ -169,7 +136,7 @@ void Foam::mpm::polytope::split
     std::vector<scalar> d(x_.size());
     point low, high;
     bounds(low, high);
-    const scalar least = flat*mag(high - low);
+    const scalar least = flat * mag(high - low);
     bool below = false, above = false;
     for (std::size_t i = 0; i < x_.size(); ++i)
     {
@@ -203,14 +170,11 @@ void Foam::mpm::polytope::split
             {
                 cut.push_back(x_[i]);
             }
-            if (d[i]*d[j] < 0)
+            if (d[i] * d[j] < 0)
             {
                 // The same point from both faces of the edge
                 const label a = d[i] < 0 ? i : j, b = d[i] < 0 ? j : i;
-                const point x
-                (
-                    x_[a] + (d[a]/(d[a] - d[b]))*(x_[b] - x_[a])
-                );
+                const point x(x_[a] + (d[a] / (d[a] - d[b])) * (x_[b] - x_[a]));
                 inFace.push_back(x);
                 outFace.push_back(x);
                 cut.push_back(x);
@@ -236,22 +200,15 @@ struct place
 {
     scalar x, y;
 
-    scalar dot(const place& b) const { return x*b.x + y*b.y; }
-    scalar cross(const place& b) const { return x*b.y - y*b.x; }
+    scalar dot(const place& b) const { return x * b.x + y * b.y; }
+    scalar cross(const place& b) const { return x * b.y - y * b.x; }
 };
-
 
 //- Parts of an edge p-q of a face as seen from the centre of a circle of the
 //  square r2 of its radius: inside(a, b) and outside(a, b)
 template<class Inside, class Outside>
-void alongEdge
-(
-    const place& p,
-    const place& q,
-    const scalar r2,
-    const Inside& inside,
-    const Outside& outside
-)
+void alongEdge(
+    const place& p, const place& q, const scalar r2, const Inside& inside, const Outside& outside)
 {
     const place d{q.x - p.x, q.y - p.y};
     const scalar length2 = d.dot(d);
@@ -260,23 +217,20 @@ void alongEdge
         return;
     }
     // Distance of the line from the centre, without cancellation
-    const scalar s = p.cross(d), D = r2*length2 - s*s;
+    const scalar s = p.cross(d), D = r2 * length2 - s * s;
     if (r2 <= 0 || D <= 0)
     {
         outside(p, q);
         return;
     }
-    const scalar middle = -p.dot(d)/length2, half = std::sqrt(D)/length2;
+    const scalar middle = -p.dot(d) / length2, half = std::sqrt(D) / length2;
     const scalar t1 = middle - half, t2 = middle + half;
     if (t1 >= 1 || t2 <= 0)
     {
         outside(p, q);
         return;
     }
-    const auto at = [&](const scalar t)
-    {
-        return place{p.x + t*d.x, p.y + t*d.y};
-    };
+    const auto at = [&](const scalar t) { return place{p.x + t * d.x, p.y + t * d.y}; };
     const place a(t1 > 0 ? at(t1) : p), b(t2 < 1 ? at(t2) : q);
     if (t1 > 0)
     {
@@ -289,16 +243,11 @@ void alongEdge
     }
 }
 
-
 //- Axes of a plane with this normal
 void axes(const Foam::vector& n, Foam::vector& e, Foam::vector& f)
 {
-    const Foam::vector across
-    (
-        Foam::mag(n.x()) < 0.6
-      ? Foam::vector(1, 0, 0)
-      : Foam::vector(0, 1, 0)
-    );
+    const Foam::vector across(
+        Foam::mag(n.x()) < 0.6 ? Foam::vector(1, 0, 0) : Foam::vector(0, 1, 0));
     e = n ^ across;
     e /= Foam::mag(e);
     f = n ^ e;
@@ -308,40 +257,31 @@ void axes(const Foam::vector& n, Foam::vector& e, Foam::vector& f)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::polytope::faceInBall
-(
-    const point* x,
-    const label n,
-    const vector& normal,
-    const point& centre,
-    const scalar R
-)
+Foam::scalar Foam::mpm::polytope::faceInBall(
+    const point* x, const label n, const vector& normal, const point& centre, const scalar R)
 {
     const scalar h = normal & (x[0] - centre);
     if (h == 0)
     {
         return 0;
     }
-    const scalar d = mag(h), r2 = (R - d)*(R + d);
+    const scalar d = mag(h), r2 = (R - d) * (R + d);
     vector e, f;
     axes(normal, e, f);
 
     scalar area = 0, angle = 0;
-    const auto inside = [&](const place& a, const place& b)
-    {
-        area += 0.5*a.cross(b);
-    };
+    const auto inside = [&](const place& a, const place& b) { area += 0.5 * a.cross(b); };
     const auto outside = [&](const place& a, const place& b)
     {
-        const scalar A = std::sqrt(a.dot(a) + h*h);
-        const scalar B = std::sqrt(b.dot(b) + h*h);
+        const scalar A = std::sqrt(a.dot(a) + h * h);
+        const scalar B = std::sqrt(b.dot(b) + h * h);
         const scalar dot = a.dot(b), cross = a.cross(b);
-        angle += 2*std::atan2(cross, A*B + d*(A + B) + dot + h*h);
+        angle += 2 * std::atan2(cross, A * B + d * (A + B) + dot + h * h);
         if (r2 > 0)
         {
             const scalar phi = std::atan2(cross, dot);
-            area += 0.5*r2*phi;
-            angle -= phi*(1 - d/R);
+            area += 0.5 * r2 * phi;
+            angle -= phi * (1 - d / R);
         }
     };
     place p{(x[n - 1] - centre) & e, (x[n - 1] - centre) & f};
@@ -351,19 +291,12 @@ Foam::scalar Foam::mpm::polytope::faceInBall
         alongEdge(p, q, r2, inside, outside);
         p = q;
     }
-    return (h*area + (h > 0 ? 1 : -1)*pow3(R)*angle)/3;
+    return (h * area + (h > 0 ? 1 : -1) * pow3(R) * angle) / 3;
 }
 
-
-Foam::scalar Foam::mpm::polytope::faceInTube
-(
-    const point* x,
-    const label n,
-    const vector& normal,
-    const point& centre,
-    const vector& axis,
-    const scalar R
-)
+Foam::scalar Foam::mpm::polytope::faceInTube(
+    const point* x, const label n, const vector& normal, const point& centre, const vector& axis,
+    const scalar R)
 {
     // Steeper faces have a shadow of rounding
     constexpr scalar steep = 1e-10;
@@ -380,19 +313,19 @@ Foam::scalar Foam::mpm::polytope::faceInTube
     scalar I = 0, X = 0, Y = 0;
     const auto inside = [&](const place& a, const place& b)
     {
-        const scalar A = 0.5*a.cross(b);
+        const scalar A = 0.5 * a.cross(b);
         I += A;
-        X += A*(a.x + b.x)/3;
-        Y += A*(a.y + b.y)/3;
+        X += A * (a.x + b.x) / 3;
+        Y += A * (a.y + b.y) / 3;
     };
     const auto outside = [&](const place& a, const place& b)
     {
         const scalar A = std::sqrt(a.dot(a)), B = std::sqrt(b.dot(b));
         if (A > 0 && B > 0)
         {
-            I += 0.5*sqr(R)*std::atan2(a.cross(b), a.dot(b));
-            X += pow3(R)/3*(b.y/B - a.y/A);
-            Y -= pow3(R)/3*(b.x/B - a.x/A);
+            I += 0.5 * sqr(R) * std::atan2(a.cross(b), a.dot(b));
+            X += pow3(R) / 3 * (b.y / B - a.y / A);
+            Y -= pow3(R) / 3 * (b.x / B - a.x / A);
         }
     };
     place p{(x[n - 1] - centre) & e, (x[n - 1] - centre) & f};
@@ -403,20 +336,15 @@ Foam::scalar Foam::mpm::polytope::faceInTube
         p = q;
     }
     // Height z = z0 + gx x + gy y of the plane
-    const scalar gx = -(normal & e)/along, gy = -(normal & f)/along;
+    const scalar gx = -(normal & e) / along, gy = -(normal & f) / along;
     const scalar z0 =
-        ((x[0] - centre) & axis)
-      - gx*((x[0] - centre) & e) - gy*((x[0] - centre) & f);
-    return z0*I + gx*X + gy*Y;
+        ((x[0] - centre) & axis) - gx * ((x[0] - centre) & e) - gy * ((x[0] - centre) & f);
+    return z0 * I + gx * X + gy * Y;
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::polytope::inBall
-(
-    const point& centre,
-    const scalar R
-) const
+Foam::scalar Foam::mpm::polytope::inBall(const point& centre, const scalar R) const
 {
     scalar V = 0;
     for (label f = 0; f + 1 < label(start_.size()); ++f)
@@ -424,43 +352,25 @@ Foam::scalar Foam::mpm::polytope::inBall
         const vector S(area(f));
         if (mag(S) > 0)
         {
-            V += faceInBall
-            (
-                &x_[start_[f]], start_[f + 1] - start_[f], S/mag(S), centre, R
-            );
+            V += faceInBall(&x_[start_[f]], start_[f + 1] - start_[f], S / mag(S), centre, R);
         }
     }
     return V;
 }
 
-
-Foam::scalar Foam::mpm::polytope::inTube
-(
-    const point& centre,
-    const vector& axis,
-    const scalar R
-) const
+Foam::scalar
+Foam::mpm::polytope::inTube(const point& centre, const vector& axis, const scalar R) const
 {
     // Heights from the body: those from afar would cancel
-    const point near(centre + ((middle() - centre) & axis)*axis);
+    const point near(centre + ((middle() - centre) & axis) * axis);
     scalar V = 0;
     for (label f = 0; f + 1 < label(start_.size()); ++f)
     {
         const vector S(area(f));
         if (mag(S) > 0)
         {
-            V += faceInTube
-            (
-                &x_[start_[f]],
-                start_[f + 1] - start_[f],
-                S/mag(S),
-                near,
-                axis,
-                R
-            );
+            V += faceInTube(&x_[start_[f]], start_[f + 1] - start_[f], S / mag(S), near, axis, R);
         }
     }
     return V;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "facetCutter.H"
 
@@ -18,13 +12,8 @@ using namespace Foam;
 typedef std::array<scalar, 3> corner;
 
 //- The part of a polygon with side*(x_d - at) <= 0
-std::vector<corner> clipped
-(
-    const std::vector<corner>& p,
-    const int d,
-    const scalar at,
-    const scalar side
-)
+std::vector<corner>
+clipped(const std::vector<corner>& p, const int d, const scalar at, const scalar side)
 {
     std::vector<corner> q;
     q.reserve(p.size() + 1);
@@ -32,7 +21,7 @@ std::vector<corner> clipped
     {
         const corner& a = p[i];
         const corner& b = p[(i + 1) % p.size()];
-        const scalar fa = side*(a[d] - at), fb = side*(b[d] - at);
+        const scalar fa = side * (a[d] - at), fb = side * (b[d] - at);
         if (fa <= 0)
         {
             q.push_back(a);
@@ -42,7 +31,7 @@ std::vector<corner> clipped
             corner c;
             for (int e = 0; e < 3; ++e)
             {
-                c[e] = a[e] + (b[e] - a[e])*(fa/(fa - fb));
+                c[e] = a[e] + (b[e] - a[e]) * (fa / (fa - fb));
             }
             c[d] = at;
             q.push_back(c);
@@ -51,7 +40,6 @@ std::vector<corner> clipped
     return q;
 }
 
-
 //- Call f(corner, weight) for positions whose weighted sum is the integral over
 //  the polygon's area seen along direction 0, exact to the fifth degree
 template<class Function>
@@ -59,14 +47,15 @@ void sumOver(const std::vector<corner>& p, const Function& f)
 {
     // Radon's rule of 7 points
     const scalar s = std::sqrt(15.0);
-    const scalar a = (6 - s)/21, b = (6 + s)/21;
-    const scalar wa = (155 - s)/1200, wb = (155 + s)/1200;
-    const scalar rule[7][3] =
-    {
-        {1.0/3, 1.0/3, 9.0/40},
-        {a, a, wa}, {1 - 2*a, a, wa}, {a, 1 - 2*a, wa},
-        {b, b, wb}, {1 - 2*b, b, wb}, {b, 1 - 2*b, wb}
-    };
+    const scalar a = (6 - s) / 21, b = (6 + s) / 21;
+    const scalar wa = (155 - s) / 1200, wb = (155 + s) / 1200;
+    const scalar rule[7][3] = {{1.0 / 3, 1.0 / 3, 9.0 / 40},
+                               {a, a, wa},
+                               {1 - 2 * a, a, wa},
+                               {a, 1 - 2 * a, wa},
+                               {b, b, wb},
+                               {1 - 2 * b, b, wb},
+                               {b, 1 - 2 * b, wb}};
     for (std::size_t i = 2; i < p.size(); ++i)
     {
         corner u, v;
@@ -75,30 +64,22 @@ void sumOver(const std::vector<corner>& p, const Function& f)
             u[e] = p[i - 1][e] - p[0][e];
             v[e] = p[i][e] - p[0][e];
         }
-        const scalar area = 0.5*(u[1]*v[2] - u[2]*v[1]);
+        const scalar area = 0.5 * (u[1] * v[2] - u[2] * v[1]);
         for (const auto& r : rule)
         {
             corner x;
             for (int e = 0; e < 3; ++e)
             {
-                x[e] = p[0][e] + r[0]*u[e] + r[1]*v[e];
+                x[e] = p[0][e] + r[0] * u[e] + r[1] * v[e];
             }
-            f(x, r[2]*area);
+            f(x, r[2] * area);
         }
     }
 }
 
-
 //- First interval of ascending planes that reaches beyond x, and the last that
 //  begins before y
-void span
-(
-    const scalarList& planes,
-    const scalar x,
-    const scalar y,
-    label& first,
-    label& last
-)
+void span(const scalarList& planes, const scalar x, const scalar y, label& first, label& last)
 {
     const auto begin = planes.begin(), end = planes.end();
     first = label(std::upper_bound(begin, end, x) - begin) - 1;
@@ -114,35 +95,22 @@ void span
 Foam::scalar Foam::mpm::facetCutter::growth(const int d, const label i) const
 {
     const scalar a = planes_[d][i], b = planes_[d][i + 1];
-    return d == grid_.radial() ? (b - a)/(b + a) : 0;
+    return d == grid_.radial() ? (b - a) / (b + a) : 0;
 }
 
-
-void Foam::mpm::facetCutter::addFull
-(
-    const scalar (&value)[5],
-    const label j,
-    cutMoments& m
-) const
+void Foam::mpm::facetCutter::addFull(const scalar (&value)[5], const label j, cutMoments& m) const
 {
     const scalar radial = grid_.radial() == 1 ? growth(1, j) : 0;
-    m.value[0] += 2*(value[0] + radial*value[1]);
-    m.value[1] += 2*value[0];
-    m.value[3] += 2*value[1];
-    m.value[4] += 2*value[2];
-    m.value[5] += 2.0/3*value[0];
-    m.value[6] += 2*value[3];
-    m.value[7] += 2*value[4];
+    m.value[0] += 2 * (value[0] + radial * value[1]);
+    m.value[1] += 2 * value[0];
+    m.value[3] += 2 * value[1];
+    m.value[4] += 2 * value[2];
+    m.value[5] += 2.0 / 3 * value[0];
+    m.value[6] += 2 * value[3];
+    m.value[7] += 2 * value[4];
 }
 
-
-void Foam::mpm::facetCutter::cutColumn
-(
-    polygon p,
-    const label j,
-    const label k,
-    const label facet
-)
+void Foam::mpm::facetCutter::cutColumn(polygon p, const label j, const label k, const label facet)
 {
     scalar low = GREAT, high = -GREAT;
     for (const corner& c : p)
@@ -161,18 +129,16 @@ void Foam::mpm::facetCutter::cutColumn
         step s;
         s.below = below;
         std::fill(s.value, s.value + 5, scalar(0));
-        sumOver
-        (
+        sumOver(
             above,
             [&](const corner& x, const scalar w)
             {
                 s.value[0] += w;
-                s.value[1] += w*x[1];
-                s.value[2] += w*x[2];
-                s.value[3] += w*x[1]*x[1];
-                s.value[4] += w*x[2]*x[2];
-            }
-        );
+                s.value[1] += w * x[1];
+                s.value[2] += w * x[2];
+                s.value[3] += w * x[1] * x[1];
+                s.value[4] += w * x[2] * x[2];
+            });
         columns_[columnOf(j, k)].push_back(s);
     };
     if (low >= X.last())
@@ -186,35 +152,32 @@ void Foam::mpm::facetCutter::cutColumn
     const scalar radial = grid_.radial() == 1 ? growth(1, j) : 0;
     for (label i = first; i <= last; ++i)
     {
-        const scalar centre = 0.5*(X[i] + X[i + 1]);
-        const scalar half = 0.5*(X[i + 1] - X[i]);
+        const scalar centre = 0.5 * (X[i] + X[i + 1]);
+        const scalar half = 0.5 * (X[i + 1] - X[i]);
         polygon part(clipped(clipped(p, 0, X[i], -1), 0, X[i + 1], 1));
         if (part.empty())
         {
             continue;
         }
-        piece& here = pieces_[i + size(0)*columnOf(j, k)];
+        piece& here = pieces_[i + size(0) * columnOf(j, k)];
         here.facets.push_back(facet);
         const scalar along = growth(0, i);
-        sumOver
-        (
+        sumOver(
             part,
             [&](const corner& x, const scalar w)
             {
-                const scalar xi = (x[0] - centre)/half;
-                const scalar length = xi + 1, first = 0.5*(xi*xi - 1);
+                const scalar xi = (x[0] - centre) / half;
+                const scalar length = xi + 1, first = 0.5 * (xi * xi - 1);
                 cutMoments& m = here.m;
-                m.value[0] +=
-                    w*(length*(1 + radial*x[1]) + along*first);
-                m.value[1] += w*length;
-                m.value[2] += w*first;
-                m.value[3] += w*length*x[1];
-                m.value[4] += w*length*x[2];
-                m.value[5] += w*(xi*xi*xi + 1)/3;
-                m.value[6] += w*length*x[1]*x[1];
-                m.value[7] += w*length*x[2]*x[2];
-            }
-        );
+                m.value[0] += w * (length * (1 + radial * x[1]) + along * first);
+                m.value[1] += w * length;
+                m.value[2] += w * first;
+                m.value[3] += w * length * x[1];
+                m.value[4] += w * length * x[2];
+                m.value[5] += w * (xi * xi * xi + 1) / 3;
+                m.value[6] += w * length * x[1] * x[1];
+                m.value[7] += w * length * x[2] * x[2];
+            });
         // Below this sub-cell it is full
         addStep(part, i);
     }
@@ -223,7 +186,6 @@ void Foam::mpm::facetCutter::cutColumn
         addStep(clipped(p, 0, X.last(), -1), size(0));
     }
 }
-
 
 void Foam::mpm::facetCutter::cut(const polygon& p, const label facet)
 {
@@ -250,7 +212,7 @@ void Foam::mpm::facetCutter::cut(const polygon& p, const label facet)
         polygon q(clipped(clipped(from, d, a, -1), d, b, 1));
         for (corner& c : q)
         {
-            c[d] = (2*c[d] - a - b)/(b - a);
+            c[d] = (2 * c[d] - a - b) / (b - a);
         }
         return q;
     };
@@ -278,17 +240,9 @@ void Foam::mpm::facetCutter::cut(const polygon& p, const label facet)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::facetCutter::facetCutter
-(
-    const pointGrid& grid,
-    const label* nSub,
-    const triSurface& surface
-)
-:
-    grid_(grid),
-    surface_(surface),
-    n_{1, 1, 1},
-    volume_(0)
+Foam::mpm::facetCutter::facetCutter(
+    const pointGrid& grid, const label* nSub, const triSurface& surface) :
+    grid_(grid), surface_(surface), n_{1, 1, 1}, volume_(0)
 {
     for (int d = 0; d < 3; ++d)
     {
@@ -299,26 +253,22 @@ Foam::mpm::facetCutter::facetCutter
         }
         n_[d] = nSub[d];
         const label nCells = grid_.lattice().nLatticeCells(d);
-        planes_[d].setSize(nCells*n_[d] + 1);
+        planes_[d].setSize(nCells * n_[d] + 1);
         for (label i = 0; i < nCells; ++i)
         {
             const scalar a = grid_.lattice().planes(d)[i + 1], b = grid_.lattice().planes(d)[i + 2];
             for (label s = 0; s <= n_[d]; ++s)
             {
-                planes_[d][i*n_[d] + s] =
-                    s == n_[d] ? b : a + (scalar(s)/n_[d])*(b - a);
+                planes_[d][i * n_[d] + s] = s == n_[d] ? b : a + (scalar(s) / n_[d]) * (b - a);
             }
         }
     }
 
     forAll(surface_, facet)
     {
-        const point x[3] =
-        {
-            surface_.points()[surface_[facet][0]],
-            surface_.points()[surface_[facet][1]],
-            surface_.points()[surface_[facet][2]]
-        };
+        const point x[3] = {
+            surface_.points()[surface_[facet][0]], surface_.points()[surface_[facet][1]],
+            surface_.points()[surface_[facet][2]]};
         addFacet(facet, x, (x[1] - x[0]) ^ (x[2] - x[0]));
     }
 
@@ -326,11 +276,9 @@ Foam::mpm::facetCutter::facetCutter
     for (auto& column : columns_)
     {
         std::vector<step>& steps = column.second;
-        std::sort
-        (
+        std::sort(
             steps.begin(), steps.end(),
-            [](const step& a, const step& b) { return a.below > b.below; }
-        );
+            [](const step& a, const step& b) { return a.below > b.below; });
         for (std::size_t i = 1; i < steps.size(); ++i)
         {
             for (int c = 0; c < 5; ++c)
@@ -343,18 +291,13 @@ Foam::mpm::facetCutter::facetCutter
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::facetCutter::integrate
-(
-    const label celli,
-    const label* sub,
-    cutMoments& m,
-    DynamicList<label>& facets
-) const
+void Foam::mpm::facetCutter::integrate(
+    const label celli, const label* sub, cutMoments& m, DynamicList<label>& facets) const
 {
     label ijk[3] = {0, 0, 0};
     for (int d = 0; d < grid_.nDim(); ++d)
     {
-        ijk[d] = (grid_.lattice().ijk(celli, d) - 1)*n_[d] + sub[d];
+        ijk[d] = (grid_.lattice().ijk(celli, d) - 1) * n_[d] + sub[d];
     }
 
     m = cutMoments();
@@ -364,7 +307,7 @@ void Foam::mpm::facetCutter::integrate
     {
         return;
     }
-    const auto found = pieces_.find(ijk[0] + size(0)*columnOf(ijk[1], ijk[2]));
+    const auto found = pieces_.find(ijk[0] + size(0) * columnOf(ijk[1], ijk[2]));
     if (found != pieces_.end())
     {
         m = found->second.m;
@@ -376,18 +319,15 @@ void Foam::mpm::facetCutter::integrate
 
     // Steps whose place is beyond: the last of them has the sum
     const std::vector<step>& steps = column->second;
-    const auto end = std::partition_point
-    (
-        steps.begin(), steps.end(),
-        [&](const step& s) { return s.below > ijk[0]; }
-    );
+    const auto end = std::partition_point(
+        steps.begin(), steps.end(), [&](const step& s) { return s.below > ijk[0]; });
     if (end != steps.begin())
     {
         addFull((end - 1)->value, ijk[1], m);
     }
 
     // Directions that are not computed are drawn out from -1 to 1
-    const scalar drawn = 1.0/(1 << (3 - grid_.nDim()));
+    const scalar drawn = 1.0 / (1 << (3 - grid_.nDim()));
     for (scalar& v : m.value)
     {
         v *= drawn;
@@ -414,7 +354,7 @@ List<point> section(const List<point>& q, const int e, const scalar at)
             // From below, whatever the order: facets fit together
             const point& u = a[e] < at ? a : b;
             const point& v = a[e] < at ? b : a;
-            crossing.append(u + (v - u)*((at - u[e])/(v[e] - u[e])));
+            crossing.append(u + (v - u) * ((at - u[e]) / (v[e] - u[e])));
         }
     }
     return List<point>(crossing);
@@ -424,8 +364,7 @@ List<point> section(const List<point>& q, const int e, const scalar at)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::mpm::facetCutter::corner
-Foam::mpm::facetCutter::computed(const point& q) const
+Foam::mpm::facetCutter::corner Foam::mpm::facetCutter::computed(const point& q) const
 {
     corner c = {0, 0, 0};
     for (int d = 0; d < grid_.nDim(); ++d)
@@ -435,13 +374,7 @@ Foam::mpm::facetCutter::computed(const point& q) const
     return c;
 }
 
-
-void Foam::mpm::facetCutter::addFacet
-(
-    const label facet,
-    const point (&x)[3],
-    const vector& n
-)
+void Foam::mpm::facetCutter::addFacet(const label facet, const point (&x)[3], const vector& n)
 {
     const int D = grid_.nDim();
     const point middle(grid_.mesh().bounds().midpoint());
@@ -455,7 +388,7 @@ void Foam::mpm::facetCutter::addFacet
         }
         // From the middle of the mesh: little cancels
         const vector a(x[0] - middle), b(x[1] - middle), c(x[2] - middle);
-        volume_ += ((a ^ b) & c)/6;
+        volume_ += ((a ^ b) & c) / 6;
         cut(p, facet);
         return;
     }
@@ -473,10 +406,7 @@ void Foam::mpm::facetCutter::addFacet
             across[nAcross++] = c;
         }
     }
-    const List<point> q
-    (
-        section({x[0], x[1], x[2]}, across[0], middle[across[0]])
-    );
+    const List<point> q(section({x[0], x[1], x[2]}, across[0], middle[across[0]]));
     if (q.size() == 2 && D == 2)
     {
         addEdge(facet, computed(q[0]), computed(q[1]), n, middle);
@@ -487,19 +417,11 @@ void Foam::mpm::facetCutter::addFacet
     }
 }
 
-
-void Foam::mpm::facetCutter::addEdge
-(
-    const label facet,
-    corner a,
-    corner b,
-    const vector& n,
-    const point& middle
-)
+void Foam::mpm::facetCutter::addEdge(
+    const label facet, corner a, corner b, const vector& n, const point& middle)
 {
     const scalar turn =
-        (b[1] - a[1])*n[grid_.direction(0)]
-      - (b[0] - a[0])*n[grid_.direction(1)];
+        (b[1] - a[1]) * n[grid_.direction(0)] - (b[0] - a[0]) * n[grid_.direction(1)];
     if (turn < 0)
     {
         std::swap(a, b);
@@ -509,15 +431,14 @@ void Foam::mpm::facetCutter::addEdge
     {
         const scalar ox = middle[grid_.direction(0)];
         const scalar oy = middle[grid_.direction(1)];
-        volume_ += 0.5*((a[0] - ox)*(b[1] - oy) - (b[0] - ox)*(a[1] - oy));
+        volume_ += 0.5 * ((a[0] - ox) * (b[1] - oy) - (b[0] - ox) * (a[1] - oy));
     }
     else
     {
         // int r da = -/+ int r^2/2 along the edge
         const scalar sign = r == 0 ? 0.5 : -0.5;
-        volume_ +=
-            grid_.sector()*sign*(b[1 - r] - a[1 - r])
-           *(a[r]*a[r] + a[r]*b[r] + b[r]*b[r])/3;
+        volume_ += grid_.sector() * sign * (b[1 - r] - a[1 - r])
+            * (a[r] * a[r] + a[r] * b[r] + b[r] * b[r]) / 3;
     }
     polygon p = {a, b, b, a};
     p[0][2] = p[1][2] = -1;
@@ -525,16 +446,9 @@ void Foam::mpm::facetCutter::addEdge
     cut(p, facet);
 }
 
-
-void Foam::mpm::facetCutter::addPlace
-(
-    const label facet,
-    const point& q0,
-    const point& q1,
-    const int e,
-    const vector& n,
-    const point& middle
-)
+void Foam::mpm::facetCutter::addPlace(
+    const label facet, const point& q0, const point& q1, const int e, const vector& n,
+    const point& middle)
 {
     // Two places of a line: in 1D one
     if ((q0[e] >= middle[e]) == (q1[e] >= middle[e]))
@@ -543,17 +457,15 @@ void Foam::mpm::facetCutter::addPlace
     }
     const point& u = q0[e] < middle[e] ? q0 : q1;
     const point& v = q0[e] < middle[e] ? q1 : q0;
-    const corner a = computed(u + (v - u)*((middle[e] - u[e])/(v[e] - u[e])));
+    const corner a = computed(u + (v - u) * ((middle[e] - u[e]) / (v[e] - u[e])));
     const scalar sign = n[grid_.direction(0)] > 0 ? 1 : -1;
-    volume_ += sign*(a[0] - middle[grid_.direction(0)]);
+    volume_ += sign * (a[0] - middle[grid_.direction(0)]);
     polygon p = {a, a, a, a};
     const scalar y[4] = {-1, 1, 1, -1}, z[4] = {-1, -1, 1, 1};
     for (int i = 0; i < 4; ++i)
     {
-        p[i][1] = sign*y[i];
+        p[i][1] = sign * y[i];
         p[i][2] = z[i];
     }
     cut(p, facet);
 }
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::boxShape
@@ -28,18 +25,14 @@ Usage
 namespace Foam::mpm
 {
 
-class boxShape
-:
-    public pointRegionShape
+class boxShape : public pointRegionShape
 {
     const point min_, max_;
 
 public:
-
     TypeName("box");
 
-    boxShape(const pointGrid& grid, const dictionary& dict)
-    :
+    boxShape(const pointGrid& grid, const dictionary& dict) :
         pointRegionShape(grid),
         min_(required<point>(dict, "min")),
         max_(required<point>(dict, "max"))
@@ -100,9 +93,7 @@ public:
         {
             const int r = grid_.direction(grid_.radial());
             const int a = grid_.direction(1 - grid_.radial());
-            return
-                grid_.sector()
-               *ringOfRectangle(max_[a] - min_[a], min_[r], max_[r]);
+            return grid_.sector() * ringOfRectangle(max_[a] - min_[a], min_[r], max_[r]);
         }
         scalar v = section();
         for (int d = 0; d < grid_.nDim(); ++d)
@@ -117,5 +108,3 @@ defineTypeNameAndDebug(boxShape, 0);
 addToRunTimeSelectionTable(pointRegionShape, boxShape, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::cellsShape
@@ -26,18 +23,12 @@ Usage
 namespace Foam::mpm
 {
 
-class cellsShape
-:
-    public pointRegionShape
+class cellsShape : public pointRegionShape
 {
 public:
-
     TypeName("cells");
 
-    cellsShape(const pointGrid& grid, const dictionary&)
-    :
-        pointRegionShape(grid)
-    {}
+    cellsShape(const pointGrid& grid, const dictionary&) : pointRegionShape(grid) {}
 
     using pointRegionShape::contains;
 
@@ -48,10 +39,7 @@ public:
 
     bool formula(shapeFormula& f) const override
     {
-        f.cells
-        (
-            [this](const label celli) { return contains(celli, point::zero); }
-        );
+        f.cells([this](const label celli) { return contains(celli, point::zero); });
         return true;
     }
 
@@ -71,21 +59,15 @@ public:
     }
 };
 
-
-class cellZoneShape
-:
-    public cellsShape
+class cellZoneShape : public cellsShape
 {
     boolList inZone_;
 
 public:
-
     TypeName("cellZone");
 
-    cellZoneShape(const pointGrid& grid, const dictionary& dict)
-    :
-        cellsShape(grid, dict),
-        inZone_(grid.nCells(), false)
+    cellZoneShape(const pointGrid& grid, const dictionary& dict) :
+        cellsShape(grid, dict), inZone_(grid.nCells(), false)
     {
         const cellZoneMesh& zones = grid.mesh().cellZones();
 
@@ -99,10 +81,7 @@ public:
 
     wordList keywords() const override { return {"zone"}; }
 
-    bool contains(const label celli, const point&) const override
-    {
-        return inZone_[celli];
-    }
+    bool contains(const label celli, const point&) const override { return inZone_[celli]; }
 };
 
 defineTypeNameAndDebug(cellsShape, 0);
@@ -111,5 +90,3 @@ defineTypeNameAndDebug(cellZoneShape, 0);
 addToRunTimeSelectionTable(pointRegionShape, cellZoneShape, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

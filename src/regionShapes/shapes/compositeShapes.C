@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::compositeShape
@@ -42,28 +39,27 @@ Usage
 namespace Foam::mpm
 {
 
-class compositeShape
-:
-    public pointRegionShape
+class compositeShape : public pointRegionShape
 {
-    enum joints {anyOf, allOf, firstOnly};
+    enum joints
+    {
+        anyOf,
+        allOf,
+        firstOnly
+    };
     const joints joint_;
 
     PtrList<pointRegionShape> shapes_;
 
 public:
-
     TypeName("composite");
 
-    compositeShape(const pointGrid& grid, const dictionary& dict)
-    :
+    compositeShape(const pointGrid& grid, const dictionary& dict) :
         pointRegionShape(grid),
-        joint_
-        (
-            dict.get<word>("type") == "union" ? anyOf
-          : dict.get<word>("type") == "intersection" ? allOf
-          : firstOnly
-        )
+        joint_(
+            dict.get<word>("type") == "union"              ? anyOf
+                : dict.get<word>("type") == "intersection" ? allOf
+                                                           : firstOnly)
     {
         const dictionary& shapesDict = requiredDict(dict, "shapes");
         for (const word& name : shapesDict.toc())
@@ -136,9 +132,16 @@ public:
             }
             switch (joint_)
             {
-                case anyOf: f.orLast(); break;
-                case allOf: f.andLast(); break;
-                case firstOnly: f.notLast(); f.andLast(); break;
+            case anyOf:
+                f.orLast();
+                break;
+            case allOf:
+                f.andLast();
+                break;
+            case firstOnly:
+                f.notLast();
+                f.andLast();
+                break;
             }
         }
         return true;
@@ -146,19 +149,8 @@ public:
 };
 
 defineTypeNameAndDebug(compositeShape, 0);
-addNamedToRunTimeSelectionTable
-(
-    pointRegionShape, compositeShape, dictionary, union
-);
-addNamedToRunTimeSelectionTable
-(
-    pointRegionShape, compositeShape, dictionary, intersection
-);
-addNamedToRunTimeSelectionTable
-(
-    pointRegionShape, compositeShape, dictionary, difference
-);
+addNamedToRunTimeSelectionTable(pointRegionShape, compositeShape, dictionary, union);
+addNamedToRunTimeSelectionTable(pointRegionShape, compositeShape, dictionary, intersection);
+addNamedToRunTimeSelectionTable(pointRegionShape, compositeShape, dictionary, difference);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

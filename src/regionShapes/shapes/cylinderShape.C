@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::cylinderShape
@@ -31,9 +28,7 @@ Usage
 namespace Foam::mpm
 {
 
-class cylinderShape
-:
-    public pointRegionShape
+class cylinderShape : public pointRegionShape
 {
     //- End of the axis and the way to its other end, zero in empty
     //  directions. No way: the axis is along an empty direction
@@ -43,11 +38,9 @@ class cylinderShape
     const scalar radius_, inner_;
 
 public:
-
     TypeName("cylinder");
 
-    cylinderShape(const pointGrid& grid, const dictionary& dict)
-    :
+    cylinderShape(const pointGrid& grid, const dictionary& dict) :
         pointRegionShape(grid),
         start_(computed(required<point>(dict, "point1"))),
         axis_(required<point>(dict, "point2") - required<point>(dict, "point1")),
@@ -59,28 +52,23 @@ public:
         {
             FatalIOErrorInFunction(dict)
                 << "The ends of the cylinder's axis, point1 and point2, are both "
-                << required<point>(dict, "point1") << "; they must differ."
-                << exit(FatalIOError);
+                << required<point>(dict, "point1") << "; they must differ." << exit(FatalIOError);
         }
 
         const vector inPlane(computed(axis_));
-        const scalar tol = 1e-6*length;
+        const scalar tol = 1e-6 * length;
         if (mag(inPlane) > tol && mag(axis_ - inPlane) > tol)
         {
             FatalIOErrorInFunction(dict)
                 << "The cylinder's axis " << axis_ << " is oblique to the mesh's"
-                << " empty direction; it must be along it or normal to it."
-                << exit(FatalIOError);
+                << " empty direction; it must be along it or normal to it." << exit(FatalIOError);
         }
         axis_ = mag(inPlane) > tol ? inPlane : vector(Zero);
     }
 
     using pointRegionShape::contains;
 
-    wordList keywords() const override
-    {
-        return {"point1", "point2", "radius", "innerRadius"};
-    }
+    wordList keywords() const override { return {"point1", "point2", "radius", "innerRadius"}; }
 
     boundBox bounds() const override
     {
@@ -90,7 +78,7 @@ public:
         {
             if (magSqr(axis_) > 0)
             {
-                r[c] *= sqrt(max(1 - sqr(axis_[c])/magSqr(axis_), scalar(0)));
+                r[c] *= sqrt(max(1 - sqr(axis_[c]) / magSqr(axis_), scalar(0)));
             }
         }
         const point end(start_ + axis_);
@@ -106,10 +94,8 @@ public:
             return inShell(magSqr(dx), radius_, inner_);
         }
 
-        const scalar t = (dx & axis_)/length2;
-        return
-            t >= 0 && t < 1
-         && inShell(magSqr(dx - t*axis_), radius_, inner_);
+        const scalar t = (dx & axis_) / length2;
+        return t >= 0 && t < 1 && inShell(magSqr(dx - t * axis_), radius_, inner_);
     }
 
     bool formula(shapeFormula& f) const override
@@ -120,7 +106,7 @@ public:
         for (int d = 0; d < grid_.nDim(); ++d)
         {
             from[d] = start_[grid_.direction(d)];
-            along[d] = length > 0 ? axis_[grid_.direction(d)]/length : 0;
+            along[d] = length > 0 ? axis_[grid_.direction(d)] / length : 0;
             r2.addSquare(d, from[d], 1);
         }
         r2.addSquare(from, along, -1);
@@ -156,40 +142,25 @@ public:
             const scalar length = mag(axis_);
             if (!(length > 0))
             {
-                return
-                    grid_.sector()
-                   *(ringOfDisc(r, radius_) - ringOfDisc(r, inner_));
+                return grid_.sector() * (ringOfDisc(r, radius_) - ringOfDisc(r, inner_));
             }
-            if (mag(along) < 1e-9*length)
+            if (mag(along) < 1e-9 * length)
             {
-                return
-                    grid_.sector()
-                   *(
-                        ringOfRectangle(length, r - radius_, r + radius_)
-                      - ringOfRectangle(length, r - inner_, r + inner_)
-                    );
+                return grid_.sector()
+                    * (ringOfRectangle(length, r - radius_, r + radius_)
+                       - ringOfRectangle(length, r - inner_, r + inner_));
             }
-            if (mag(axis_[other]) < 1e-9*length)
+            if (mag(axis_[other]) < 1e-9 * length)
             {
-                return
-                    grid_.sector()
-                   *ringOfRectangle
-                    (
-                        2*(radius_ - inner_),
-                        min(r, r + along),
-                        max(r, r + along)
-                    );
+                return grid_.sector()
+                    * ringOfRectangle(2 * (radius_ - inner_), min(r, r + along), max(r, r + along));
             }
             return -1;
         }
         const int n = grid_.nDim();
-        return
-            section()
-           *(
-                magSqr(axis_) > 0
-              ? (ball(n - 1, radius_) - ball(n - 1, inner_))*mag(axis_)
-              : ball(n, radius_) - ball(n, inner_)
-            );
+        return section()
+            * (magSqr(axis_) > 0 ? (ball(n - 1, radius_) - ball(n - 1, inner_)) * mag(axis_)
+                                 : ball(n, radius_) - ball(n, inner_));
     }
 };
 
@@ -197,5 +168,3 @@ defineTypeNameAndDebug(cylinderShape, 0);
 addToRunTimeSelectionTable(pointRegionShape, cylinderShape, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

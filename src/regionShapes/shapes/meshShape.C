@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "meshShape.H"
 #include "Time.H"
@@ -13,22 +7,17 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(meshShape, 0);
-    addToRunTimeSelectionTable(pointRegionShape, meshShape, dictionary);
+defineTypeNameAndDebug(meshShape, 0);
+addToRunTimeSelectionTable(pointRegionShape, meshShape, dictionary);
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fileName Foam::mpm::meshShape::file
-(
-    const pointGrid& grid,
-    const dictionary& dict
-)
+Foam::fileName Foam::mpm::meshShape::file(const pointGrid& grid, const dictionary& dict)
 {
     fileName name(required<fileName>(dict, "file").expand());
-    return name.isAbsolute() ? name : grid.mesh().time().globalPath()/name;
+    return name.isAbsolute() ? name : grid.mesh().time().globalPath() / name;
 }
-
 
 Foam::wordList Foam::mpm::meshShape::groups(const dictionary& dict)
 {
@@ -44,10 +33,7 @@ Foam::wordList Foam::mpm::meshShape::groups(const dictionary& dict)
             }
             else if (t.isWord() || t.isString())
             {
-                words.append
-                (
-                    word(t.isWord() ? t.wordToken() : t.stringToken(), false)
-                );
+                words.append(word(t.isWord() ? t.wordToken() : t.stringToken(), false));
             }
             else if (!t.isPunctuation())
             {
@@ -67,38 +53,21 @@ Foam::wordList Foam::mpm::meshShape::groups(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::meshShape::meshShape(const pointGrid& grid, const dictionary& dict)
-:
+Foam::mpm::meshShape::meshShape(const pointGrid& grid, const dictionary& dict) :
     pointRegionShape(grid),
-    body_
-    (
-        file(grid, dict),
-        dict,
-        grid,
-        groups(dict),
-        dict.found("scale") ? positive(dict, "scale") : 1
-    )
-{}
+    body_(
+        file(grid, dict), dict, grid, groups(dict),
+        dict.found("scale") ? positive(dict, "scale") : 1)
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::wordList Foam::mpm::meshShape::keywords() const
-{
-    return {"file", "group", "scale"};
-}
+Foam::wordList Foam::mpm::meshShape::keywords() const { return {"file", "group", "scale"}; }
 
-
-bool Foam::mpm::meshShape::contains(const label, const point& x) const
-{
-    return body_.contains(x);
-}
-
+bool Foam::mpm::meshShape::contains(const label, const point& x) const { return body_.contains(x); }
 
 Foam::scalar Foam::mpm::meshShape::volume() const
 {
-    return
-        body_.volume()
-       *(grid_.radial() < 0 ? section() : grid_.sector());
+    return body_.volume() * (grid_.radial() < 0 ? section() : grid_.sector());
 }
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::sphereShape
@@ -29,9 +26,7 @@ Usage
 namespace Foam::mpm
 {
 
-class sphereShape
-:
-    public pointRegionShape
+class sphereShape : public pointRegionShape
 {
     //- Zero in empty directions
     const point centre_;
@@ -39,23 +34,19 @@ class sphereShape
     const scalar radius_, inner_;
 
 public:
-
     TypeName("sphere");
 
-    sphereShape(const pointGrid& grid, const dictionary& dict)
-    :
+    sphereShape(const pointGrid& grid, const dictionary& dict) :
         pointRegionShape(grid),
         centre_(computed(required<point>(dict, "centre"))),
         radius_(positive(dict, "radius")),
         inner_(readInner(dict, radius_))
-    {}
+    {
+    }
 
     using pointRegionShape::contains;
 
-    wordList keywords() const override
-    {
-        return {"centre", "radius", "innerRadius"};
-    }
+    wordList keywords() const override { return {"centre", "radius", "innerRadius"}; }
 
     boundBox bounds() const override
     {
@@ -84,11 +75,10 @@ public:
         if (grid_.radial() >= 0)
         {
             const scalar r = centre_[grid_.direction(grid_.radial())];
-            return
-                grid_.sector()*(ringOfDisc(r, radius_) - ringOfDisc(r, inner_));
+            return grid_.sector() * (ringOfDisc(r, radius_) - ringOfDisc(r, inner_));
         }
         const int n = grid_.nDim();
-        return (ball(n, radius_) - ball(n, inner_))*section();
+        return (ball(n, radius_) - ball(n, inner_)) * section();
     }
 };
 
@@ -96,5 +86,3 @@ defineTypeNameAndDebug(sphereShape, 0);
 addToRunTimeSelectionTable(pointRegionShape, sphereShape, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

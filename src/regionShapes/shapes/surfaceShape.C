@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::surfaceShape
@@ -31,9 +28,7 @@ Usage
 namespace Foam::mpm
 {
 
-class surfaceShape
-:
-    public pointRegionShape
+class surfaceShape : public pointRegionShape
 {
     autoPtr<searchableSurface> surface_;
 
@@ -52,21 +47,12 @@ class surfaceShape
         const bool throwingIO = FatalIOError.throwExceptions();
         try
         {
-            surface_ = searchableSurface::New
-            (
+            surface_ = searchableSurface::New(
                 type,
-                IOobject
-                (
-                    name,
-                    time.constant(),
-                    "triSurface",
-                    time,
-                    IOobject::MUST_READ,
-                    IOobject::NO_WRITE,
-                    false
-                ),
-                dict
-            );
+                IOobject(
+                    name, time.constant(), "triSurface", time, IOobject::MUST_READ,
+                    IOobject::NO_WRITE, false),
+                dict);
         }
         catch (const Foam::error& err)
         {
@@ -80,25 +66,20 @@ class surfaceShape
             // Its message names a file of the region's name
             FatalIOErrorInFunction(dict)
                 << "Cannot make the surface: there is no file constant/triSurface/"
-                << dict.getOrDefault<fileName>("file", name).c_str() << "."
-                << exit(FatalIOError);
+                << dict.getOrDefault<fileName>("file", name).c_str() << "." << exit(FatalIOError);
         }
         if (problem.size())
         {
             FatalIOErrorInFunction(dict)
-                << "Cannot make the surface: " << problem.c_str()
-                << exit(FatalIOError);
+                << "Cannot make the surface: " << problem.c_str() << exit(FatalIOError);
         }
     }
 
 public:
-
     TypeName("surface");
 
-    surfaceShape(const pointGrid& grid, const dictionary& dict)
-    :
-        pointRegionShape(grid),
-        volume_(-1)
+    surfaceShape(const pointGrid& grid, const dictionary& dict) :
+        pointRegionShape(grid), volume_(-1)
     {
         requireKeyword(dict, "surface");
         if (!dict.isDict("surface"))
@@ -106,8 +87,7 @@ public:
             FatalIOErrorInFunction(dict)
                 << "Entry surface is not a dictionary; for a triangle file in"
                 << " constant/triSurface write"
-                << "  surface { type triSurfaceMesh; file \"body.stl\"; }"
-                << exit(FatalIOError);
+                << "  surface { type triSurfaceMesh; file \"body.stl\"; }" << exit(FatalIOError);
         }
         const dictionary& surfaceDict = dict.subDict("surface");
         read(dict.dictName(), surfaceDict);
@@ -132,14 +112,13 @@ public:
                 const vector a(s.points()[t[0]] - middle);
                 const vector b(s.points()[t[1]] - middle);
                 const vector c(s.points()[t[2]] - middle);
-                sum += ((a ^ b) & c)/6;
+                sum += ((a ^ b) & c) / 6;
             }
             if (!(sum > 0))
             {
                 FatalIOErrorInFunction(surfaceDict)
-                    << "The normals of the surface point inwards (its volume is "
-                    << sum << "); turn them with surfaceOrient."
-                    << exit(FatalIOError);
+                    << "The normals of the surface point inwards (its volume is " << sum
+                    << "); turn them with surfaceOrient." << exit(FatalIOError);
             }
             if (grid_.nDim() == 3)
             {
@@ -157,10 +136,9 @@ public:
 
     const triSurface* facets() const override
     {
-        return
-            isA<triSurfaceMesh>(*surface_)
-          ? &refCast<const triSurface>(refCast<const triSurfaceMesh>(*surface_))
-          : nullptr;
+        return isA<triSurfaceMesh>(*surface_)
+            ? &refCast<const triSurface>(refCast<const triSurfaceMesh>(*surface_))
+            : nullptr;
     }
 
     scalar volume() const override { return volume_; }
@@ -188,5 +166,3 @@ defineTypeNameAndDebug(surfaceShape, 0);
 addToRunTimeSelectionTable(pointRegionShape, surfaceShape, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

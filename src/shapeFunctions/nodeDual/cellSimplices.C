@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "cellSimplices.H"
 #include "pointGrid.H"
@@ -25,7 +19,7 @@ scalar invertEdges(const int nDim, const scalar* E, scalar* I)
     {
         for (int k = 0; k < nDim; ++k)
         {
-            J[3*i + k] = E[nDim*k + i];
+            J[3 * i + k] = E[nDim * k + i];
         }
     }
     const scalar d = det(J);
@@ -36,24 +30,19 @@ scalar invertEdges(const int nDim, const scalar* E, scalar* I)
         {
             for (int i = 0; i < nDim; ++i)
             {
-                I[nDim*k + i] = inverse[3*k + i];
+                I[nDim * k + i] = inverse[3 * k + i];
             }
         }
     }
-    return d/(nDim == 3 ? 6 : nDim);
+    return d / (nDim == 3 ? 6 : nDim);
 }
 
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::cellSimplices::addVertices
-(
-    const pointGrid& grid,
-    const bitSet& isEmpty,
-    const label celli,
-    DynamicList<label>& points
-)
+void Foam::mpm::cellSimplices::addVertices(
+    const pointGrid& grid, const bitSet& isEmpty, const label celli, DynamicList<label>& points)
 {
     const polyMesh& mesh = grid.mesh();
     points.clear();
@@ -82,22 +71,19 @@ void Foam::mpm::cellSimplices::addVertices
 
     // Along the axis, or round the cell in the positive sense
     const auto x = [&](const label i, const int d)
-    {
-        return mesh.points()[points[i]][grid.direction(d)];
-    };
+    { return mesh.points()[points[i]][grid.direction(d)]; };
     const label n = points.size();
     scalar area = grid.nDim() == 1 ? x(n - 1, 0) - x(0, 0) : 0;
     for (label i = 0; grid.nDim() == 2 && i < n; ++i)
     {
         const label j = (i + 1) % n;
-        area += x(i, 0)*x(j, 1) - x(j, 0)*x(i, 1);
+        area += x(i, 0) * x(j, 1) - x(j, 0) * x(i, 1);
     }
     if (area < 0)
     {
         inplaceReverseList(points);
     }
 }
-
 
 Foam::labelList Foam::mpm::cellSimplices::findBasePoints(const pointGrid& grid)
 {
@@ -109,7 +95,7 @@ Foam::labelList Foam::mpm::cellSimplices::findBasePoints(const pointGrid& grid)
         const labelList& points = mesh.cellPoints()[celli];
         for (const label pointi : points)
         {
-            O[celli] += x[pointi]/points.size();
+            O[celli] += x[pointi] / points.size();
         }
     }
 
@@ -145,8 +131,7 @@ Foam::labelList Foam::mpm::cellSimplices::findBasePoints(const pointGrid& grid)
         const bool inside = mesh.isInternalFace(facei);
         const point& own = O[mesh.faceOwner()[facei]];
         const point& other =
-            inside ? O[mesh.faceNeighbour()[facei]]
-          : behind[facei - mesh.nInternalFaces()];
+            inside ? O[mesh.faceNeighbour()[facei]] : behind[facei - mesh.nInternalFaces()];
         const scalar length = sqrt(mag(mesh.faceAreas()[facei]));
         const auto least = [&](const label at)
         {
@@ -154,18 +139,15 @@ Foam::labelList Foam::mpm::cellSimplices::findBasePoints(const pointGrid& grid)
             scalar v = VGREAT;
             for (label k = 1; k < f.size() - 1; ++k)
             {
-                const vector n
-                (
-                    (x[f[(at + k) % f.size()]] - b)
-                  ^ (x[f[(at + k + 1) % f.size()]] - b)
-                );
+                const vector n(
+                    (x[f[(at + k) % f.size()]] - b) ^ (x[f[(at + k + 1) % f.size()]] - b));
                 v = min(v, n & (b - own));
                 if (inside || hasBehind.test(facei))
                 {
                     v = min(v, n & (other - b));
                 }
             }
-            return v/pow3(length) + ((b - x[f[0]]) & oblique)/length;
+            return v / pow3(length) + ((b - x[f[0]]) & oblique) / length;
         };
         scalar most = least(0);
         if (most < 1e-3)
@@ -184,17 +166,9 @@ Foam::labelList Foam::mpm::cellSimplices::findBasePoints(const pointGrid& grid)
     return base;
 }
 
-
-void Foam::mpm::cellSimplices::addCorners
-(
-    const pointGrid& grid,
-    const bitSet& isEmpty,
-    const labelUList& basePoints,
-    const label celli,
-    const labelUList& vertices,
-    DynamicList<label>& corners,
-    DynamicList<label>& faces
-)
+void Foam::mpm::cellSimplices::addCorners(
+    const pointGrid& grid, const bitSet& isEmpty, const labelUList& basePoints, const label celli,
+    const labelUList& vertices, DynamicList<label>& corners, DynamicList<label>& faces)
 {
     const polyMesh& mesh = grid.mesh();
     const int nDim = grid.nDim();
@@ -255,37 +229,26 @@ void Foam::mpm::cellSimplices::addCorners
     }
 }
 
-
 void Foam::mpm::cellSimplices::setMaps()
 {
-    const label n = nDim_*(nDim_ + 1);
+    const label n = nDim_ * (nDim_ + 1);
     for (label celli = 0; celli < start_.size() - 1; ++celli)
     {
         if (!isSimplex(celli))
         {
             continue;
         }
-        maps_.setSize(n*(start_.size() - 1), 0);
-        scalar* to = maps_.begin() + n*celli;
+        maps_.setSize(n * (start_.size() - 1), 0);
+        scalar* to = maps_.begin() + n * celli;
         std::copy_n(origin(celli), nDim_, to);
         for (int k = 0; k < nDim_; ++k)
         {
-            std::copy_n
-            (
-                inverses(celli) + nDim_*k,
-                nDim_,
-                to + nDim_*corners(celli)[k]
-            );
+            std::copy_n(inverses(celli) + nDim_ * k, nDim_, to + nDim_ * corners(celli)[k]);
         }
     }
 }
 
-
-void Foam::mpm::cellSimplices::refuse
-(
-    const polyMesh& mesh,
-    const labelUList& bad
-)
+void Foam::mpm::cellSimplices::refuse(const polyMesh& mesh, const labelUList& bad)
 {
     const label n = returnReduce(bad.size(), sumOp<label>());
     if (!n)
@@ -300,22 +263,21 @@ void Foam::mpm::cellSimplices::refuse
         {
             own << " of processor " << Pstream::myProcNo();
         }
-        own << " at " << mesh.cellCentres()[bad[i]] << ", volume "
-            << mesh.cellVolumes()[bad[i]];
+        own << " at " << mesh.cellCentres()[bad[i]] << ", volume " << mesh.cellVolumes()[bad[i]];
     }
     List<string> places(Pstream::nProcs());
     places[Pstream::myProcNo()] = own.str();
     Pstream::gatherList(places);
     Pstream::scatterList(places);
     OStringStream s;
-    s   << n << (n == 1 ? " cell is" : " cells are") << " flat, folded over or"
-        << " far from convex: faces are not seen from the mean of the cell's"
-        << " points";
+    s << n << (n == 1 ? " cell is" : " cells are") << " flat, folded over or"
+      << " far from convex: faces are not seen from the mean of the cell's"
+      << " points";
     for (const string& of : places)
     {
         if (!of.empty())
         {
-            s   << "; " << of.c_str();
+            s << "; " << of.c_str();
         }
     }
     throw string(s.str());
@@ -323,17 +285,12 @@ void Foam::mpm::cellSimplices::refuse
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::cellSimplices::cellSimplices
-(
-    const pointGrid& grid,
-    const bool products
-)
-:
+Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid, const bool products) :
     nDim_(grid.nDim()),
     radial_(grid.radial()),
     products_(products),
     start_(grid.nCells() + 1, Zero),
-    origin_(grid.nDim()*grid.nCells(), Zero),
+    origin_(grid.nDim() * grid.nCells(), Zero),
     subStart_(grid.nCells() + 1, Zero)
 {
     const polyMesh& mesh = grid.mesh();
@@ -346,12 +303,8 @@ Foam::mpm::cellSimplices::cellSimplices
         triangles = triangles && f.size() == 3;
     }
     reduce(triangles, andOp<bool>());
-    const labelList basePoints
-    (
-        nDim_ < 3 || triangles || products
-      ? labelList()
-      : findBasePoints(grid)
-    );
+    const labelList basePoints(
+        nDim_ < 3 || triangles || products ? labelList() : findBasePoints(grid));
 
     DynamicList<label> nodes, corners, points, ofCell, faces;
     DynamicList<scalar> x, inverses, volumes;
@@ -368,24 +321,21 @@ Foam::mpm::cellSimplices::cellSimplices
                 x.append(mesh.points()[pointi][grid.direction(d)]);
             }
         }
-        const scalar* at = x.begin() + nDim_*start_[celli];
-        scalar* O = origin_.begin() + nDim_*celli;
+        const scalar* at = x.begin() + nDim_ * start_[celli];
+        scalar* O = origin_.begin() + nDim_ * celli;
         const bool simplex = !products && n == nDim_ + 1;
         for (label i = 0; i < (simplex ? 1 : n); ++i)
         {
             for (int d = 0; d < nDim_; ++d)
             {
-                O[d] += at[nDim_*i + d]/(simplex ? 1 : n);
+                O[d] += at[nDim_ * i + d] / (simplex ? 1 : n);
             }
         }
 
         ofCell.clear();
         if (!products)
         {
-            addCorners
-            (
-                grid, isEmpty, basePoints, celli, points, ofCell, faces
-            );
+            addCorners(grid, isEmpty, basePoints, celli, points, ofCell, faces);
         }
         bool valid = n > nDim_ && mesh.cellVolumes()[celli] > 0;
         scalar sum = 0;
@@ -397,19 +347,19 @@ Foam::mpm::cellSimplices::cellSimplices
             {
                 for (int d = 0; d < nDim_; ++d)
                 {
-                    E[nDim_*j + d] = at[nDim_*ofCell[k + j] + d] - O[d];
+                    E[nDim_ * j + d] = at[nDim_ * ofCell[k + j] + d] - O[d];
                 }
             }
             volumes.append(invertEdges(nDim_, E, I));
             sum += mag(volumes.last());
-            for (int j = 0; j < nDim_*nDim_; ++j)
+            for (int j = 0; j < nDim_ * nDim_; ++j)
             {
                 inverses.append(I[j]);
             }
         }
         for (label s = firstSub; s < volumes.size(); ++s)
         {
-            valid = valid && volumes[s] > 1e-9*sum;
+            valid = valid && volumes[s] > 1e-9 * sum;
         }
         if (!valid)
         {
@@ -445,12 +395,7 @@ Foam::label Foam::mpm::cellSimplices::maxVertices() const
     return most;
 }
 
-
-Foam::label Foam::mpm::cellSimplices::simplexOf
-(
-    const label celli,
-    const scalar* x
-) const
+Foam::label Foam::mpm::cellSimplices::simplexOf(const label celli, const scalar* x) const
 {
     scalar y[3];
     for (int d = 0; d < nDim_; ++d)
@@ -468,7 +413,7 @@ Foam::label Foam::mpm::cellSimplices::simplexOf
             scalar lambda = 0;
             for (int d = 0; d < nDim_; ++d)
             {
-                lambda += *I++*y[d];
+                lambda += *I++ * y[d];
             }
             least = min(least, lambda);
         }
@@ -480,5 +425,3 @@ Foam::label Foam::mpm::cellSimplices::simplexOf
     }
     return best;
 }
-
-// ************************************************************************* //

@@ -1,32 +1,19 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "cellSimplices.H"
 #include "pointGrid.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::cellSimplices::sides
-(
-    const label celli,
-    const label i,
-    scalar* h
-) const
+void Foam::mpm::cellSimplices::sides(const label celli, const label i, scalar* h) const
 {
     for (int d = 0; d < nDim_; ++d)
     {
-        h[d] = 2*(origin(celli)[d] - position(celli, i)[d]);
+        h[d] = 2 * (origin(celli)[d] - position(celli, i)[d]);
     }
 }
 
-
-Foam::mpm::cellSimplices::regions
-Foam::mpm::cellSimplices::regionsOf(const label celli) const
+Foam::mpm::cellSimplices::regions Foam::mpm::cellSimplices::regionsOf(const label celli) const
 {
     const label n = nVertices(celli);
     const auto vertex = [&](const label i)
@@ -37,7 +24,7 @@ Foam::mpm::cellSimplices::regionsOf(const label celli) const
     vector2D mean(Zero);
     for (label i = 0; i < n; ++i)
     {
-        mean += vertex(i)/n;
+        mean += vertex(i) / n;
     }
 
     // Gradients of the two vertices of a side in its triangle with the mean;
@@ -47,58 +34,49 @@ Foam::mpm::cellSimplices::regionsOf(const label celli) const
         vector2D a, b;
     };
     List<side> sides(n);
-    const auto first = [&](const label i, const label k)
-    {
-        return scalar(i == k) - 1.0/n;
-    };
+    const auto first = [&](const label i, const label k) { return scalar(i == k) - 1.0 / n; };
     const auto second = [&](const label i, const label k)
-    {
-        return scalar(i == (k + 1) % n) - 1.0/n;
-    };
+    { return scalar(i == (k + 1) % n) - 1.0 / n; };
 
     regions r;
     r.size.setSize(n);
-    r.S.setSize(n*n);
-    r.dS.setSize(n*n, vector2D(Zero));
+    r.S.setSize(n * n);
+    r.dS.setSize(n * n, vector2D(Zero));
     scalarList A(n, Zero);
     List<vector2D> moment(n, vector2D(Zero));
     for (label k = 0; k < n; ++k)
     {
         const vector2D a(vertex(k) - mean), b(vertex(k + 1) - mean);
-        const scalar twice = a.x()*b.y() - a.y()*b.x();
-        sides[k].a = vector2D(b.y(), -b.x())/twice;
-        sides[k].b = vector2D(-a.y(), a.x())/twice;
+        const scalar twice = a.x() * b.y() - a.y() * b.x();
+        sides[k].a = vector2D(b.y(), -b.x()) / twice;
+        sides[k].b = vector2D(-a.y(), a.x()) / twice;
         for (const bool end : {false, true})
         {
             const label at = (k + end) % n;
-            const vector2D centre(((end ? b : a) + 0.5*(a + b))/3);
-            A[at] += 0.25*twice;
-            moment[at] += 0.25*twice*(mean + centre);
+            const vector2D centre(((end ? b : a) + 0.5 * (a + b)) / 3);
+            A[at] += 0.25 * twice;
+            moment[at] += 0.25 * twice * (mean + centre);
             for (label i = 0; i < n; ++i)
             {
-                r.dS[n*at + i] += 0.25*twice
-                   *(first(i, k)*sides[k].a + second(i, k)*sides[k].b);
+                r.dS[n * at + i] +=
+                    0.25 * twice * (first(i, k) * sides[k].a + second(i, k) * sides[k].b);
             }
         }
     }
     for (label k = 0; k < n; ++k)
     {
         // The centroid is in one of the two triangles at the vertex
-        const vector2D x(moment[k]/A[k]);
+        const vector2D x(moment[k] / A[k]);
         const label before = (k + n - 1) % n;
         const auto least = [&](const label s)
-        {
-            return min(sides[s].a & (x - mean), sides[s].b & (x - mean));
-        };
+        { return min(sides[s].a & (x - mean), sides[s].b & (x - mean)); };
         const label s = least(k) >= least(before) ? k : before;
-        r.size[k] = A[k]*x[radial_];
+        r.size[k] = A[k] * x[radial_];
         for (label i = 0; i < n; ++i)
         {
-            r.S[n*k + i] =
-                1.0/n
-              + first(i, s)*(sides[s].a & (x - mean))
-              + second(i, s)*(sides[s].b & (x - mean));
-            r.dS[n*k + i] /= A[k];
+            r.S[n * k + i] = 1.0 / n + first(i, s) * (sides[s].a & (x - mean))
+                + second(i, s) * (sides[s].b & (x - mean));
+            r.dS[n * k + i] /= A[k];
         }
     }
     return r;
@@ -106,11 +84,7 @@ Foam::mpm::cellSimplices::regionsOf(const label celli) const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::cellSimplices::integral
-(
-    const label celli,
-    const label i
-) const
+Foam::scalar Foam::mpm::cellSimplices::integral(const label celli, const label i) const
 {
     if (products_)
     {
@@ -118,7 +92,7 @@ Foam::scalar Foam::mpm::cellSimplices::integral
         sides(celli, i, h);
         for (int d = 0; d < nDim_; ++d)
         {
-            volume *= mag(h[d])/2;
+            volume *= mag(h[d]) / 2;
         }
         return volume;
     }
@@ -128,7 +102,7 @@ Foam::scalar Foam::mpm::cellSimplices::integral
         scalar sum = 0;
         forAll(r.size, k)
         {
-            sum += r.size[k]*r.S[r.size.size()*k + i];
+            sum += r.size[k] * r.S[r.size.size() * k + i];
         }
         return sum;
     }
@@ -142,18 +116,12 @@ Foam::scalar Foam::mpm::cellSimplices::integral
         {
             share += corner[k] == i;
         }
-        sum += share*volumes(celli)[s]/(nDim_ + 1);
+        sum += share * volumes(celli)[s] / (nDim_ + 1);
     }
     return sum;
 }
 
-
-void Foam::mpm::cellSimplices::integrals
-(
-    const label celli,
-    const label i,
-    scalar* SdS
-) const
+void Foam::mpm::cellSimplices::integrals(const label celli, const label i, scalar* SdS) const
 {
     const label n = nVertices(celli);
     if (products_)
@@ -166,13 +134,13 @@ void Foam::mpm::cellSimplices::integrals
             sides(celli, j, hj);
             for (int d = 0; d < nDim_; ++d)
             {
-                scalar& sum = SdS[nDim_*j + d];
+                scalar& sum = SdS[nDim_ * j + d];
                 sum = hj[d] > 0 ? -0.5 : 0.5;
                 for (int e = 0; e < nDim_; ++e)
                 {
                     if (e != d)
                     {
-                        sum *= mag(hi[e])/(hi[e]*hj[e] > 0 ? 3 : 6);
+                        sum *= mag(hi[e]) / (hi[e] * hj[e] > 0 ? 3 : 6);
                     }
                 }
             }
@@ -182,15 +150,14 @@ void Foam::mpm::cellSimplices::integrals
     if (radial_ >= 0)
     {
         const regions r(regionsOf(celli));
-        std::fill_n(SdS, n*nDim_, 0.0);
+        std::fill_n(SdS, n * nDim_, 0.0);
         for (label k = 0; k < n; ++k)
         {
             for (label j = 0; j < n; ++j)
             {
                 for (int d = 0; d < nDim_; ++d)
                 {
-                    SdS[nDim_*j + d] +=
-                        r.size[k]*r.S[n*k + i]*r.dS[n*k + j][d];
+                    SdS[nDim_ * j + d] += r.size[k] * r.S[n * k + i] * r.dS[n * k + j][d];
                 }
             }
         }
@@ -200,7 +167,7 @@ void Foam::mpm::cellSimplices::integrals
     const label* corner = corners(celli);
     const scalar* I = inverses(celli);
     scalar ofOrigin[3] = {0, 0, 0};
-    std::fill_n(SdS, n*nDim_, 0.0);
+    std::fill_n(SdS, n * nDim_, 0.0);
     for (label s = 0; s < nSimplices(celli); ++s)
     {
         scalar share = b;
@@ -208,25 +175,23 @@ void Foam::mpm::cellSimplices::integrals
         {
             share += corner[k] == i;
         }
-        share *= volumes(celli)[s]/(nDim_ + 1);
+        share *= volumes(celli)[s] / (nDim_ + 1);
         for (int k = 0; k < nDim_; ++k)
         {
             for (int d = 0; d < nDim_; ++d)
             {
-                SdS[nDim_*corner[k] + d] += share*I[nDim_*k + d];
-                ofOrigin[d] -= share*I[nDim_*k + d];
+                SdS[nDim_ * corner[k] + d] += share * I[nDim_ * k + d];
+                ofOrigin[d] -= share * I[nDim_ * k + d];
             }
         }
         corner += nDim_;
-        I += nDim_*nDim_;
+        I += nDim_ * nDim_;
     }
     for (label j = 0; j < n; ++j)
     {
         for (int d = 0; d < nDim_; ++d)
         {
-            SdS[nDim_*j + d] += originShare(celli, j)*ofOrigin[d];
+            SdS[nDim_ * j + d] += originShare(celli, j) * ofOrigin[d];
         }
     }
 }
-
-// ************************************************************************* //

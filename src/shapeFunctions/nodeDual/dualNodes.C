@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "dualNodes.H"
 
@@ -60,7 +54,6 @@ void Foam::mpm::dualNodes::findMass()
     }
 }
 
-
 bool Foam::mpm::dualNodes::addWall(const label m)
 {
     const label start = hasMass_.size();
@@ -80,7 +73,6 @@ bool Foam::mpm::dualNodes::addWall(const label m)
     return true;
 }
 
-
 void Foam::mpm::dualNodes::findRanges()
 {
     ranges_.clear();
@@ -93,9 +85,8 @@ void Foam::mpm::dualNodes::findRanges()
         {
             continue;
         }
-        const bool follows =
-            ranges_.size() && ranges_.last().end == m
-         && dual_.alike(ranges_.last().first) == dual_.alike(m);
+        const bool follows = ranges_.size() && ranges_.last().end == m
+            && dual_.alike(ranges_.last().first) == dual_.alike(m);
         if (follows)
         {
             ++ranges_.last().end;
@@ -111,11 +102,7 @@ void Foam::mpm::dualNodes::findRanges()
     for (const rowRange& r : ranges_)
     {
         const bool alike = r.end - r.first >= fewest;
-        if
-        (
-            n && !alike && !ranges_[n - 1].alike
-         && ranges_[n - 1].end == r.first
-        )
+        if (n && !alike && !ranges_[n - 1].alike && ranges_[n - 1].end == r.first)
         {
             ranges_[n - 1].end = r.end;
         }
@@ -129,15 +116,8 @@ void Foam::mpm::dualNodes::findRanges()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::dualNodes::boundary::boundary
-(
-    const nodeDual& dual,
-    const sharedNodes& sums
-)
-:
-    shared(sums),
-    any(false),
-    feeds(dual.nRows(), false)
+Foam::mpm::dualNodes::boundary::boundary(const nodeDual& dual, const sharedNodes& sums) :
+    shared(sums), any(false), feeds(dual.nRows(), false)
 {
     scalarList ofBoundary(dual.nRows(), Zero);
     for (label m = 0; m < dual.nRows(); ++m)
@@ -157,30 +137,24 @@ Foam::mpm::dualNodes::boundary::boundary
     {
         for (label e = dual.begin(m); e < dual.begin(m + 1); ++e)
         {
-            feeds[m] =
-                feeds[m] || (dual.W(e) > 0 && ofBoundary[dual.node(e)] > 0);
+            feeds[m] = feeds[m] || (dual.W(e) > 0 && ofBoundary[dual.node(e)] > 0);
         }
     }
 }
 
-
-Foam::mpm::dualNodes::dualNodes(const nodeDual& dual, const boundary& edge)
-:
+Foam::mpm::dualNodes::dualNodes(const nodeDual& dual, const boundary& edge) :
     dual_(dual),
     boundary_(edge),
     found_(false),
     here_(dual.nRows(), char(0)),
     mass_(dual.nRows(), char(0)),
     toShare_(Pstream::parRun() ? dual.nRows() : 0, Zero)
-{}
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::dualNodes::update
-(
-    const labelList& cells,
-    const cellSimplices& vertices
-)
+void Foam::mpm::dualNodes::update(const labelList& cells, const cellSimplices& vertices)
 {
     // Points of others give mass to nodes here
     bool change = !found_ || cells != cells_;
@@ -226,5 +200,3 @@ void Foam::mpm::dualNodes::update
     findMass();
     findRanges();
 }
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Description
     Included by dualNodes.H.
@@ -33,7 +30,6 @@ MPM_INLINE void dualNodes::forRows(const Row& row, const Range& range) const
     }
 }
 
-
 template<int N, class Function>
 MPM_INLINE void dualNodes::unrolled(const Function& f)
 {
@@ -44,75 +40,49 @@ MPM_INLINE void dualNodes::unrolled(const Function& f)
     }
 }
 
-
 template<int D, int P, int N, class Store>
-MPM_INLINE void dualNodes::sumRows
-(
-    const nodeDual& dual,
-    const scalar* weight,
-    const label m,
-    const scalar* u,
-    const Store& to
-)
+MPM_INLINE void dualNodes::sumRows(
+    const nodeDual& dual, const scalar* weight, const label m, const scalar* u, const Store& to)
 {
     // Two nodes side by side, or the only one
-    constexpr int V = N == 1 ? P : 2*P;
-    constexpr int R = N == 1 ? 1 : N/2;
+    constexpr int V = N == 1 ? P : 2 * P;
+    constexpr int R = N == 1 ? 1 : N / 2;
     const label m0 = dual.alike(m);
-    const scalar* at = u + P*(m - m0);
+    const scalar* at = u + P * (m - m0);
     lanes<V> sum[R][D] = {};
     for (label e = dual.begin(m0); e < dual.begin(m0 + 1); ++e)
     {
-        const scalar* q = at + P*dual.node(e);
-        const scalar* w = weight + D*e;
-        unrolled<R>([&](const auto r) __attribute__((always_inline))
-        {
-            const lanes<V> ul = load<V>(q + V*r);
-            unrolled<D>([&](const auto j) __attribute__((always_inline))
-            {
-                sum[r][j] += w[j]*ul;
-            });
+        const scalar* q = at + P * dual.node(e);
+        const scalar* w = weight + D * e;
+        unrolled<R>([&](const auto r) __attribute__((always_inline)) {
+            const lanes<V> ul = load<V>(q + V * r);
+            unrolled<D>([&](const auto j)
+                            __attribute__((always_inline)) { sum[r][j] += w[j] * ul; });
         });
     }
-    unrolled<R>([&](const auto r) __attribute__((always_inline))
-    {
-        unrolled<V/P>([&](const auto i) __attribute__((always_inline))
-        {
-            unrolled<D>([&](const auto j) __attribute__((always_inline))
-            {
+    unrolled<R>([&](const auto r) __attribute__((always_inline)) {
+        unrolled<V / P>([&](const auto i) __attribute__((always_inline)) {
+            unrolled<D>([&](const auto j) __attribute__((always_inline)) {
                 // By its elements: what has an address leaves the registers
                 const lanes<V> a = sum[r][j];
                 if constexpr (P == 2)
                 {
-                    to(m + (V/P)*r + i, j, lanes<P>{a[P*i], a[P*i + 1]});
+                    to(m + (V / P) * r + i, j, lanes<P>{a[P * i], a[P * i + 1]});
                 }
                 else
                 {
-                    to
-                    (
-                        m + (V/P)*r + i,
-                        j,
-                        lanes<P>
-                        {
-                            a[P*i], a[P*i + 1], a[P*i + 2], a[P*i + 3]
-                        }
-                    );
+                    to(m + (V / P) * r + i, j,
+                       lanes<P>{a[P * i], a[P * i + 1], a[P * i + 2], a[P * i + 3]});
                 }
             });
         });
     });
 }
 
-
 template<int D, int P, class Store>
-MPM_INLINE void dualNodes::sumRange
-(
-    const nodeDual& dual,
-    const scalar* weight,
-    const rowRange& range,
-    const scalar* u,
-    const Store& to
-)
+MPM_INLINE void dualNodes::sumRange(
+    const nodeDual& dual, const scalar* weight, const rowRange& range, const scalar* u,
+    const Store& to)
 {
     label m = range.first;
     for (; m + 8 <= range.end; m += 8)
@@ -129,56 +99,39 @@ MPM_INLINE void dualNodes::sumRange
     }
 }
 
-
 template<int D, int P, int K>
-MPM_INLINE void dualNodes::addLine
-(
-    const scalar* weight,
-    const scalar* const (&column)[D],
-    const int n,
-    scalar* to
-)
+MPM_INLINE void
+dualNodes::addLine(const scalar* weight, const scalar* const (&column)[D], const int n, scalar* to)
 {
-    constexpr int V = 2*P;
+    constexpr int V = 2 * P;
 
     // What is stored may be a weight, as far as the compiler knows
-    lanes<V> w[K*D];
-    unrolled<K*D>([&](const auto i) __attribute__((always_inline))
-    {
-        w[i] = broadcast<V>(weight[i]);
-    });
+    lanes<V> w[K * D];
+    unrolled<K * D>([&](const auto i)
+                        __attribute__((always_inline)) { w[i] = broadcast<V>(weight[i]); });
     int k = 0;
     for (; k + 2 < n + K; k += 2)
     {
-        lanes<V> sum = load<V>(to + P*k);
-        unrolled<K*D>([&](const auto i) __attribute__((always_inline))
-        {
-            sum += w[i]*load<V>(column[i % D] + P*(k - i/D));
+        lanes<V> sum = load<V>(to + P * k);
+        unrolled<K * D>([&](const auto i) __attribute__((always_inline)) {
+            sum += w[i] * load<V>(column[i % D] + P * (k - i / D));
         });
-        store<V>(to + P*k, sum);
+        store<V>(to + P * k, sum);
     }
     if (k + 1 < n + K)
     {
-        lanes<P> sum = load<P>(to + P*k);
-        unrolled<K*D>([&](const auto i) __attribute__((always_inline))
-        {
-            sum += weight[i]*load<P>(column[i % D] + P*(k - i/D));
+        lanes<P> sum = load<P>(to + P * k);
+        unrolled<K * D>([&](const auto i) __attribute__((always_inline)) {
+            sum += weight[i] * load<P>(column[i % D] + P * (k - i / D));
         });
-        store<P>(to + P*k, sum);
+        store<P>(to + P * k, sum);
     }
 }
 
-
 template<int D, int P>
-MPM_INLINE void dualNodes::addLines
-(
-    const nodeDual& dual,
-    const scalar* weight,
-    const scalar* const (&column)[D],
-    const label m,
-    const int n,
-    scalar* f
-)
+MPM_INLINE void dualNodes::addLines(
+    const nodeDual& dual, const scalar* weight, const scalar* const (&column)[D], const label m,
+    const int n, scalar* f)
 {
     const label m0 = dual.alike(m), end = dual.begin(m0 + 1);
     for (label e = dual.begin(m0); e < end;)
@@ -188,8 +141,8 @@ MPM_INLINE void dualNodes::addLines
         {
             ++K;
         }
-        const scalar* w = weight + D*e;
-        scalar* to = f + P*(m - m0 + dual.node(e));
+        const scalar* w = weight + D * e;
+        scalar* to = f + P * (m - m0 + dual.node(e));
         if (K == 3)
         {
             addLine<D, P, 3>(w, column, n, to);
@@ -206,34 +159,20 @@ MPM_INLINE void dualNodes::addLines
     }
 }
 
-
 template<int DIM>
-MPM_INLINE void dualNodes::columnsOf
-(
-    const scalar* F,
-    scalar* to,
-    const int apart
-)
+MPM_INLINE void dualNodes::columnsOf(const scalar* F, scalar* to, const int apart)
 {
     constexpr int P = nodeStride<DIM>;
-    unrolled<DIM>([&](const auto j) __attribute__((always_inline))
-    {
-        unrolled<P>([&](const auto i) __attribute__((always_inline))
-        {
+    unrolled<DIM>([&](const auto j) __attribute__((always_inline)) {
+        unrolled<P>([&](const auto i) __attribute__((always_inline)) {
             constexpr int c = i < DIM ? dualColumns<DIM>::slot(i, j) : 0;
-            to[P*apart*j + i] = i < DIM ? F[c] : 0;
+            to[P * apart * j + i] = i < DIM ? F[c] : 0;
         });
     });
 }
 
-
 template<int DIM>
-void dualNodes::gradientAtWall
-(
-    const label i,
-    const scalar* u,
-    scalar* L
-) const
+void dualNodes::gradientAtWall(const label i, const scalar* u, scalar* L) const
 {
     constexpr int P = nodeStride<DIM>;
     const label m = walls_[i];
@@ -243,30 +182,24 @@ void dualNodes::gradientAtWall
     const char* mass = hasMass_.cdata() + wallStart_[i];
     for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
     {
-        const lanes<P> ul = load<P>(*mass++ ? u + P*dual_.node(e) : U);
+        const lanes<P> ul = load<P>(*mass++ ? u + P * dual_.node(e) : U);
         for (int j = 0; j < DIM; ++j)
         {
-            sum[j] += dual_.G(e)[j]*ul;
+            sum[j] += dual_.G(e)[j] * ul;
         }
     }
     for (int j = 0; j < DIM; ++j)
     {
-        store<P>(L + DIM*j, sum[j]);
+        store<P>(L + DIM * j, sum[j]);
     }
 }
 
-
 template<int DIM>
-void dualNodes::forceAtWall
-(
-    const label i,
-    const scalar* F,
-    scalar* f
-) const
+void dualNodes::forceAtWall(const label i, const scalar* F, scalar* f) const
 {
     constexpr int P = nodeStride<DIM>;
     const label m = walls_[i];
-    alignas(64) scalar column[DIM*P];
+    alignas(64) scalar column[DIM * P];
     columnsOf<DIM>(F, column, 1);
     lanes<P> rest = {};
     const char* mass = hasMass_.cdata() + wallStart_[i];
@@ -275,11 +208,11 @@ void dualNodes::forceAtWall
         lanes<P> part = {};
         for (int j = 0; j < DIM; ++j)
         {
-            part += dual_.G(e)[j]*load<P>(column + P*j);
+            part += dual_.G(e)[j] * load<P>(column + P * j);
         }
         if (*mass++)
         {
-            scalar* to = f + P*dual_.node(e);
+            scalar* to = f + P * dual_.node(e);
             store<P>(to, load<P>(to) + part);
         }
         else
@@ -297,33 +230,23 @@ void dualNodes::forceAtWall
 template<int P>
 void dualNodes::gather(const scalar* u, scalar* U) const
 {
-    const auto to = [&](const label m, const int, const lanes<P> sum)
-    {
-        store<P>(U + P*m, sum);
-    };
-    forRows
-    (
-        [&](const label m) { dual_.gather<P>(m, u, U + P*m); },
-        [&](const rowRange& r)
-        {
-            sumRange<1, P>(dual_, dual_.allW(), r, u, to);
-        }
-    );
+    const auto to = [&](const label m, const int, const lanes<P> sum) { store<P>(U + P * m, sum); };
+    forRows(
+        [&](const label m) { dual_.gather<P>(m, u, U + P * m); },
+        [&](const rowRange& r) { sumRange<1, P>(dual_, dual_.allW(), r, u, to); });
     for (const label m : walls_)
     {
-        dual_.gather<P>(m, u, U + P*m);
+        dual_.gather<P>(m, u, U + P * m);
     }
 }
-
 
 template<int P>
 void dualNodes::spread(const scalar* a, const int stride, scalar* q) const
 {
-    alignas(64) scalar room[(most + 4)*P] = {};
-    const scalar* column[1] = {room + 2*P};
-    forRows
-    (
-        [&](const label m) { dual_.spread<P>(m, a + stride*m, q); },
+    alignas(64) scalar room[(most + 4) * P] = {};
+    const scalar* column[1] = {room + 2 * P};
+    forRows(
+        [&](const label m) { dual_.spread<P>(m, a + stride * m, q); },
         [&](const rowRange& r)
         {
             for (label m = r.first; m < r.end; m += most)
@@ -331,19 +254,17 @@ void dualNodes::spread(const scalar* a, const int stride, scalar* q) const
                 const int n = min(most, r.end - m);
                 for (int i = 0; i < n; ++i)
                 {
-                    store<P>(room + P*(i + 2), load<P>(a + stride*(m + i)));
+                    store<P>(room + P * (i + 2), load<P>(a + stride * (m + i)));
                 }
-                std::fill_n(room + P*(n + 2), 2*P, 0.0);
+                std::fill_n(room + P * (n + 2), 2 * P, 0.0);
                 addLines<1, P>(dual_, dual_.allW(), column, m, n, q);
             }
-        }
-    );
+        });
     for (const label m : walls_)
     {
-        dual_.spread<P>(m, a + stride*m, q);
+        dual_.spread<P>(m, a + stride * m, q);
     }
 }
-
 
 template<int DIM>
 void dualNodes::gradient(const scalar* u, scalar* L) const
@@ -353,43 +274,33 @@ void dualNodes::gradient(const scalar* u, scalar* L) const
     const auto to = [&](const label m, const int j, const lanes<P> sum)
     {
         // What is too much of a column the next one overwrites
-        store<P>(L + C*m + DIM*j, sum);
+        store<P>(L + C * m + DIM * j, sum);
     };
-    forRows
-    (
-        [&](const label m)
-        {
-            sumRows<DIM, P, 1>(dual_, dual_.allG(), m, u, to);
-        },
-        [&](const rowRange& r)
-        {
-            sumRange<DIM, P>(dual_, dual_.allG(), r, u, to);
-        }
-    );
+    forRows(
+        [&](const label m) { sumRows<DIM, P, 1>(dual_, dual_.allG(), m, u, to); },
+        [&](const rowRange& r) { sumRange<DIM, P>(dual_, dual_.allG(), r, u, to); });
     forAll(walls_, i)
     {
-        gradientAtWall<DIM>(i, u, L + C*walls_[i]);
+        gradientAtWall<DIM>(i, u, L + C * walls_[i]);
     }
 }
-
 
 template<int DIM>
 void dualNodes::force(const scalar* F, const bool beside, scalar* f) const
 {
     typedef dualColumns<DIM> layout;
     constexpr int P = layout::P, C = layout::force;
-    alignas(64) scalar room[DIM][(most + 4)*P] = {};
+    alignas(64) scalar room[DIM][(most + 4) * P] = {};
     const scalar* column[DIM];
     for (int j = 0; j < DIM; ++j)
     {
-        column[j] = room[j] + 2*P;
+        column[j] = room[j] + 2 * P;
     }
-    forRows
-    (
+    forRows(
         [&](const label m)
         {
-            alignas(64) scalar columns[DIM*P];
-            columnsOf<DIM>(F + C*m, columns, 1);
+            alignas(64) scalar columns[DIM * P];
+            columnsOf<DIM>(F + C * m, columns, 1);
             dual_.force<DIM, P>(m, columns, f);
         },
         [&](const rowRange& r)
@@ -399,19 +310,18 @@ void dualNodes::force(const scalar* F, const bool beside, scalar* f) const
                 const int n = min(most, r.end - m);
                 for (int i = 0; i < n; ++i)
                 {
-                    columnsOf<DIM>(F + C*(m + i), room[0] + P*(i + 2), most + 4);
+                    columnsOf<DIM>(F + C * (m + i), room[0] + P * (i + 2), most + 4);
                 }
                 for (int j = 0; j < DIM; ++j)
                 {
-                    std::fill_n(room[j] + P*(n + 2), 2*P, 0.0);
+                    std::fill_n(room[j] + P * (n + 2), 2 * P, 0.0);
                 }
                 addLines<DIM, P>(dual_, dual_.allG(), column, m, n, f);
             }
-        }
-    );
+        });
     forAll(walls_, i)
     {
-        forceAtWall<DIM>(i, F + C*walls_[i], f);
+        forceAtWall<DIM>(i, F + C * walls_[i], f);
     }
     if (beside)
     {
@@ -420,5 +330,3 @@ void dualNodes::force(const scalar* F, const bool beside, scalar* f) const
 }
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "nodeRows.H"
 #include "emptyPolyPatch.H"
@@ -21,18 +15,10 @@ using namespace Foam;
 
 //- Two vectors from one node to one other: through a cyclic side they differ
 //  by its length
-bool same(const vector& a, const vector& b)
-{
-    return magSqr(a - b) <= 1e-6*magSqr(b);
-}
-
+bool same(const vector& a, const vector& b) { return magSqr(a - b) <= 1e-6 * magSqr(b); }
 
 //- Are two faces in the order in which they are taken, on all processors?
-bool before
-(
-    const Foam::mpm::nodeRows::ringFace& a,
-    const Foam::mpm::nodeRows::ringFace& b
-)
+bool before(const Foam::mpm::nodeRows::ringFace& a, const Foam::mpm::nodeRows::ringFace& b)
 {
     if (a.patch != b.patch)
     {
@@ -48,14 +34,9 @@ bool before
     return a.centre[2] < b.centre[2];
 }
 
-
 //- A row as a list of numbers, its nodes by their keys
-void pack
-(
-    const Foam::mpm::pointGrid& grid,
-    const Foam::mpm::nodeRows::row& r,
-    DynamicList<scalar>& to
-)
+void pack(
+    const Foam::mpm::pointGrid& grid, const Foam::mpm::nodeRows::row& r, DynamicList<scalar>& to)
 {
     const auto put = [&](const vector& v)
     {
@@ -87,14 +68,8 @@ void pack
     }
 }
 
-
 //- Its opposite; from is moved to the next row
-void unpack
-(
-    const Map<label>& nodeOfKey,
-    const scalar*& from,
-    Foam::mpm::nodeRows::row& r
-)
+void unpack(const Map<label>& nodeOfKey, const scalar*& from, Foam::mpm::nodeRows::row& r)
 {
     const auto get = [&]()
     {
@@ -141,15 +116,9 @@ Foam::vector Foam::mpm::nodeRows::computed(const vector& v) const
     return c;
 }
 
-
-void Foam::mpm::nodeRows::addFace
-(
-    const label patchi,
-    const vector& area,
-    const vector& centre,
-    const labelUList& nodes,
-    const UList<vector>& x
-)
+void Foam::mpm::nodeRows::addFace(
+    const label patchi, const vector& area, const vector& centre, const labelUList& nodes,
+    const UList<vector>& x)
 {
     scalar size = 0;
     for (const vector& v : x)
@@ -162,20 +131,14 @@ void Foam::mpm::nodeRows::addFace
         bool known = false;
         for (label j = 0; j < i; ++j)
         {
-            known =
-                known
-             || (nodes[j] == nodes[i] && magSqr(x[j] - x[i]) <= 1e-6*size);
+            known = known || (nodes[j] == nodes[i] && magSqr(x[j] - x[i]) <= 1e-6 * size);
         }
         if (!known)
         {
-            faces_[nodes[i]].append
-            (
-                ringFace{patchi, area, centre - x[i], nodes, x - x[i]}
-            );
+            faces_[nodes[i]].append(ringFace{patchi, area, centre - x[i], nodes, x - x[i]});
         }
     }
 }
-
 
 void Foam::mpm::nodeRows::addFaces()
 {
@@ -197,23 +160,17 @@ void Foam::mpm::nodeRows::addFaces()
                 x[k] = computed(mesh.points()[f[k]]);
             }
             const label facei = pp.start() + i;
-            addFace
-            (
-                pp.index(),
-                computed(mesh.faceAreas()[facei]),
-                computed(mesh.faceCentres()[facei]),
-                nodes,
-                x
-            );
+            addFace(
+                pp.index(), computed(mesh.faceAreas()[facei]), computed(mesh.faceCentres()[facei]),
+                nodes, x);
         }
     }
 }
 
-
 void Foam::mpm::nodeRows::addAxis()
 {
     const int r = grid_.radial();
-    const scalar onAxis = 1e-6*grid_.mesh().bounds().mag();
+    const scalar onAxis = 1e-6 * grid_.mesh().bounds().mag();
     for (label celli = 0; r >= 0 && celli < grid_.nCells(); ++celli)
     {
         const label n = cells_.nVertices(celli);
@@ -234,11 +191,10 @@ void Foam::mpm::nodeRows::addAxis()
             labelList nodes(2);
             nodes[0] = cells_.nodes(celli)[i];
             nodes[1] = cells_.nodes(celli)[j];
-            addFace(-1, area, 0.5*(x[0] + x[1]), nodes, x);
+            addFace(-1, area, 0.5 * (x[0] + x[1]), nodes, x);
         }
     }
 }
-
 
 void Foam::mpm::nodeRows::ownPart(const label m, row& r) const
 {
@@ -249,7 +205,7 @@ void Foam::mpm::nodeRows::ownPart(const label m, row& r) const
     for (const label celli : grid_.nodes().cellsOf(m))
     {
         const label n = cells_.nVertices(celli);
-        SdS.setSize(nDim*n);
+        SdS.setSize(nDim * n);
         for (label i = 0; i < n; ++i)
         {
             if (cells_.nodes(celli)[i] != m)
@@ -257,7 +213,7 @@ void Foam::mpm::nodeRows::ownPart(const label m, row& r) const
                 continue;
             }
             const scalar volume = cells_.integral(celli, i);
-            const scalar share = volume/n;
+            const scalar share = volume / n;
             r.volume += volume;
             cells_.integrals(celli, i, SdS.begin());
             for (label j = 0; j < n; ++j)
@@ -265,10 +221,8 @@ void Foam::mpm::nodeRows::ownPart(const label m, row& r) const
                 vector d(Zero), G(Zero);
                 for (int c = 0; c < nDim; ++c)
                 {
-                    d[c] =
-                        cells_.position(celli, j)[c]
-                      - cells_.position(celli, i)[c];
-                    G[c] = SdS[nDim*j + c];
+                    d[c] = cells_.position(celli, j)[c] - cells_.position(celli, i)[c];
+                    G[c] = SdS[nDim * j + c];
                 }
                 entry& e = r.at(cells_.nodes(celli)[j], d);
                 e.G += G;
@@ -278,7 +232,6 @@ void Foam::mpm::nodeRows::ownPart(const label m, row& r) const
     }
     r.faces = faces_[m];
 }
-
 
 void Foam::mpm::nodeRows::exchange()
 {
@@ -298,7 +251,7 @@ void Foam::mpm::nodeRows::exchange()
     }
     buffers.finishedSends();
 
-    Map<label> nodeOfKey(2*grid_.nNodes());
+    Map<label> nodeOfKey(2 * grid_.nNodes());
     forAll(grid_.nodeKey(), n)
     {
         nodeOfKey.insert(grid_.nodeKey()[n], n);
@@ -344,11 +297,8 @@ void Foam::mpm::nodeRows::exchange()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::nodeRows::nodeRows(const pointGrid& grid, const cellSimplices& cells)
-:
-    grid_(grid),
-    cells_(cells),
-    faces_(grid.nNodes())
+Foam::mpm::nodeRows::nodeRows(const pointGrid& grid, const cellSimplices& cells) :
+    grid_(grid), cells_(cells), faces_(grid.nNodes())
 {
     addFaces();
     addAxis();
@@ -372,9 +322,7 @@ bool Foam::mpm::nodeRows::ringFace::has(const entry& e) const
     return false;
 }
 
-
-Foam::mpm::nodeRows::entry&
-Foam::mpm::nodeRows::row::at(const label node, const vector& d)
+Foam::mpm::nodeRows::entry& Foam::mpm::nodeRows::row::at(const label node, const vector& d)
 {
     for (entry& e : entries)
     {
@@ -386,7 +334,6 @@ Foam::mpm::nodeRows::row::at(const label node, const vector& d)
     entries.append(entry{node, d, vector(Zero), 0});
     return entries.last();
 }
-
 
 void Foam::mpm::nodeRows::get(const label m, row& r) const
 {
@@ -401,5 +348,3 @@ void Foam::mpm::nodeRows::get(const label m, row& r) const
     }
     std::sort(r.faces.begin(), r.faces.end(), before);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "outflowPatches.H"
 #include "dictionaryTools.H"
@@ -16,15 +10,8 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::outflowPatches::outflowPatches
-(
-    const dictionary& dict,
-    const pointGrid& grid
-)
-:
-    grid_(grid),
-    sides_(grid.nCells(), static_cast<unsigned char>(0)),
-    nodes_(grid.nNodes(), false)
+Foam::mpm::outflowPatches::outflowPatches(const dictionary& dict, const pointGrid& grid) :
+    grid_(grid), sides_(grid.nCells(), static_cast<unsigned char>(0)), nodes_(grid.nNodes(), false)
 {
     checkKeywords(dict, {"patches"});
     requireKeyword(dict, "patches");
@@ -46,17 +33,13 @@ Foam::mpm::outflowPatches::outflowPatches
             FatalIOErrorInFunction(dict)
                 << "Entry patches of outflow names " << name << ", not a"
                 << " patch that points can leave through." << nl << nl
-                << "Valid choices are: " << flatOutput(open)
-                << exit(FatalIOError);
+                << "Valid choices are: " << flatOutput(open) << exit(FatalIOError);
         }
     }
 
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        open_.append
-        (
-            open.found(patch.name()) && patches.match(patch.name())
-        );
+        open_.append(open.found(patch.name()) && patches.match(patch.name()));
     }
     if (grid.locator().knowsPatches())
     {
@@ -80,12 +63,12 @@ Foam::mpm::outflowPatches::outflowPatches
             }
             const label celli = patch.faceCells()[i];
             const label* corners = grid.hexes().corners(celli);
-            for (int side = 0; side < 2*grid.nDim(); ++side)
+            for (int side = 0; side < 2 * grid.nDim(); ++side)
             {
                 bool all = grid.hexes().walls(celli) & (1u << side);
                 for (label n = 0; n < label(1) << grid.nDim(); ++n)
                 {
-                    const bool beside = ((n >> side/2) & 1) == side % 2;
+                    const bool beside = ((n >> side / 2) & 1) == side % 2;
                     all = all && (!beside || nodes.found(corners[n]));
                 }
                 if (all)
@@ -107,11 +90,7 @@ Foam::mpm::outflowPatches::outflowPatches
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::mpm::outflowPatches::through
-(
-    const label celli,
-    const scalar* x
-) const
+bool Foam::mpm::outflowPatches::through(const label celli, const scalar* x) const
 {
     if (grid_.locator().knowsPatches())
     {
@@ -127,7 +106,7 @@ bool Foam::mpm::outflowPatches::through
     unsigned beyond = 0;
     for (int d = 0; d < D; ++d)
     {
-        beyond |= xi[d] < 0 ? 1u << 2*d : xi[d] >= 1 ? 2u << 2*d : 0;
+        beyond |= xi[d] < 0 ? 1u << 2 * d : xi[d] >= 1 ? 2u << 2 * d : 0;
     }
     if (beyond & grid_.hexes().walls(celli))
     {
@@ -141,12 +120,10 @@ bool Foam::mpm::outflowPatches::through
         bool common = true;
         for (int d = 0; d < D; ++d)
         {
-            const unsigned at = (beyond >> 2*d) & 3u;
+            const unsigned at = (beyond >> 2 * d) & 3u;
             common = common && (at == 0 || at == ((n >> d) & 1 ? 2u : 1u));
         }
         open = open && (!common || nodes_[grid_.hexes().corners(celli)[n]]);
     }
     return open;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "coupledCells.H"
 #include "cyclicPolyPatch.H"
@@ -14,12 +8,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::coupledCells::coupledCells
-(
-    const polyMesh& mesh,
-    ghostCells& ghosts
-)
-:
+Foam::mpm::coupledCells::coupledCells(const polyMesh& mesh, ghostCells& ghosts) :
     cell(mesh.nFaces() - mesh.nInternalFaces(), label(-1)),
     separation(cell.size(), Zero),
     cyclic(false)
@@ -29,16 +18,14 @@ Foam::mpm::coupledCells::coupledCells
     {
         if (isA<cyclicPolyPatch>(pp))
         {
-            const labelUList& nbr =
-                refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCells();
+            const labelUList& nbr = refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCells();
             forAll(pp, i)
             {
                 const label facei = pp.start() + i - mesh.nInternalFaces();
                 cell[facei] = nbr[i];
                 separation[facei] =
-                    refCast<const cyclicPolyPatch>(pp).neighbPatch()
-                   .faceCentres()[i]
-                  - pp.faceCentres()[i];
+                    refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCentres()[i]
+                    - pp.faceCentres()[i];
                 cyclic = true;
             }
         }
@@ -61,8 +48,7 @@ Foam::mpm::coupledCells::coupledCells
         {
             if (isA<processorPolyPatch>(pp))
             {
-                const label proci =
-                    refCast<const processorPolyPatch>(pp).neighbProcNo();
+                const label proci = refCast<const processorPolyPatch>(pp).neighbProcNo();
                 const bool shifted = isA<processorCyclicPolyPatch>(pp);
                 forAll(pp, i)
                 {
@@ -70,8 +56,7 @@ Foam::mpm::coupledCells::coupledCells
                     cell[facei] = ghosts.add(proci, nbrCell[facei]);
                     if (shifted)
                     {
-                        separation[facei] =
-                            nbrCentre[facei] - pp.faceCentres()[i];
+                        separation[facei] = nbrCentre[facei] - pp.faceCentres()[i];
                         cyclic = true;
                     }
                 }
@@ -79,5 +64,3 @@ Foam::mpm::coupledCells::coupledCells
         }
     }
 }
-
-// ************************************************************************* //

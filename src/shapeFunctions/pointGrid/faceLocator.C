@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 \*---------------------------------------------------------------------------*/
 
 #include "faceLocator.H"
@@ -10,12 +7,8 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::faceLocator::beyond
-(
-    const label celli,
-    const label facei,
-    const scalar* x
-) const
+Foam::scalar
+Foam::mpm::faceLocator::beyond(const label celli, const label facei, const scalar* x) const
 {
     // The same number for both cells, but for the sign
     const vector& S = mesh_.faceAreas()[facei];
@@ -24,27 +17,19 @@ Foam::scalar Foam::mpm::faceLocator::beyond
     for (int d = 0; d < nDim_; ++d)
     {
         const int c = axes_.direction(d);
-        out += (x[d] - C[c])*S[c];
+        out += (x[d] - C[c]) * S[c];
         sqrS += sqr(S[c]);
     }
     out /= sqrt(max(sqrS, VSMALL));
     return mesh_.faceOwner()[facei] == celli ? out : -out;
 }
 
-
-Foam::label Foam::mpm::faceLocator::behind
-(
-    const label celli,
-    const label facei
-) const
+Foam::label Foam::mpm::faceLocator::behind(const label celli, const label facei) const
 {
-    return
-        !mesh_.isInternalFace(facei)
-      ? coupled_.cell[facei - mesh_.nInternalFaces()]
-      : mesh_.faceOwner()[facei] == celli ? mesh_.faceNeighbour()[facei]
-      : mesh_.faceOwner()[facei];
+    return !mesh_.isInternalFace(facei)     ? coupled_.cell[facei - mesh_.nInternalFaces()]
+        : mesh_.faceOwner()[facei] == celli ? mesh_.faceNeighbour()[facei]
+                                            : mesh_.faceOwner()[facei];
 }
-
 
 void Foam::mpm::faceLocator::pass(const label facei, scalar* x) const
 {
@@ -57,19 +42,14 @@ void Foam::mpm::faceLocator::pass(const label facei, scalar* x) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::faceLocator::faceLocator
-(
-    const polyMesh& mesh,
-    const gridAxes& axes,
-    ghostCells& ghosts
-)
-:
+Foam::mpm::faceLocator::faceLocator(
+    const polyMesh& mesh, const gridAxes& axes, ghostCells& ghosts) :
     mesh_(mesh),
     axes_(axes),
     nDim_(axes.nDim()),
     coupled_(mesh, ghosts),
     isEmpty_(gridNodes::emptyFaces(mesh)),
-    width_(nDim_*mesh.nCells())
+    width_(nDim_ * mesh.nCells())
 {
     forAll(mesh.cells(), celli)
     {
@@ -78,10 +58,9 @@ Foam::mpm::faceLocator::faceLocator
             scalar covered = VSMALL;
             for (const label facei : mesh.cells()[celli])
             {
-                covered +=
-                    0.5*mag(mesh.faceAreas()[facei][axes_.direction(d)]);
+                covered += 0.5 * mag(mesh.faceAreas()[facei][axes_.direction(d)]);
             }
-            width_[nDim_*celli + d] = mesh.cellVolumes()[celli]/covered;
+            width_[nDim_ * celli + d] = mesh.cellVolumes()[celli] / covered;
         }
     }
 }
@@ -112,13 +91,11 @@ Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
             }
             const bool inside = mesh_.isInternalFace(facei);
             const scalar allowed =
-                inside ? 0
-              : (behind(celli, facei) < 0 ? 1e-10 : 1e-12)*width(celli, 0);
+                inside ? 0 : (behind(celli, facei) < 0 ? 1e-10 : 1e-12) * width(celli, 0);
             const scalar out = beyond(celli, facei, x);
 
             // On a face between two cells the owner has the point
-            const bool onFace =
-                inside && out == 0 && mesh_.faceOwner()[facei] != celli;
+            const bool onFace = inside && out == 0 && mesh_.faceOwner()[facei] != celli;
             if (out > max(allowed, worst) || (onFace && through < 0))
             {
                 worst = out;
@@ -133,9 +110,7 @@ Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
         const label next = behind(celli, through);
         if (next == before && next >= 0 && mesh_.isInternalFace(through))
         {
-            const bool here =
-                worst < beyondBefore
-             || (worst == beyondBefore && celli < before);
+            const bool here = worst < beyondBefore || (worst == beyondBefore && celli < before);
             return here ? celli : before;
         }
         // Round an edge of such faces
@@ -155,7 +130,6 @@ Foam::label Foam::mpm::faceLocator::locate(const label from, scalar* x) const
     return celli < 0 ? -1 : best;
 }
 
-
 Foam::label Foam::mpm::faceLocator::find(scalar* x) const
 {
     if (!mesh_.nCells())
@@ -170,23 +144,15 @@ Foam::label Foam::mpm::faceLocator::find(scalar* x) const
     return locate(mesh_.findNearestCell(p), x);
 }
 
-
-Foam::label Foam::mpm::faceLocator::neighbour
-(
-    const label celli,
-    const int d,
-    const int side
-) const
+Foam::label Foam::mpm::faceLocator::neighbour(const label celli, const int d, const int side) const
 {
     label best = -1;
     scalar most = -GREAT;
     for (const label facei : mesh_.cells()[celli])
     {
         const vector& S = mesh_.faceAreas()[facei];
-        const bool outward =
-            (mesh_.faceOwner()[facei] == celli) == bool(side);
-        const scalar along =
-            (outward ? 1 : -1)*S[axes_.direction(d)]/max(mag(S), VSMALL);
+        const bool outward = (mesh_.faceOwner()[facei] == celli) == bool(side);
+        const scalar along = (outward ? 1 : -1) * S[axes_.direction(d)] / max(mag(S), VSMALL);
         if (!isEmpty_.test(facei) && along > most)
         {
             most = along;
@@ -195,5 +161,3 @@ Foam::label Foam::mpm::faceLocator::neighbour
     }
     return best < 0 ? -1 : behind(celli, best);
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "gridLattice.H"
 #include <algorithm>
@@ -19,11 +13,8 @@ bool Foam::mpm::gridLattice::sizeLattice()
     label nLattice = 1, nLatticeNodes = 1;
     for (int d = 0; d < nDim_; ++d)
     {
-        if
-        (
-            refused_.empty()
-         && scalar(nLatticeNodes)*(nCells_[d] + 3) > 50.0*mesh.nCells() + 1e6
-        )
+        if (refused_.empty()
+            && scalar(nLatticeNodes) * (nCells_[d] + 3) > 50.0 * mesh.nCells() + 1e6)
         {
             refused_ = "the cells fill too little of their common lattice";
         }
@@ -39,29 +30,18 @@ bool Foam::mpm::gridLattice::sizeLattice()
     return true;
 }
 
-
-Foam::label Foam::mpm::gridLattice::latticeIndex
-(
-    const label* ijk,
-    const label extra
-) const
+Foam::label Foam::mpm::gridLattice::latticeIndex(const label* ijk, const label extra) const
 {
     label n = ijk[0], stride = 1;
     for (int d = 1; d < nDim_; ++d)
     {
         stride *= nCells_[d - 1] + extra;
-        n += stride*ijk[d];
+        n += stride * ijk[d];
     }
     return n;
 }
 
-
-void Foam::mpm::gridLattice::placeInLattice
-(
-    const label* ijk,
-    const label celli,
-    const label* nodes
-)
+void Foam::mpm::gridLattice::placeInLattice(const label* ijk, const label celli, const label* nodes)
 {
     const label nc = label(1) << nDim_;
     latticeCell_[latticeIndex(ijk, 2)] = celli;
@@ -76,22 +56,14 @@ void Foam::mpm::gridLattice::placeInLattice
     }
 }
 
-
-void Foam::mpm::gridLattice::placeGhosts
-(
-    gridNodes& nodes,
-    ghostCells& ghosts
-)
+void Foam::mpm::gridLattice::placeGhosts(gridNodes& nodes, ghostCells& ghosts)
 {
     const polyMesh& mesh = mesh_;
     const label nc = label(1) << nDim_;
 
     // Their neighbours: ghosts, and own cells across cyclic sides
     DynamicList<label> ghostNodes;
-    const std::unordered_map<int64_t, label> places
-    (
-        latticeGhosts(nodes, ghosts, ghostNodes)
-    );
+    const std::unordered_map<int64_t, label> places(latticeGhosts(nodes, ghosts, ghostNodes));
     const int nAround = nDim_ == 1 ? 3 : nDim_ == 2 ? 9 : 27;
 
     forAll(mesh.cells(), celli)
@@ -126,12 +98,7 @@ void Foam::mpm::gridLattice::placeGhosts
             if (iter != places.end())
             {
                 const label g = iter->second;
-                placeInLattice
-                (
-                    at,
-                    g,
-                    ghostNodes.cdata() + nc*(g - mesh_.nCells())
-                );
+                placeInLattice(at, g, ghostNodes.cdata() + nc * (g - mesh_.nCells()));
             }
         }
     }
@@ -139,15 +106,9 @@ void Foam::mpm::gridLattice::placeGhosts
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::gridLattice::gridLattice
-(
-    const polyMesh& mesh,
-    const gridAxes& axes,
-    const hexCells& cells,
-    gridNodes& nodes,
-    ghostCells& ghosts
-)
-:
+Foam::mpm::gridLattice::gridLattice(
+    const polyMesh& mesh, const gridAxes& axes, const hexCells& cells, gridNodes& nodes,
+    ghostCells& ghosts) :
     mesh_(mesh),
     axes_(axes),
     cells_(cells),
@@ -158,7 +119,7 @@ Foam::mpm::gridLattice::gridLattice
     period_{0, 0, 0},
     lowest_{0, 0, 0},
     highest_{0, 0, 0},
-    cellIjk_(nDim_*mesh.nCells())
+    cellIjk_(nDim_ * mesh.nCells())
 {
     const cellExtents e(extents());
     refuseSkewed(e);
@@ -179,7 +140,7 @@ Foam::mpm::gridLattice::gridLattice
 
     forAll(mesh.cells(), celli)
     {
-        const label* ijk = cellIjk_.cdata() + nDim_*celli;
+        const label* ijk = cellIjk_.cdata() + nDim_ * celli;
         if (latticeCell_[latticeIndex(ijk, 2)] >= 0)
         {
             refused_ = "cells overlap";
@@ -211,18 +172,13 @@ Foam::scalar Foam::mpm::gridLattice::sameWidth() const
         }
         reduce(least, minOp<scalar>());
         reduce(most, maxOp<scalar>());
-        same = same && most < (1 + 1e-9)*least;
+        same = same && most < (1 + 1e-9) * least;
         shortest = min(shortest, least);
     }
     return same ? shortest : 0;
 }
 
-
-void Foam::mpm::gridLattice::addGhostPositions
-(
-    const labelList& points,
-    pointField& x
-) const
+void Foam::mpm::gridLattice::addGhostPositions(const labelList& points, pointField& x) const
 {
     label at[3] = {0, 0, 0};
     label nPlanes[3] = {1, 1, 1};
@@ -249,12 +205,7 @@ void Foam::mpm::gridLattice::addGhostPositions
     }
 }
 
-
-Foam::label Foam::mpm::gridLattice::locate
-(
-    const label from,
-    scalar* x
-) const
+Foam::label Foam::mpm::gridLattice::locate(const label from, scalar* x) const
 {
     label at[3] = {0, 0, 0};
     scalar beyond[3] = {0, 0, 0};
@@ -289,17 +240,14 @@ Foam::label Foam::mpm::gridLattice::locate
         {
             return -1;
         }
-        label i =
-            from >= 0
-          ? ijk(from, d)
-          : label
-            (
-                std::upper_bound(X.begin(), X.begin() + n + 3, y)
-              - X.begin()
-            ) - 1;
+        label i = from >= 0
+            ? ijk(from, d)
+            : label(std::upper_bound(X.begin(), X.begin() + n + 3, y) - X.begin()) - 1;
         i = min(max(i, label(0)), n + 1);
-        while (i > 0 && y < X[i]) --i;
-        while (i < n + 1 && y >= X[i + 1]) ++i;
+        while (i > 0 && y < X[i])
+            --i;
+        while (i < n + 1 && y >= X[i + 1])
+            ++i;
         at[d] = i;
         beyond[d] = y;
     }
@@ -319,10 +267,7 @@ Foam::label Foam::mpm::gridLattice::locate
         {
             if ((n >> d) & 1)
             {
-                possible =
-                    possible
-                 && at[d] > 0
-                 && beyond[d] == planes_[d][at[d]];
+                possible = possible && at[d] > 0 && beyond[d] == planes_[d][at[d]];
                 --lower[d];
             }
         }
@@ -333,5 +278,3 @@ Foam::label Foam::mpm::gridLattice::locate
     }
     return -1;
 }
-
-// ************************************************************************* //

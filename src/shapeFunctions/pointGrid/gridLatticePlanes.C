@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "gridLattice.H"
 #include "ListOps.H"
@@ -12,19 +6,16 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::mpm::gridLattice::cellExtents
-Foam::mpm::gridLattice::extents() const
+Foam::mpm::gridLattice::cellExtents Foam::mpm::gridLattice::extents() const
 {
     // Corners of a cell are taken from its own points: on a cyclic side a node
     // has two positions
     const polyMesh& mesh = mesh_;
     const pointField& points = mesh.points();
-    cellExtents e
-    {
-        scalarField(nDim_*mesh.nCells()),
-        scalarField(nDim_*mesh.nCells()),
-        {GREAT, GREAT, GREAT}
-    };
+    cellExtents e{
+        scalarField(nDim_ * mesh.nCells()),
+        scalarField(nDim_ * mesh.nCells()),
+        {GREAT, GREAT, GREAT}};
     forAll(mesh.cells(), celli)
     {
         for (int d = 0; d < nDim_; ++d)
@@ -35,8 +26,8 @@ Foam::mpm::gridLattice::extents() const
                 lo = min(lo, points[p][axes_.direction(d)]);
                 hi = max(hi, points[p][axes_.direction(d)]);
             }
-            e.lower[nDim_*celli + d] = lo;
-            e.upper[nDim_*celli + d] = hi;
+            e.lower[nDim_ * celli + d] = lo;
+            e.upper[nDim_ * celli + d] = hi;
             e.shortest[d] = min(e.shortest[d], hi - lo);
         }
     }
@@ -46,7 +37,6 @@ Foam::mpm::gridLattice::extents() const
     }
     return e;
 }
-
 
 void Foam::mpm::gridLattice::refuseSkewed(const cellExtents& e)
 {
@@ -60,18 +50,13 @@ void Foam::mpm::gridLattice::refuseSkewed(const cellExtents& e)
             for (int d = 0; d < nDim_; ++d)
             {
                 const scalar x = points[p][axes_.direction(d)];
-                const scalar tol = 1e-4*e.shortest[d];
-                if
-                (
-                    refused_.empty()
-                 && mag(x - e.lower[nDim_*celli + d]) > tol
-                 && mag(x - e.upper[nDim_*celli + d]) > tol
-                )
+                const scalar tol = 1e-4 * e.shortest[d];
+                if (refused_.empty() && mag(x - e.lower[nDim_ * celli + d]) > tol
+                    && mag(x - e.upper[nDim_ * celli + d]) > tol)
                 {
                     OStringStream s;
-                    s   << "cell " << celli << " at "
-                        << mesh.cellCentres()[celli]
-                        << " is not a box along the axes";
+                    s << "cell " << celli << " at " << mesh.cellCentres()[celli]
+                      << " is not a box along the axes";
                     refused_ = s.str();
                 }
             }
@@ -79,27 +64,21 @@ void Foam::mpm::gridLattice::refuseSkewed(const cellExtents& e)
     }
 }
 
-
 void Foam::mpm::gridLattice::makePlanes(const int d, const cellExtents& e)
 {
     const polyMesh& mesh = mesh_;
-    scalarList x(2*mesh.nCells());
+    scalarList x(2 * mesh.nCells());
     forAll(mesh.cells(), celli)
     {
-        x[2*celli] = e.lower[nDim_*celli + d];
-        x[2*celli + 1] = e.upper[nDim_*celli + d];
+        x[2 * celli] = e.lower[nDim_ * celli + d];
+        x[2 * celli + 1] = e.upper[nDim_ * celli + d];
     }
     std::sort(x.begin(), x.end());
     const scalarList all(allPlanes(x, e.shortest[d]));
 
     const auto indexOf = [&](const scalar xi)
     {
-        const auto iter = std::upper_bound
-        (
-            all.begin(),
-            all.end(),
-            xi + 1e-2*e.shortest[d]
-        );
+        const auto iter = std::upper_bound(all.begin(), all.end(), xi + 1e-2 * e.shortest[d]);
         return label(iter - all.begin());
     };
 
@@ -113,23 +92,21 @@ void Foam::mpm::gridLattice::makePlanes(const int d, const cellExtents& e)
 
     forAll(mesh.cells(), celli)
     {
-        const label i = indexOf(e.lower[nDim_*celli + d]);
-        const label j = indexOf(e.upper[nDim_*celli + d]);
+        const label i = indexOf(e.lower[nDim_ * celli + d]);
+        const label j = indexOf(e.upper[nDim_ * celli + d]);
         if (j != i + 1 && refused_.empty())
         {
             OStringStream s;
-            s   << "cell " << celli << " at "
-                << mesh.cellCentres()[celli]
-                << " spans planes of other cells";
+            s << "cell " << celli << " at " << mesh.cellCentres()[celli]
+              << " spans planes of other cells";
             refused_ = s.str();
         }
-        cellIjk_[nDim_*celli + d] = i - window_[d];
+        cellIjk_[nDim_ * celli + d] = i - window_[d];
     }
 
     findPeriod(d);
     addGhostPlanes(d, all);
 }
-
 
 void Foam::mpm::gridLattice::findPeriod(const int d)
 {
@@ -155,7 +132,6 @@ void Foam::mpm::gridLattice::findPeriod(const int d)
     period_[d] = nCyclic ? highest_[d] - lowest_[d] : 0;
 }
 
-
 void Foam::mpm::gridLattice::addGhostPlanes(const int d, const scalarList& all)
 {
     // One ghost plane at each end: the next plane, repeated on a cyclic
@@ -165,36 +141,19 @@ void Foam::mpm::gridLattice::addGhostPlanes(const int d, const scalarList& all)
     for (label i = 0; i < nCells_[d] + 3; ++i)
     {
         const label j = window_[d] + i - 1;
-        planes_[d][i] =
-            j < 0
-          ? (
-                period_[d] > 0
-              ? all[nAll - 1] - period_[d]
-              : 2*all[0] - all[1]
-            )
-          : j > nAll
-          ? (
-                period_[d] > 0
-              ? all[1] + period_[d]
-              : 2*all[nAll] - all[nAll - 1]
-            )
-          : all[j];
+        planes_[d][i] = j < 0 ? (period_[d] > 0 ? all[nAll - 1] - period_[d] : 2 * all[0] - all[1])
+            : j > nAll ? (period_[d] > 0 ? all[1] + period_[d] : 2 * all[nAll] - all[nAll - 1])
+                       : all[j];
     }
     invWidth_[d].setSize(nCells_[d] + 2);
     for (label i = 0; i < nCells_[d] + 2; ++i)
     {
-        invWidth_[d][i] = 1/(planes_[d][i + 1] - planes_[d][i]);
+        invWidth_[d][i] = 1 / (planes_[d][i + 1] - planes_[d][i]);
     }
 }
 
-
-std::unordered_map<int64_t, Foam::label>
-Foam::mpm::gridLattice::latticeGhosts
-(
-    gridNodes& nodes,
-    ghostCells& ghosts,
-    DynamicList<label>& ghostNodes
-)
+std::unordered_map<int64_t, Foam::label> Foam::mpm::gridLattice::latticeGhosts(
+    gridNodes& nodes, ghostCells& ghosts, DynamicList<label>& ghostNodes)
 {
     std::unordered_map<int64_t, label> place;
     if (!Pstream::parRun())
@@ -210,7 +169,7 @@ Foam::mpm::gridLattice::latticeGhosts
     {
         const labelList cells(nodes.cellsAtCoupled());
         labelList& mine = published[Pstream::myProcNo()];
-        mine.setSize(row*cells.size());
+        mine.setSize(row * cells.size());
         label* to = mine.data();
         for (const label celli : cells)
         {
@@ -228,7 +187,7 @@ Foam::mpm::gridLattice::latticeGhosts
     Pstream::gatherList(published);
     Pstream::scatterList(published);
 
-    Map<label> nodeOfKey(2*nodes.size());
+    Map<label> nodeOfKey(2 * nodes.size());
     forAll(nodes.keys(), n)
     {
         nodeOfKey.insert(nodes.keys()[n], n);
@@ -263,14 +222,8 @@ Foam::mpm::gridLattice::latticeGhosts
             }
             place[allIndex(ijk)] = g;
 
-            ghostNodes.setSize(nc*ghosts.size(), -1);
-            nodes.addGhost
-            (
-                keys,
-                nc,
-                nodeOfKey,
-                ghostNodes.data() + nc*(g - mesh_.nCells())
-            );
+            ghostNodes.setSize(nc * ghosts.size(), -1);
+            nodes.addGhost(keys, nc, nodeOfKey, ghostNodes.data() + nc * (g - mesh_.nCells()));
         }
     }
     nodes.closeGhosts();
@@ -278,12 +231,7 @@ Foam::mpm::gridLattice::latticeGhosts
     return place;
 }
 
-
-Foam::scalarList Foam::mpm::gridLattice::allPlanes
-(
-    const UList<scalar>& own,
-    const scalar h
-)
+Foam::scalarList Foam::mpm::gridLattice::allPlanes(const UList<scalar>& own, const scalar h)
 {
     // The smallest value stands for the plane, so that both cells at a plane
     // compare with the same number
@@ -292,7 +240,7 @@ Foam::scalarList Foam::mpm::gridLattice::allPlanes
         DynamicList<scalar> planes;
         for (const scalar xi : x)
         {
-            if (planes.empty() || xi > planes.last() + 1e-3*h)
+            if (planes.empty() || xi > planes.last() + 1e-3 * h)
             {
                 planes.append(xi);
             }
@@ -313,7 +261,6 @@ Foam::scalarList Foam::mpm::gridLattice::allPlanes
     std::sort(all.begin(), all.end());
     return cluster(all);
 }
-
 
 bool Foam::mpm::gridLattice::anyRefusal()
 {
@@ -343,16 +290,14 @@ int64_t Foam::mpm::gridLattice::allIndex(const label* ijk) const
         label i = window_[d] + ijk[d];
         if (period_[d] > 0)
         {
-            i = (i - 1 + 2*nAllCells_[d]) % nAllCells_[d] + 1;
+            i = (i - 1 + 2 * nAllCells_[d]) % nAllCells_[d] + 1;
         }
         if (i < 1 || i > nAllCells_[d])
         {
             return -1;
         }
-        n += stride*(i - 1);
+        n += stride * (i - 1);
         stride *= nAllCells_[d];
     }
     return n;
 }
-
-// ************************************************************************* //

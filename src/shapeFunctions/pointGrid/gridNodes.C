@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "gridNodes.H"
 #include "emptyPolyPatch.H"
@@ -26,11 +20,7 @@ class joinedLabels
     labelList parent_;
 
 public:
-
-    explicit joinedLabels(const label n)
-    :
-        parent_(identity(n))
-    {}
+    explicit joinedLabels(const label n) : parent_(identity(n)) {}
 
     label root(label i)
     {
@@ -80,7 +70,7 @@ void Foam::mpm::gridNodes::makeNodes(const gridAxes& axes)
     {
         // Front and back are joined by the edges that lie in no empty (wedge)
         // face. On the axis of a wedge they are one point
-        EdgeMap<bool> inEmpty(4*mesh.nCells());
+        EdgeMap<bool> inEmpty(4 * mesh.nCells());
         forAll(mesh.faces(), facei)
         {
             if (isEmpty.test(facei))
@@ -120,10 +110,9 @@ void Foam::mpm::gridNodes::makeNodes(const gridAxes& axes)
             }
             if (!cpp.parallel())
             {
-                FatalErrorInFunction
-                    << "Cyclic patch " << pp.name() << " is rotational;"
-                    << " material points need a translational one."
-                    << exit(FatalError);
+                FatalErrorInFunction << "Cyclic patch " << pp.name() << " is rotational;"
+                                     << " material points need a translational one."
+                                     << exit(FatalError);
             }
             const labelList& own = cpp.meshPoints();
             const labelList& nbr = cpp.neighbPatch().meshPoints();
@@ -166,17 +155,14 @@ void Foam::mpm::gridNodes::makeNodes(const gridAxes& axes)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::gridNodes::gridNodes(const polyMesh& mesh, const gridAxes& axes)
-:
-    mesh_(mesh)
+Foam::mpm::gridNodes::gridNodes(const polyMesh& mesh, const gridAxes& axes) : mesh_(mesh)
 {
     makeNodes(axes);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::bitSet
-Foam::mpm::gridNodes::emptyFaces(const polyMesh& mesh)
+Foam::bitSet Foam::mpm::gridNodes::emptyFaces(const polyMesh& mesh)
 {
     bitSet isEmpty(mesh.nFaces());
     for (const polyPatch& pp : mesh.boundaryMesh())
@@ -192,23 +178,21 @@ Foam::mpm::gridNodes::emptyFaces(const polyMesh& mesh)
     return isEmpty;
 }
 
-
 void Foam::mpm::gridNodes::setOfCells(const label n, labelList&& nodes)
 {
     start_.setSize(mesh_.nCells() + 1);
     forAll(start_, celli)
     {
-        start_[celli] = n*celli;
+        start_[celli] = n * celli;
     }
     ofCells_.transfer(nodes);
 }
-
 
 void Foam::mpm::gridNodes::joinPoints()
 {
     start_.setSize(mesh_.nCells() + 1);
     start_[0] = 0;
-    DynamicList<label> nodes(8*mesh_.nCells());
+    DynamicList<label> nodes(8 * mesh_.nCells());
     labelHashSet had;
     forAll(mesh_.cells(), celli)
     {
@@ -225,9 +209,7 @@ void Foam::mpm::gridNodes::joinPoints()
     ofCells_.transfer(nodes);
 }
 
-
-const Foam::SubList<Foam::label>
-Foam::mpm::gridNodes::cellsOf(const label node) const
+const Foam::SubList<Foam::label> Foam::mpm::gridNodes::cellsOf(const label node) const
 {
     if (cellStart_.empty())
     {
@@ -261,14 +243,8 @@ Foam::mpm::gridNodes::cellsOf(const label node) const
         labelList next(cellStart_);
         forPairs([&](const label c, const label n) { cells_[next[n]++] = c; });
     }
-    return SubList<label>
-    (
-        cells_,
-        cellStart_[node + 1] - cellStart_[node],
-        cellStart_[node]
-    );
+    return SubList<label>(cells_, cellStart_[node + 1] - cellStart_[node], cellStart_[node]);
 }
-
 
 Foam::pointField Foam::mpm::gridNodes::positions() const
 {
@@ -287,5 +263,3 @@ Foam::pointField Foam::mpm::gridNodes::positions() const
     }
     return x;
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "gridNodes.H"
 #include "processorPolyPatch.H"
@@ -45,7 +39,7 @@ void Foam::mpm::gridNodes::makeShared(const labelUList& root)
     }
 
     // Nodes in the order of their first point
-    Map<label> nodeOfKey(2*mesh.nPoints());
+    Map<label> nodeOfKey(2 * mesh.nPoints());
     pointToNode_.setSize(mesh.nPoints());
     DynamicList<label> first(mesh.nPoints());
     key_.clear();
@@ -67,7 +61,6 @@ void Foam::mpm::gridNodes::makeShared(const labelUList& root)
     nodePoint_.transfer(first);
 }
 
-
 Foam::labelList Foam::mpm::gridNodes::coupled() const
 {
     bitSet coupled(size());
@@ -83,7 +76,6 @@ Foam::labelList Foam::mpm::gridNodes::coupled() const
     }
     return coupled.sortedToc();
 }
-
 
 Foam::labelList Foam::mpm::gridNodes::candidates(const label reach) const
 {
@@ -129,14 +121,8 @@ Foam::labelList Foam::mpm::gridNodes::cellsAtCoupled() const
     return labelList(std::move(cells));
 }
 
-
-void Foam::mpm::gridNodes::addGhost
-(
-    const label* keys,
-    const label n,
-    Map<label>& nodeOfKey,
-    label* nodes
-)
+void Foam::mpm::gridNodes::addGhost(
+    const label* keys, const label n, Map<label>& nodeOfKey, label* nodes)
 {
     for (label i = 0; i < n; ++i)
     {
@@ -153,12 +139,7 @@ void Foam::mpm::gridNodes::addGhost
     }
 }
 
-
-void Foam::mpm::gridNodes::closeGhosts()
-{
-    nodePoint_.setSize(key_.size(), -1);
-}
-
+void Foam::mpm::gridNodes::closeGhosts() { nodePoint_.setSize(key_.size(), -1); }
 
 void Foam::mpm::gridNodes::addRing()
 {
@@ -185,12 +166,11 @@ void Foam::mpm::gridNodes::addRing()
         }
         const labelList nodes(around.sortedToc());
         UOPstream to(common.procs()[i], buffers);
-        to  << labelList(labelUIndList(key_, nodes)())
-            << pointField(positions(), nodes);
+        to << labelList(labelUIndList(key_, nodes)()) << pointField(positions(), nodes);
     }
     buffers.finishedSends();
 
-    Map<label> nodeOfKey(2*size());
+    Map<label> nodeOfKey(2 * size());
     forAll(key_, n)
     {
         nodeOfKey.insert(key_[n], n);
@@ -218,9 +198,7 @@ void Foam::mpm::gridNodes::addRing()
     cells_.clear();
 }
 
-
-const Foam::mpm::sharedNodes&
-Foam::mpm::gridNodes::shared(const label reach) const
+const Foam::mpm::sharedNodes& Foam::mpm::gridNodes::shared(const label reach) const
 {
     if (!shared_[reach])
     {
@@ -234,5 +212,3 @@ Foam::mpm::gridNodes::shared(const label reach) const
     }
     return *shared_[reach];
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "hexCells.H"
 #include "hexMatcher.H"
@@ -20,14 +14,9 @@ using namespace Foam;
 
 //- A hexahedron that the axis of a wedge has made a prism: its triangles are
 //  no sides of the wedge, as those of a ring of triangular section are
-bool isAtAxis
-(
-    const polyMesh& mesh,
-    const int radial,
-    const bitSet& isEmpty,
-    prismMatcher& prism,
-    const label celli
-)
+bool isAtAxis(
+    const polyMesh& mesh, const int radial, const bitSet& isEmpty, prismMatcher& prism,
+    const label celli)
 {
     if (radial < 0 || !prism.isA(mesh, celli))
     {
@@ -47,13 +36,8 @@ bool isAtAxis
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::hexCells::pairFaces
-(
-    const label celli,
-    const bitSet& isEmpty,
-    const bool atAxis,
-    cellSides& s
-) const
+void Foam::mpm::hexCells::pairFaces(
+    const label celli, const bitSet& isEmpty, const bool atAxis, cellSides& s) const
 {
     const polyMesh& mesh = mesh_;
     const faceList& faces = mesh.faces();
@@ -98,13 +82,8 @@ void Foam::mpm::hexCells::pairFaces
     }
 }
 
-
-Foam::mpm::hexCells::cellSides Foam::mpm::hexCells::sidesOf
-(
-    const label celli,
-    const bitSet& isEmpty,
-    const bool atAxis
-) const
+Foam::mpm::hexCells::cellSides
+Foam::mpm::hexCells::sidesOf(const label celli, const bitSet& isEmpty, const bool atAxis) const
 {
     const polyMesh& mesh = mesh_;
     cellSides s;
@@ -128,12 +107,8 @@ Foam::mpm::hexCells::cellSides Foam::mpm::hexCells::sidesOf
             {
                 continue;
             }
-            const vector v
-            (
-                mesh.faceCentres()[s.pair[k][1]]
-              - mesh.faceCentres()[s.pair[k][0]]
-            );
-            const scalar a = mag(v[axes_.direction(d)])/max(mag(v), VSMALL);
+            const vector v(mesh.faceCentres()[s.pair[k][1]] - mesh.faceCentres()[s.pair[k][0]]);
+            const scalar a = mag(v[axes_.direction(d)]) / max(mag(v), VSMALL);
             if (a > along)
             {
                 along = a;
@@ -142,32 +117,23 @@ Foam::mpm::hexCells::cellSides Foam::mpm::hexCells::sidesOf
         }
         if (best < 0)
         {
-            FatalErrorInFunction
-                << "Cell " << celli << " at "
-                << mesh.cellCentres()[celli] << " has no pair of sides"
-                << " for direction " << d << "; check the empty or wedge"
-                << " patches."
-                << exit(FatalError);
+            FatalErrorInFunction << "Cell " << celli << " at " << mesh.cellCentres()[celli]
+                                 << " has no pair of sides"
+                                 << " for direction " << d << "; check the empty or wedge"
+                                 << " patches." << exit(FatalError);
         }
         taken[best] = true;
-        const scalar up =
-            mesh.faceCentres()[s.pair[best][1]][axes_.direction(d)]
-          - mesh.faceCentres()[s.pair[best][0]][axes_.direction(d)];
+        const scalar up = mesh.faceCentres()[s.pair[best][1]][axes_.direction(d)]
+            - mesh.faceCentres()[s.pair[best][0]][axes_.direction(d)];
         s.side[d][0] = s.pair[best][up > 0 ? 0 : 1];
         s.side[d][1] = s.pair[best][up > 0 ? 1 : 0];
     }
     return s;
 }
 
-
-void Foam::mpm::hexCells::setCorners
-(
-    const label celli,
-    const cellSides& s,
-    const labelList& pointToNode,
-    label* corners,
-    labelHashSet& onAxis
-)
+void Foam::mpm::hexCells::setCorners(
+    const label celli, const cellSides& s, const labelList& pointToNode, label* corners,
+    labelHashSet& onAxis)
 {
     const polyMesh& mesh = mesh_;
     const faceList& faces = mesh.faces();
@@ -183,13 +149,7 @@ void Foam::mpm::hexCells::setCorners
             for (int d = 0; d < nDim_; ++d)
             {
                 const label facei = s.side[d][(n >> d) & 1];
-                inAll =
-                    inAll
-                 && (
-                        facei >= 0
-                      ? faces[facei].found(p)
-                      : !faces[s.outer].found(p)
-                    );
+                inAll = inAll && (facei >= 0 ? faces[facei].found(p) : !faces[s.outer].found(p));
             }
             if (inAll)
             {
@@ -201,18 +161,13 @@ void Foam::mpm::hexCells::setCorners
         {
             onAxis.insert(corner);
         }
-        corners[nc*celli + n] = corner;
-        cellPoints_[nc*celli + n] = own;
+        corners[nc * celli + n] = corner;
+        cellPoints_[nc * celli + n] = own;
     }
 }
 
-
-void Foam::mpm::hexCells::setNeighbours
-(
-    const label celli,
-    const cellSides& s,
-    const coupledCells& c
-)
+void Foam::mpm::hexCells::setNeighbours(
+    const label celli, const cellSides& s, const coupledCells& c)
 {
     const polyMesh& mesh = mesh_;
 
@@ -228,24 +183,22 @@ void Foam::mpm::hexCells::setNeighbours
             }
             else if (mesh.isInternalFace(facei))
             {
-                nbr =
-                    mesh.faceOwner()[facei] == celli
-                  ? mesh.faceNeighbour()[facei]
-                  : mesh.faceOwner()[facei];
+                nbr = mesh.faceOwner()[facei] == celli ? mesh.faceNeighbour()[facei]
+                                                       : mesh.faceOwner()[facei];
             }
             else
             {
                 nbr = c.cell[facei - mesh.nInternalFaces()];
                 if (nbr >= 0 && shift_.size())
                 {
-                    shift_[2*(nDim_*celli + d) + i] =
+                    shift_[2 * (nDim_ * celli + d) + i] =
                         c.separation[facei - mesh.nInternalFaces()];
                 }
             }
-            cellCells_[2*(nDim_*celli + d) + i] = nbr;
+            cellCells_[2 * (nDim_ * celli + d) + i] = nbr;
             if (nbr < 0)
             {
-                walls_[celli] |= 1u << (2*d + i);
+                walls_[celli] |= 1u << (2 * d + i);
             }
         }
     }
@@ -253,18 +206,12 @@ void Foam::mpm::hexCells::setNeighbours
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::hexCells::hexCells
-(
-    const polyMesh& mesh,
-    const gridAxes& axes,
-    gridNodes& nodes,
-    ghostCells& ghosts
-)
-:
+Foam::mpm::hexCells::hexCells(
+    const polyMesh& mesh, const gridAxes& axes, gridNodes& nodes, ghostCells& ghosts) :
     mesh_(mesh),
     axes_(axes),
     nDim_(axes.nDim()),
-    cellCells_(2*nDim_*mesh.nCells(), label(-1)),
+    cellCells_(2 * nDim_ * mesh.nCells(), label(-1)),
     walls_(mesh.nCells(), static_cast<unsigned char>(0))
 {
     const bitSet isEmpty(gridNodes::emptyFaces(mesh));
@@ -272,19 +219,18 @@ Foam::mpm::hexCells::hexCells
     labelHashSet onAxis;
     const label nc = label(1) << nDim_;
 
-    labelList corners(nc*mesh.nCells());
-    cellPoints_.setSize(nc*mesh.nCells());
+    labelList corners(nc * mesh.nCells());
+    cellPoints_.setSize(nc * mesh.nCells());
 
     const coupledCells coupled(mesh, ghosts);
     if (coupled.cyclic)
     {
-        shift_.setSize(2*nDim_*mesh.nCells(), vector(Zero));
+        shift_.setSize(2 * nDim_ * mesh.nCells(), vector(Zero));
     }
 
     forAll(mesh.cells(), celli)
     {
-        const bool atAxis =
-            isAtAxis(mesh, axes.radial(), isEmpty, prism, celli);
+        const bool atAxis = isAtAxis(mesh, axes.radial(), isEmpty, prism, celli);
         const cellSides sides(sidesOf(celli, isEmpty, atAxis));
         setCorners(celli, sides, nodes.ofPoints(), corners.data(), onAxis);
         setNeighbours(celli, sides, coupled);
@@ -296,11 +242,7 @@ Foam::mpm::hexCells::hexCells
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::string Foam::mpm::hexCells::refusal
-(
-    const polyMesh& mesh,
-    const gridAxes& axes
-)
+Foam::string Foam::mpm::hexCells::refusal(const polyMesh& mesh, const gridAxes& axes)
 {
     const bitSet isEmpty(gridNodes::emptyFaces(mesh));
     hexMatcher hex;
@@ -308,14 +250,12 @@ Foam::string Foam::mpm::hexCells::refusal
     string reason;
     forAll(mesh.cells(), celli)
     {
-        const bool atAxis =
-            isAtAxis(mesh, axes.radial(), isEmpty, prism, celli);
+        const bool atAxis = isAtAxis(mesh, axes.radial(), isEmpty, prism, celli);
         if (!atAxis && !hex.isA(mesh, celli))
         {
             OStringStream s;
-            s   << "Cell " << celli << " at " << mesh.cellCentres()[celli]
-                << " is not a hexahedron: it has "
-                << mesh.cells()[celli].size() << " faces";
+            s << "Cell " << celli << " at " << mesh.cellCentres()[celli]
+              << " is not a hexahedron: it has " << mesh.cells()[celli].size() << " faces";
             reason = s.str();
             break;
         }
@@ -323,18 +263,15 @@ Foam::string Foam::mpm::hexCells::refusal
     return firstFound(reason);
 }
 
-
 void Foam::mpm::hexCells::cornerPositions(const label celli, scalar* x) const
 {
     const label nc = label(1) << nDim_;
     for (label n = 0; n < nc; ++n)
     {
-        const point& p = mesh_.points()[cellPoints_[nc*celli + n]];
+        const point& p = mesh_.points()[cellPoints_[nc * celli + n]];
         for (int d = 0; d < nDim_; ++d)
         {
-            x[nDim_*n + d] = p[axes_.direction(d)];
+            x[nDim_ * n + d] = p[axes_.direction(d)];
         }
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "hexLocator.H"
 #include "meshCheck.H"
@@ -26,9 +20,8 @@ Eigen::Matrix3d jacobian(const int nDim, const scalar* corner, const label n)
     {
         for (int e = 0; e < nDim; ++e)
         {
-            J(e, k) =
-                corner[nDim*(n | (label(1) << k)) + e]
-              - corner[nDim*(n & ~(label(1) << k)) + e];
+            J(e, k) = corner[nDim * (n | (label(1) << k)) + e]
+                - corner[nDim * (n & ~(label(1) << k)) + e];
         }
     }
     return J;
@@ -38,27 +31,15 @@ Eigen::Matrix3d jacobian(const int nDim, const scalar* corner, const label n)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::hexLocator::hexLocator
-(
-    const polyMesh& mesh,
-    const gridAxes& axes,
-    const hexCells& cells
-)
-:
-    mesh_(mesh),
-    axes_(axes),
-    cells_(cells),
-    nDim_(axes.nDim())
-{}
+Foam::mpm::hexLocator::hexLocator(
+    const polyMesh& mesh, const gridAxes& axes, const hexCells& cells) :
+    mesh_(mesh), axes_(axes), cells_(cells), nDim_(axes.nDim())
+{
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::hexLocator::localCoordinates
-(
-    const label celli,
-    const scalar* x,
-    scalar* xi
-) const
+void Foam::mpm::hexLocator::localCoordinates(const label celli, const scalar* x, scalar* xi) const
 {
     const label nc = label(1) << nDim_;
     scalar corner[24];
@@ -88,7 +69,7 @@ void Foam::mpm::hexLocator::localCoordinates
             }
             for (int e = 0; e < nDim_; ++e)
             {
-                r(e) -= w*corner[nDim_*n + e];
+                r(e) -= w * corner[nDim_ * n + e];
             }
             for (int d = 0; d < nDim_; ++d)
             {
@@ -102,7 +83,7 @@ void Foam::mpm::hexLocator::localCoordinates
                 }
                 for (int e = 0; e < nDim_; ++e)
                 {
-                    J(e, d) += dw*corner[nDim_*n + e];
+                    J(e, d) += dw * corner[nDim_ * n + e];
                 }
             }
         }
@@ -120,7 +101,6 @@ void Foam::mpm::hexLocator::localCoordinates
         }
     }
 }
-
 
 Foam::label Foam::mpm::hexLocator::locate(const label from, scalar* x) const
 {
@@ -151,7 +131,7 @@ Foam::label Foam::mpm::hexLocator::locate(const label from, scalar* x) const
                 {
                     worst = beyond;
                     next = nbr;
-                    through = 2*d + s;
+                    through = 2 * d + s;
                     outside = true;
                 }
             }
@@ -168,7 +148,7 @@ Foam::label Foam::mpm::hexLocator::locate(const label from, scalar* x) const
         }
         if (next >= 0)
         {
-            cells_.shift(celli, through/2, through % 2, x);
+            cells_.shift(celli, through / 2, through % 2, x);
         }
         celli = next;
         if (onSide)
@@ -178,7 +158,6 @@ Foam::label Foam::mpm::hexLocator::locate(const label from, scalar* x) const
     }
     return -1;
 }
-
 
 Foam::label Foam::mpm::hexLocator::find(scalar* x) const
 {
@@ -193,7 +172,6 @@ Foam::label Foam::mpm::hexLocator::find(scalar* x) const
     return near < 0 ? -1 : locate(near, x);
 }
 
-
 Foam::scalar Foam::mpm::hexLocator::width(const label celli, const int d) const
 {
     // Smallest distance between the two sides: 1/|grad xi_d| at the corners.
@@ -206,11 +184,10 @@ Foam::scalar Foam::mpm::hexLocator::width(const label celli, const int d) const
     for (label n = 0; n < nc; ++n)
     {
         const Eigen::Matrix3d J(jacobian(nDim_, corner, n));
-        shortest = min(shortest, 1/J.inverse().row(d).norm());
+        shortest = min(shortest, 1 / J.inverse().row(d).norm());
     }
     return shortest;
 }
-
 
 Foam::string Foam::mpm::hexLocator::folded() const
 {
@@ -227,16 +204,13 @@ Foam::string Foam::mpm::hexLocator::folded() const
             least = min(least, det);
             most = max(most, det);
         }
-        if (!(least > 1e-9*most))
+        if (!(least > 1e-9 * most))
         {
-            reason
-                << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
-                << " is folded over at a corner: the determinants of its map go"
-                << " from " << least << " to " << most;
+            reason << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
+                   << " is folded over at a corner: the determinants of its map go"
+                   << " from " << least << " to " << most;
             break;
         }
     }
     return firstFound(reason.str());
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointGrid.H"
 #include "faceLocator.H"
@@ -16,7 +10,7 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(pointGrid, 0);
+defineTypeNameAndDebug(pointGrid, 0);
 }
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -27,12 +21,7 @@ namespace
 using namespace Foam;
 
 //- Lengths of cyclic directions: of pairs of patches along an axis. Collective
-void setPeriods
-(
-    const polyMesh& mesh,
-    const mpm::gridAxes& axes,
-    scalar (&period)[3]
-)
+void setPeriods(const polyMesh& mesh, const mpm::gridAxes& axes, scalar (&period)[3])
 {
     vector length(Zero);
     for (const polyPatch& pp : mesh.boundaryMesh())
@@ -44,7 +33,7 @@ void setPeriods
             for (int d = 0; d < axes.nDim(); ++d)
             {
                 const scalar L = apart[axes.direction(d)];
-                if (L > (1 - 1e-9)*mag(apart))
+                if (L > (1 - 1e-9) * mag(apart))
                 {
                     length[d] = L;
                 }
@@ -64,29 +53,24 @@ void setPeriods
 
 void Foam::mpm::pointGrid::noHexes() const
 {
-    FatalErrorInFunction
-        << noHexes_.c_str() << ". This needs"
-        << " a mesh of hexahedra (shape functions: linear; on meshes of"
-        << " boxes also GIMP and B-splines). On other cells the shape function"
-        << " nodeDual works." << nl
-        << "Cells beside locally refined ones have more faces: for finer cells"
-        << " in a place grade the blocks of the mesh (simpleGrading), or refine"
-        << " all."
-        << exit(FatalError);
+    FatalErrorInFunction << noHexes_.c_str() << ". This needs"
+                         << " a mesh of hexahedra (shape functions: linear; on meshes of"
+                         << " boxes also GIMP and B-splines). On other cells the shape function"
+                         << " nodeDual works." << nl
+                         << "Cells beside locally refined ones have more faces: for finer cells"
+                         << " in a place grade the blocks of the mesh (simpleGrading), or refine"
+                         << " all." << exit(FatalError);
 }
-
 
 void Foam::mpm::pointGrid::noLatticeHere() const
 {
-    FatalErrorInFunction
-        << "The mesh has no lattice: " << noLattice_.c_str() << '.'
-        << exit(FatalError);
+    FatalErrorInFunction << "The mesh has no lattice: " << noLattice_.c_str() << '.'
+                         << exit(FatalError);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointGrid::pointGrid(const polyMesh& mesh)
-:
+Foam::mpm::pointGrid::pointGrid(const polyMesh& mesh) :
     MeshObject<polyMesh, GeometricMeshObject, pointGrid>(mesh),
     gridAxes(mesh),
     nodes_(mesh, *this),
@@ -141,13 +125,11 @@ Foam::pointField Foam::mpm::pointGrid::nodePositions() const
     return x;
 }
 
-
 const Foam::labelList& Foam::mpm::pointGrid::axisNodes() const
 {
     static const labelList none;
     return hexes_ ? hexes_->axisNodes() : none;
 }
-
 
 const Foam::mpm::cellSimplices& Foam::mpm::pointGrid::simplices() const
 {
@@ -156,22 +138,13 @@ const Foam::mpm::cellSimplices& Foam::mpm::pointGrid::simplices() const
         simplices_.reset(new cellSimplices(*this));
         if (!lattice_)
         {
-            locator_.reset
-            (
-                new simplexLocator(mesh(), *this, nodes_, *simplices_, ghosts_)
-            );
+            locator_.reset(new simplexLocator(mesh(), *this, nodes_, *simplices_, ghosts_));
         }
     }
     return *simplices_;
 }
 
-
-void Foam::mpm::pointGrid::localCoordinates
-(
-    const label celli,
-    const scalar* x,
-    scalar* xi
-) const
+void Foam::mpm::pointGrid::localCoordinates(const label celli, const scalar* x, scalar* xi) const
 {
     if (lattice_)
     {
@@ -183,12 +156,8 @@ void Foam::mpm::pointGrid::localCoordinates
     }
 }
 
-
-Foam::scalarList Foam::mpm::pointGrid::nodeVolumes
-(
-    const sharedNodes& sums,
-    const bool byRadius
-) const
+Foam::scalarList
+Foam::mpm::pointGrid::nodeVolumes(const sharedNodes& sums, const bool byRadius) const
 {
     scalarList volume(nNodes(), Zero);
     const scalarField& V = mesh().cellVolumes();
@@ -199,32 +168,26 @@ Foam::scalarList Foam::mpm::pointGrid::nodeVolumes
         {
             for (const label n : nodes)
             {
-                volume[n] += V[celli]/nodes.size();
+                volume[n] += V[celli] / nodes.size();
             }
             continue;
         }
         scalar x[8];
         hexes().cornerPositions(celli, x);
         const scalar r0 = x[radial()], r1 = x[6 + radial()];
-        const scalar inner = (2*r0 + r1)/(3*(r0 + r1));
+        const scalar inner = (2 * r0 + r1) / (3 * (r0 + r1));
         forAll(nodes, n)
         {
-            const scalar part =
-                0.5*((n >> radial()) & 1 ? 1 - inner : inner);
-            volume[nodes[n]] += part*V[celli];
+            const scalar part = 0.5 * ((n >> radial()) & 1 ? 1 - inner : inner);
+            volume[nodes[n]] += part * V[celli];
         }
     }
     sums.sum(volume.data(), 1, 1);
     return volume;
 }
 
-
-Foam::scalar Foam::mpm::pointGrid::divergence
-(
-    const label celli,
-    const scalar* U,
-    const int stride
-) const
+Foam::scalar
+Foam::mpm::pointGrid::divergence(const label celli, const scalar* U, const int stride) const
 {
     const label n = label(1) << nDim();
     const label* corners = hexes().corners(celli);
@@ -234,11 +197,9 @@ Foam::scalar Foam::mpm::pointGrid::divergence
         const scalar width = this->width(celli, d);
         for (label i = 0; i < n; ++i)
         {
-            const scalar u = U[stride*corners[i] + d];
-            div += ((i >> d) & 1 ? u : -u)*2/(n*width);
+            const scalar u = U[stride * corners[i] + d];
+            div += ((i >> d) & 1 ? u : -u) * 2 / (n * width);
         }
     }
     return div;
 }
-
-// ************************************************************************* //

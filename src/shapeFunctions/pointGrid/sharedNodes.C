@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "sharedNodes.H"
 #include "UIPstream.H"
@@ -14,11 +8,7 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::sharedNodes::sharedNodes
-(
-    const labelUList& places,
-    const labelUList& placeKeys
-)
+Foam::mpm::sharedNodes::sharedNodes(const labelUList& places, const labelUList& placeKeys)
 {
     if (!Pstream::parRun())
     {
@@ -26,7 +16,7 @@ Foam::mpm::sharedNodes::sharedNodes
     }
 
     // Keys that each processor offers
-    Map<label> nodeOfKey(2*places.size());
+    Map<label> nodeOfKey(2 * places.size());
     labelListList keys(Pstream::nProcs());
     labelList& mine = keys[Pstream::myProcNo()];
     mine = placeKeys;
@@ -78,14 +68,8 @@ Foam::mpm::sharedNodes::sharedNodes
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Operation>
-void Foam::mpm::sharedNodes::combine
-(
-    scalar* q,
-    const int stride,
-    const int nComp,
-    const scalar none,
-    const Operation& op
-) const
+void Foam::mpm::sharedNodes::combine(
+    scalar* q, const int stride, const int nComp, const scalar none, const Operation& op) const
 {
     if (procs_.empty())
     {
@@ -96,20 +80,15 @@ void Foam::mpm::sharedNodes::combine
 
     forAll(procs_, i)
     {
-        const label n = nComp*nodes_[i].size();
+        const label n = nComp * nodes_[i].size();
         if (receive_[i].size() < n)
         {
             receive_[i].setSize(n);
             send_[i].setSize(n);
         }
-        UIPstream::read
-        (
-            UPstream::commsTypes::nonBlocking,
-            procs_[i],
-            reinterpret_cast<char*>(receive_[i].data()),
-            n*sizeof(scalar),
-            tag
-        );
+        UIPstream::read(
+            UPstream::commsTypes::nonBlocking, procs_[i],
+            reinterpret_cast<char*>(receive_[i].data()), n * sizeof(scalar), tag);
     }
     forAll(procs_, i)
     {
@@ -118,31 +97,27 @@ void Foam::mpm::sharedNodes::combine
         {
             for (int c = 0; c < nComp; ++c)
             {
-                *to++ = q[stride*node + c];
+                *to++ = q[stride * node + c];
             }
         }
-        UOPstream::write
-        (
-            UPstream::commsTypes::nonBlocking,
-            procs_[i],
+        UOPstream::write(
+            UPstream::commsTypes::nonBlocking, procs_[i],
             reinterpret_cast<const char*>(send_[i].cdata()),
-            nComp*nodes_[i].size()*sizeof(scalar),
-            tag
-        );
+            nComp * nodes_[i].size() * sizeof(scalar), tag);
     }
 
     // In the order of the processors, this one among them
-    if (own_.size() < nComp*all_.size())
+    if (own_.size() < nComp * all_.size())
     {
-        own_.setSize(nComp*all_.size());
+        own_.setSize(nComp * all_.size());
     }
     scalar* own = own_.data();
     for (const label node : all_)
     {
         for (int c = 0; c < nComp; ++c)
         {
-            *own++ = q[stride*node + c];
-            q[stride*node + c] = none;
+            *own++ = q[stride * node + c];
+            q[stride * node + c] = none;
         }
     }
     const auto addOwn = [&]
@@ -152,7 +127,7 @@ void Foam::mpm::sharedNodes::combine
         {
             for (int c = 0; c < nComp; ++c)
             {
-                op(q[stride*node + c], *from++);
+                op(q[stride * node + c], *from++);
             }
         }
     };
@@ -172,7 +147,7 @@ void Foam::mpm::sharedNodes::combine
         {
             for (int c = 0; c < nComp; ++c)
             {
-                op(q[stride*node + c], *from++);
+                op(q[stride * node + c], *from++);
             }
         }
     }
@@ -184,39 +159,12 @@ void Foam::mpm::sharedNodes::combine
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::sharedNodes::sum
-(
-    scalar* q,
-    const int stride,
-    const int nComp
-) const
+void Foam::mpm::sharedNodes::sum(scalar* q, const int stride, const int nComp) const
 {
-    combine
-    (
-        q,
-        stride,
-        nComp,
-        0,
-        [](scalar& to, const scalar from) { to += from; }
-    );
+    combine(q, stride, nComp, 0, [](scalar& to, const scalar from) { to += from; });
 }
 
-
-void Foam::mpm::sharedNodes::largest
-(
-    scalar* q,
-    const int stride,
-    const int nComp
-) const
+void Foam::mpm::sharedNodes::largest(scalar* q, const int stride, const int nComp) const
 {
-    combine
-    (
-        q,
-        stride,
-        nComp,
-        -GREAT,
-        [](scalar& to, const scalar from) { to = max(to, from); }
-    );
+    combine(q, stride, nComp, -GREAT, [](scalar& to, const scalar from) { to = max(to, from); });
 }
-
-// ************************************************************************* //

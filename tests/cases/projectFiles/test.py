@@ -110,6 +110,24 @@ def style(table):
             print("   ", *which)
 
 
+def layout(table):
+    """.clang-format, by the version that it was written for."""
+    what = "style: files that clang-format changes"
+    try:
+        version = subprocess.run(["clang-format", "--version"], stdout=subprocess.PIPE).stdout
+    except OSError:
+        version = b"none"
+    if b"version 14." not in version:
+        table.skip(what, "no clang-format 14")
+        return
+    names = [n for n in files() if re.match("(src|applications|tests|benchmarks)/.*[.][CH]$", n)]
+    run = subprocess.run(["clang-format", "--dry-run", *names], cwd=PROJECT,
+                         stderr=subprocess.PIPE)
+    wrong = set(re.findall(r"^(\S+?):\d+:\d+: warning", run.stderr.decode(), re.M))
+    table.row(what, 0, len(wrong), 0)
+    print("   ", *sorted(wrong))
+
+
 # --- pages of doc/ -----------------------------------------------------------
 
 def links(table, page, least):
@@ -186,4 +204,4 @@ if __name__ == "__main__":
             with open(path, "w", encoding="utf-8") as f:
                 f.write(new)
         sys.exit(0)
-    sys.exit(runParts("projectFiles", version, style, theory, extending, glossary))
+    sys.exit(runParts("projectFiles", version, style, layout, theory, extending, glossary))

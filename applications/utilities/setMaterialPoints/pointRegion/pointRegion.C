@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointRegion.H"
 #include "dictionaryTools.H"
@@ -20,49 +14,42 @@ const char* const unitAdvice =
     " (1e-3 for mm, 1e-2 for cm, 0.0254 for inches).";
 
 //- Units of drawings
-const struct {const char* text; Foam::scalar metres; const char* name;} lengths[] =
-    {{"1e-3", 1e-3, "mm"}, {"1e-2", 1e-2, "cm"}, {"0.0254", 0.0254, "inches"}};
+const struct
+{
+    const char* text;
+    Foam::scalar metres;
+    const char* name;
+} lengths[] = {{"1e-3", 1e-3, "mm"}, {"1e-2", 1e-2, "cm"}, {"0.0254", 0.0254, "inches"}};
 
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::pointRegion::local
-(
-    const label sub,
-    const label sample,
-    scalar* xi
-) const
+void Foam::mpm::pointRegion::local(const label sub, const label sample, scalar* xi) const
 {
     label i = sub, k = sample;
     for (int d = 0; d < grid_.nDim(); ++d)
     {
-        xi[d] = (i % n_[d] + (k % m_ + 0.5)/m_)/n_[d];
+        xi[d] = (i % n_[d] + (k % m_ + 0.5) / m_) / n_[d];
         i /= n_[d];
         k /= m_;
     }
 }
-
 
 void Foam::mpm::pointRegion::centre(const label sub, scalar* xi) const
 {
     label i = sub;
     for (int d = 0; d < grid_.nDim(); ++d)
     {
-        xi[d] = (i % n_[d] + 0.5)/n_[d];
+        xi[d] = (i % n_[d] + 0.5) / n_[d];
         i /= n_[d];
     }
 }
 
-
-Foam::scalarField Foam::mpm::pointRegion::parts
-(
-    const label celli,
-    const hexMap& map
-) const
+Foam::scalarField Foam::mpm::pointRegion::parts(const label celli, const hexMap& map) const
 {
     // Sub-cells of a box are alike, but for the radius on a wedge
-    scalarField part(nSub_, 1.0/nSub_);
+    scalarField part(nSub_, 1.0 / nSub_);
     if (!grid_.hasLattice() || grid_.radial() >= 0)
     {
         scalar xi[3];
@@ -77,18 +64,14 @@ Foam::scalarField Foam::mpm::pointRegion::parts
         }
         if (!(min(part) > 0))
         {
-            FatalErrorInFunction
-                << "Cell " << celli << " at "
-                << grid_.mesh().cellCentres()[celli]
-                << " is folded over: the determinant of its map is "
-                << min(part) << "; improve the mesh (checkMesh)."
-                << exit(FatalError);
+            FatalErrorInFunction << "Cell " << celli << " at " << grid_.mesh().cellCentres()[celli]
+                                 << " is folded over: the determinant of its map is " << min(part)
+                                 << "; improve the mesh (checkMesh)." << exit(FatalError);
         }
         part /= sum(part);
     }
     return part;
 }
-
 
 void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
 {
@@ -99,11 +82,7 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
     for (int d = 0; d < nDim; ++d)
     {
         const int c = grid_.direction(d);
-        if
-        (
-            cellBox.min()[c] > shapeBox.max()[c]
-         || cellBox.max()[c] < shapeBox.min()[c]
-        )
+        if (cellBox.min()[c] > shapeBox.max()[c] || cellBox.max()[c] < shapeBox.min()[c])
         {
             return;
         }
@@ -132,16 +111,16 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         p.U = Zero;
         p.sigma = sigma_;
         p.T = T_;
-        p.volume = grid_.mesh().cellVolumes()[celli]*part[sub]*volumeFraction_;
+        p.volume = grid_.mesh().cellVolumes()[celli] * part[sub] * volumeFraction_;
         if (found == 2)
         {
             p.volume *= share;
         }
-        p.mass = rho*p.volume;
+        p.mass = rho * p.volume;
         p.halfSize = Zero;
         for (int d = 0; d < nDim; ++d)
         {
-            p.halfSize[grid_.direction(d)] = mag(map.tangent(xi, d))/(2*n_[d]);
+            p.halfSize[grid_.direction(d)] = mag(map.tangent(xi, d)) / (2 * n_[d]);
         }
         if (found == 2)
         {
@@ -161,53 +140,26 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::pointRegion::pointRegion
-(
-    const pointGrid& grid,
-    const dictionary& dict,
-    const wordList& phases,
-    const bool inGas
-)
-:
+Foam::mpm::pointRegion::pointRegion(
+    const pointGrid& grid, const dictionary& dict, const wordList& phases, const bool inGas) :
     grid_(grid),
     dict_(dict),
     name_(dict.dictName()),
     phase_(oneOf(dict, "phase", phases)),
     shape_(pointRegionShape::New(grid, dict)),
-    rows_
-    (
-        inGas
-     && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
-     && standsInRows(grid, *shape_)
-    ),
-    inGas_
-    (
-        inGas
-     || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"})
-     == "sampled"
-    ),
-    byElements_
-    (
-        isA<meshShape>(*shape_)
-     && !(inGas && grid.hasLattice())
-     && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
-    ),
+    rows_(
+        inGas && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
+        && standsInRows(grid, *shape_)),
+    inGas_(inGas || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "sampled"),
+    byElements_(
+        isA<meshShape>(*shape_) && !(inGas && grid.hasLattice())
+        && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"),
     byCorners_(!grid.hasHexes()),
     emptyFaces_(gridNodes::emptyFaces(grid.mesh())),
     m_(boundedLabelOrDefault(dict, "samples", inGas_ && !rows_ ? 1 : 4, 1, 8)),
-    volumeFraction_
-    (
-        boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)
-    ),
-    T_
-    (
-        dict.found("temperature") ? positive(dict, "temperature") : 0
-    ),
-    mayOverlap_
-    (
-        oneOfOrDefault(dict, "overlap", "forbid", {"allow", "forbid"})
-     == "allow"
-    ),
+    volumeFraction_(boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)),
+    T_(dict.found("temperature") ? positive(dict, "temperature") : 0),
+    mayOverlap_(oneOfOrDefault(dict, "overlap", "forbid", {"allow", "forbid"}) == "allow"),
     mass_(0),
     volume_(0)
 {
@@ -240,9 +192,8 @@ void Foam::mpm::pointRegion::checkTemperature(const bool hasTemperature) const
         if (T_ < 100)
         {
             IOWarningInFunction(dict_)
-                << "Region " << name_ << " has the temperature " << T_
-                << ": it is in K. " << T_ << " degrees Celsius are "
-                << T_ + 273.15 << " K." << endl;
+                << "Region " << name_ << " has the temperature " << T_ << ": it is in K. " << T_
+                << " degrees Celsius are " << T_ + 273.15 << " K." << endl;
         }
     }
     else if (T_ > 0)
@@ -254,28 +205,21 @@ void Foam::mpm::pointRegion::checkTemperature(const bool hasTemperature) const
     }
 }
 
-
 bool Foam::mpm::pointRegion::fromFile() const
 {
     return shape_->facets() || isA<meshShape>(*shape_);
 }
 
-
 std::string Foam::mpm::pointRegion::bodyName() const
 {
-    return
-        isA<meshShape>(*shape_)
-      ? "body's mesh (file " + dict_.get<fileName>("file").name() + ")"
-      : std::string(type());
+    return isA<meshShape>(*shape_) ? "body's mesh (file " + dict_.get<fileName>("file").name() + ")"
+                                   : std::string(type());
 }
-
 
 Foam::scalar Foam::mpm::pointRegion::sizeRatio() const
 {
-    return
-        bounds().mag()/mag(shape_->computed(grid_.mesh().bounds().span()));
+    return bounds().mag() / mag(shape_->computed(grid_.mesh().bounds().span()));
 }
-
 
 Foam::string Foam::mpm::pointRegion::unitThatFits() const
 {
@@ -283,26 +227,23 @@ Foam::string Foam::mpm::pointRegion::unitThatFits() const
     const boundBox& mesh = grid_.mesh().bounds();
     for (const auto& unit : lengths)
     {
-        bool fits = unit.metres*sizeRatio() > 0.01;
+        bool fits = unit.metres * sizeRatio() > 0.01;
         for (int d = 0; d < grid_.nDim(); ++d)
         {
             const int c = grid_.direction(d);
-            const scalar more = 1e-3*mesh.span()[c];
-            fits =
-                fits
-             && unit.metres*body.min()[c] > mesh.min()[c] - more
-             && unit.metres*body.max()[c] < mesh.max()[c] + more;
+            const scalar more = 1e-3 * mesh.span()[c];
+            fits = fits && unit.metres * body.min()[c] > mesh.min()[c] - more
+                && unit.metres * body.max()[c] < mesh.max()[c] + more;
         }
         if (fits)
         {
-            return
-                "  scale " + string(unit.text) + ";  (" + unit.name + ") beside"
-                " its file would put it into the mesh.";
+            return "  scale " + string(unit.text) + ";  (" + unit.name
+                + ") beside"
+                  " its file would put it into the mesh.";
         }
     }
     return "";
 }
-
 
 Foam::string Foam::mpm::pointRegion::sizeHint() const
 {
@@ -318,38 +259,35 @@ Foam::string Foam::mpm::pointRegion::sizeHint() const
         const bool large = ratio > 2 && points_.empty() && fits.size();
         return large ? " Is its unit not m?" + fits : string();
     }
-    return
-        " The " + bodyName() + " is " + Foam::name(ratio) + " times as large as the"
-        " mesh: " + (ratio < 1 ? "look at  scale  beside its file,"
-        " and in blockMeshDict." : fits.size() ? fits.substr(2) : unitAdvice);
+    return " The " + bodyName() + " is " + Foam::name(ratio)
+        + " times as large as the"
+          " mesh: "
+        + (ratio < 1         ? "look at  scale  beside its file,"
+                               " and in blockMeshDict."
+               : fits.size() ? fits.substr(2)
+                             : unitAdvice);
 }
-
 
 void Foam::mpm::pointRegion::checkScale() const
 {
     // A thousand times the mesh, or a hundred times and at home in it in mm
     const scalar ratio = sizeRatio();
     const string fits(unitThatFits());
-    if
-    (
-        fromFile()
-     && (ratio >= 1000 || (ratio >= 100 && fits.find("1e-3") != string::npos))
-    )
+    if (fromFile() && (ratio >= 1000 || (ratio >= 100 && fits.find("1e-3") != string::npos)))
     {
         FatalIOErrorInFunction(dict_)
-            << "Region " << name_ << ":" << sizeHint().c_str() << nl
-            << "It lies in " << bounds() << " m, the mesh in "
-            << grid_.mesh().bounds() << " m. If the mesh is meant to cut a part"
+            << "Region " << name_ << ":" << sizeHint().c_str() << nl << "It lies in " << bounds()
+            << " m, the mesh in " << grid_.mesh().bounds()
+            << " m. If the mesh is meant to cut a part"
             << " out of it: a region of type intersection with a box around the"
             << " part." << exit(FatalIOError);
     }
 }
 
-
 void Foam::mpm::pointRegion::checkRoom() const
 {
-    const scalar all = volumeFraction_*sum(grid_.mesh().cellVolumes());
-    if (!fromFile() || volume_ < 0.999999*all)
+    const scalar all = volumeFraction_ * sum(grid_.mesh().cellVolumes());
+    if (!fromFile() || volume_ < 0.999999 * all)
     {
         return;
     }
@@ -358,29 +296,23 @@ void Foam::mpm::pointRegion::checkRoom() const
     for (int d = 0; d < grid_.nDim(); ++d)
     {
         const int c = grid_.direction(d);
-        const scalar more = 1e-3*mesh.span()[c];
-        if
-        (
-            body.min()[c] > mesh.min()[c] - more
-         || body.max()[c] < mesh.max()[c] + more
-        )
+        const scalar more = 1e-3 * mesh.span()[c];
+        if (body.min()[c] > mesh.min()[c] - more || body.max()[c] < mesh.max()[c] + more)
         {
             return;
         }
     }
-    FatalIOErrorInFunction(dict_)
-        << "Region " << name_ << " fills the whole mesh " << mesh
-        << ": the " << bodyName().c_str() << " of " << body.span() << " m from "
-        << body.min() << " to " << body.max() << " is larger on all sides. It"
-        << " is " << body.mag()/mag(shape_->computed(mesh.span()))
-        << " times as large: " << unitAdvice << exit(FatalIOError);
+    FatalIOErrorInFunction(dict_) << "Region " << name_ << " fills the whole mesh " << mesh
+                                  << ": the " << bodyName().c_str() << " of " << body.span()
+                                  << " m from " << body.min() << " to " << body.max()
+                                  << " is larger on all sides. It"
+                                  << " is " << body.mag() / mag(shape_->computed(mesh.span()))
+                                  << " times as large: " << unitAdvice << exit(FatalIOError);
 }
-
 
 void Foam::mpm::pointRegion::create(const scalar rho)
 {
-    const scalar density =
-        dict_.found("density") ? positive(dict_, "density") : rho;
+    const scalar density = dict_.found("density") ? positive(dict_, "density") : rho;
     checkScale();
 
     if (rows_)
@@ -408,14 +340,13 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     {
         FatalIOErrorInFunction(dict_)
             << "Region " << name_ << " has no points: no sub-cell of the mesh "
-            << grid_.mesh().bounds() << " has a part in the "
-            << bodyName().c_str() << ", which lies in "
-            << shape_->bounds() << " [m]."
+            << grid_.mesh().bounds() << " has a part in the " << bodyName().c_str()
+            << ", which lies in " << shape_->bounds() << " [m]."
             << (shape_->facets() && grid_.nDim() < 3
-              ? " In 2D it is the section of the surface with the middle of the"
-                " mesh's thickness." : "")
-            << sizeHint().c_str()
-            << exit(FatalIOError);
+                    ? " In 2D it is the section of the surface with the middle of the"
+                      " mesh's thickness."
+                    : "")
+            << sizeHint().c_str() << exit(FatalIOError);
     }
     for (materialPointCloud::newPoint& p : points_)
     {
@@ -426,28 +357,22 @@ void Foam::mpm::pointRegion::create(const scalar rho)
     checkRoom();
 }
 
-
 Foam::scalar Foam::mpm::pointRegion::exactVolume() const
 {
     return shape_->insideMesh() ? wholeVolume() : -1;
 }
 
-
 Foam::scalar Foam::mpm::pointRegion::wholeVolume() const
 {
-    const scalar v =
-        cutter_ ? cutter_->volume()*shape_->section() : shape_->volume();
-    return v < 0 ? -1 : v*volumeFraction_;
+    const scalar v = cutter_ ? cutter_->volume() * shape_->section() : shape_->volume();
+    return v < 0 ? -1 : v * volumeFraction_;
 }
-
 
 Foam::scalar Foam::mpm::pointRegion::ambientPressure() const
 {
-    const bool ambient =
-        hasStress() && token(dict_.lookup("stress")).isWord();
+    const bool ambient = hasStress() && token(dict_.lookup("stress")).isWord();
     return ambient ? dict_.get<scalar>("pressure") : -1;
 }
-
 
 Foam::scalar Foam::mpm::pointRegion::widestCell() const
 {
@@ -459,18 +384,16 @@ Foam::scalar Foam::mpm::pointRegion::widestCell() const
         {
             size *= grid_.width(celli, d);
         }
-        widest = max(widest, std::pow(size, 1.0/grid_.nDim()));
+        widest = max(widest, std::pow(size, 1.0 / grid_.nDim()));
     }
     return widest;
 }
-
 
 Foam::boundBox Foam::mpm::pointRegion::bounds() const
 {
     const boundBox bb(shape_->bounds());
     return boundBox(shape_->computed(bb.min()), shape_->computed(bb.max()));
 }
-
 
 Foam::boundBox Foam::mpm::pointRegion::pointBounds() const
 {
@@ -482,5 +405,3 @@ Foam::boundBox Foam::mpm::pointRegion::pointBounds() const
     }
     return bb;
 }
-
-// ************************************************************************* //

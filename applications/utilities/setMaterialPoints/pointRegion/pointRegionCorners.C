@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointRegion.H"
 #include "cornerRegions.H"
@@ -13,13 +7,8 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::pointRegion::cutRegions
-(
-    const label celli,
-    const cellParts& c,
-    scalarField& part,
-    pointField& x
-) const
+void Foam::mpm::pointRegion::cutRegions(
+    const label celli, const cellParts& c, scalarField& part, pointField& x) const
 {
     // Just inside their vertices first
     constexpr scalar inwards = 1e-6;
@@ -30,7 +19,7 @@ void Foam::mpm::pointRegion::cutRegions
     {
         for (int k = 0; k < s.n; ++k)
         {
-            near.append(s.x[k] + inwards*(c.centre(s.part) - s.x[k]));
+            near.append(s.x[k] + inwards * (c.centre(s.part) - s.x[k]));
         }
     }
     const boolList nearIn(shape_->contains(celli, pointField(near)));
@@ -58,43 +47,39 @@ void Foam::mpm::pointRegion::cutRegions
         {
             continue;
         }
-        pointField at(s.n == 3 ? m_*m_ : m_*m_*m_);
+        pointField at(s.n == 3 ? m_ * m_ : m_ * m_ * m_);
         scalarField weight(at.size());
         forAll(at, i)
         {
             at[i] = s.sample(m_, i, weight[i]);
         }
-        weight *= s.volume/sum(weight);
+        weight *= s.volume / sum(weight);
         const boolList inside(shape_->contains(celli, at));
         forAll(at, i)
         {
             if (inside[i])
             {
                 volume[s.part] += weight[i];
-                moment[s.part] += weight[i]*at[i];
+                moment[s.part] += weight[i] * at[i];
             }
         }
     }
     forAll(volume, i)
     {
-        const scalar share = volume[i]/c.volume()[i];
-        if (share > 1 - SMALL*100)
+        const scalar share = volume[i] / c.volume()[i];
+        if (share > 1 - SMALL * 100)
         {
             part[i] = 1;
         }
         else if (share > 0)
         {
             part[i] = share;
-            x[i] = moment[i]/volume[i];
+            x[i] = moment[i] / volume[i];
         }
     }
 }
 
-
-Foam::autoPtr<Foam::mpm::cellParts> Foam::mpm::pointRegion::partsOf
-(
-    const label celli
-) const
+Foam::autoPtr<Foam::mpm::cellParts> Foam::mpm::pointRegion::partsOf(const label celli) const
 {
     const polyMesh& mesh = grid_.mesh();
     if (bySimplices_)
@@ -110,29 +95,18 @@ Foam::autoPtr<Foam::mpm::cellParts> Foam::mpm::pointRegion::partsOf
     {
         side = side < 0 && emptyFaces_.test(facei) ? facei : side;
     }
-    return autoPtr<cellParts>
-    (
-        new cornerRegions(mesh.faces()[side], mesh.points())
-    );
+    return autoPtr<cellParts>(new cornerRegions(mesh.faces()[side], mesh.points()));
 }
-
 
 void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
 {
     const polyMesh& mesh = grid_.mesh();
-    const boundBox cellBox
-    (
-        mesh.points(), mesh.cellPoints()[celli], false
-    );
+    const boundBox cellBox(mesh.points(), mesh.cellPoints()[celli], false);
     const boundBox shapeBox(shape_->bounds());
     for (int d = 0; d < grid_.nDim(); ++d)
     {
         const int k = grid_.direction(d);
-        if
-        (
-            cellBox.min()[k] > shapeBox.max()[k]
-         || cellBox.max()[k] < shapeBox.min()[k]
-        )
+        if (cellBox.min()[k] > shapeBox.max()[k] || cellBox.max()[k] < shapeBox.min()[k])
         {
             return;
         }
@@ -145,40 +119,29 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
     // radius. The simplices of cells with warped faces have their own
     const int radial = grid_.radial();
     const auto rings = [&](const scalarField& section, const pointField& at)
-    {
-        return
-            radial < 0
-          ? section
-          : scalarField(section*at.component(grid_.direction(radial)));
-    };
+    { return radial < 0 ? section : scalarField(section * at.component(grid_.direction(radial))); };
     pointField x(c.size());
     forAll(x, i)
     {
         x[i] = c.centre(i);
     }
     const scalar whole =
-        bySimplices_ && grid_.nDim() == 3
-      ? mesh.cellVolumes()[celli]
-      : sum(rings(c.volume(), x));
+        bySimplices_ && grid_.nDim() == 3 ? mesh.cellVolumes()[celli] : sum(rings(c.volume(), x));
 
     scalarField inside(c.size(), scalar(1));
     if (!inGas_)
     {
         cutRegions(celli, c, inside, x);
     }
-    scalarField section(c.volume()*inside);
+    scalarField section(c.volume() * inside);
     if (n_[0] == 1)
     {
         const scalar all = sum(section);
         const bool cut = min(inside) < 1 && all > 0;
-        x = pointField
-        (
-            1,
-            cut ? point(sum(section*x)/all) : mesh.cellCentres()[celli]
-        );
+        x = pointField(1, cut ? point(sum(section * x) / all) : mesh.cellCentres()[celli]);
         section = scalarField(1, all);
     }
-    scalarField part(rings(section, x)/whole);
+    scalarField part(rings(section, x) / whole);
     if (n_[0] == 1 && min(inside) == 1)
     {
         part = 1;
@@ -195,14 +158,8 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
     addParts(celli, rho, part, x);
 }
 
-
-void Foam::mpm::pointRegion::addParts
-(
-    const label celli,
-    const scalar rho,
-    const scalarField& part,
-    const pointField& x
-)
+void Foam::mpm::pointRegion::addParts(
+    const label celli, const scalar rho, const scalarField& part, const pointField& x)
 {
     const scalar whole = grid_.mesh().cellVolumes()[celli];
     const label nBefore = points_.size();
@@ -221,16 +178,15 @@ void Foam::mpm::pointRegion::addParts
         p.U = Zero;
         p.sigma = sigma_;
         p.T = T_;
-        p.volume = whole*part[i]*volumeFraction_;
-        p.mass = rho*p.volume;
+        p.volume = whole * part[i] * volumeFraction_;
+        p.mass = rho * p.volume;
         p.halfSize = Zero;
 
         // Those of a cube (square) of the same volume
-        const scalar size = p.volume/volumeFraction_/shape_->section();
+        const scalar size = p.volume / volumeFraction_ / shape_->section();
         for (int d = 0; d < grid_.nDim(); ++d)
         {
-            p.halfSize[grid_.direction(d)] =
-                0.5*std::pow(size, 1.0/grid_.nDim());
+            p.halfSize[grid_.direction(d)] = 0.5 * std::pow(size, 1.0 / grid_.nDim());
         }
         sub_.append(i);
         points_.append(p);
@@ -242,13 +198,8 @@ void Foam::mpm::pointRegion::addParts
     }
 }
 
-
-bool Foam::mpm::pointRegion::cornersOverlap
-(
-    const pointRegion& other,
-    const label k,
-    point& where
-) const
+bool Foam::mpm::pointRegion::cornersOverlap(
+    const pointRegion& other, const label k, point& where) const
 {
     for (label p = start_[k]; p < start_[k + 1]; ++p)
     {
@@ -261,14 +212,8 @@ bool Foam::mpm::pointRegion::cornersOverlap
     return false;
 }
 
-
-bool Foam::mpm::pointRegion::overlaps
-(
-    const pointRegion& other,
-    const label k,
-    const label otherK,
-    point& where
-) const
+bool Foam::mpm::pointRegion::overlaps(
+    const pointRegion& other, const label k, const label otherK, point& where) const
 {
     if (byCorners_ || byElements_ || other.byElements_)
     {
@@ -293,30 +238,20 @@ bool Foam::mpm::pointRegion::overlaps
             label otherSub = 0, stride = 1;
             for (int d = 0; d < grid_.nDim(); ++d)
             {
-                const label i = label(xi[d]*other.n_[d]);
-                otherSub += stride*min(i, other.n_[d] - 1);
+                const label i = label(xi[d] * other.n_[d]);
+                otherSub += stride * min(i, other.n_[d] - 1);
                 stride *= other.n_[d];
             }
-            if
-            (
-                !other.rows_
-             && !std::binary_search
-                (
+            if (!other.rows_
+                && !std::binary_search(
                     other.sub_.begin() + other.start_[otherK],
-                    other.sub_.begin() + other.start_[otherK + 1],
-                    otherSub
-                )
-            )
+                    other.sub_.begin() + other.start_[otherK + 1], otherSub))
             {
                 continue;
             }
 
             where = map.position(xi);
-            if
-            (
-                shape_->contains(celli, where)
-             && other.shape_->contains(celli, where)
-            )
+            if (shape_->contains(celli, where) && other.shape_->contains(celli, where))
             {
                 return true;
             }
@@ -327,11 +262,7 @@ bool Foam::mpm::pointRegion::overlaps
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::mpm::pointRegion::overlap
-(
-    const pointRegion& other,
-    point& where
-) const
+Foam::label Foam::mpm::pointRegion::overlap(const pointRegion& other, point& where) const
 {
     if (mayOverlap_ || other.mayOverlap_)
     {
@@ -351,21 +282,14 @@ Foam::label Foam::mpm::pointRegion::overlap
         }
 
         // Both ways: sub-cells may be of different size
-        if
-        (
-            other.cells_[j] == cells_[k]
-         && (
-                overlaps(other, k, j, where)
-             || other.overlaps(*this, j, k, where)
-            )
-        )
+        if (other.cells_[j] == cells_[k]
+            && (overlaps(other, k, j, where) || other.overlaps(*this, j, k, where)))
         {
             return cells_[k];
         }
     }
     return -1;
 }
-
 
 void Foam::mpm::pointRegion::checkOverlap(const pointRegion& other) const
 {
@@ -374,12 +298,9 @@ void Foam::mpm::pointRegion::checkOverlap(const pointRegion& other) const
     if (celli >= 0)
     {
         FatalIOErrorInFunction(dict_)
-            << "Regions " << other.name_ << " and " << name_
-            << " overlap: both have points at " << where << " (cell "
-            << celli << "), and their phases share a velocity field."
-            << nl << "Change a shape, or write  overlap allow;  in one of"
+            << "Regions " << other.name_ << " and " << name_ << " overlap: both have points at "
+            << where << " (cell " << celli << "), and their phases share a velocity field." << nl
+            << "Change a shape, or write  overlap allow;  in one of"
             << " the regions if that is meant." << exit(FatalIOError);
     }
 }
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointRegion.H"
 #include "triPointRef.H"
@@ -30,14 +24,8 @@ constexpr Foam::scalar beyond = 1e-3;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-int Foam::mpm::pointRegion::cutSubCell
-(
-    const label celli,
-    const hexMap& map,
-    const label sub,
-    cutPoint& c,
-    scalar& part
-) const
+int Foam::mpm::pointRegion::cutSubCell(
+    const label celli, const hexMap& map, const label sub, cutPoint& c, scalar& part) const
 {
     if (!formula_ && !cutter_)
     {
@@ -55,17 +43,14 @@ int Foam::mpm::pointRegion::cutSubCell
         ijk[d] = rest % n_[d];
         rest /= n_[d];
         x[d] = c.mean[grid_.direction(d)];
-        half[d] = 0.5*grid_.width(celli, d)/n_[d];
-        c.whole *= 2*half[d];
+        half[d] = 0.5 * grid_.width(celli, d) / n_[d];
+        c.whole *= 2 * half[d];
     }
 
     cutMoments m;
     if (formula_)
     {
-        const int found = formula_->integrate
-        (
-            celli, nDim, grid_.radial(), x, half, m, c.surfaces
-        );
+        const int found = formula_->integrate(celli, nDim, grid_.radial(), x, half, m, c.surfaces);
         if (found < 2)
         {
             return found;
@@ -77,36 +62,29 @@ int Foam::mpm::pointRegion::cutSubCell
     }
 
     const scalar all = scalar(1 << nDim);
-    if (m.area() < tolerance*all)
+    if (m.area() < tolerance * all)
     {
         return 0;
     }
-    if (m.area() > (1 - tolerance)*all)
+    if (m.area() > (1 - tolerance) * all)
     {
         return 1;
     }
-    part = m.ring()/all;
-    c.area = c.whole*m.area()/all;
+    part = m.ring() / all;
+    c.area = c.whole * m.area() / all;
     c.variance = Zero;
     for (int d = 0; d < nDim; ++d)
     {
-        const scalar mean = m.first(d)/m.area();
-        c.mean[grid_.direction(d)] += half[d]*mean;
+        const scalar mean = m.first(d) / m.area();
+        c.mean[grid_.direction(d)] += half[d] * mean;
         c.variance[grid_.direction(d)] =
-            sqr(half[d])*max(m.second(d)/m.area() - sqr(mean), scalar(0));
+            sqr(half[d]) * max(m.second(d) / m.area() - sqr(mean), scalar(0));
     }
     return 2;
 }
 
-
-int Foam::mpm::pointRegion::sampleSubCell
-(
-    const label celli,
-    const hexMap& map,
-    const label sub,
-    cutPoint& c,
-    scalar& part
-) const
+int Foam::mpm::pointRegion::sampleSubCell(
+    const label celli, const hexMap& map, const label sub, cutPoint& c, scalar& part) const
 {
     scalar xi[3];
     pointField x(nSamples_);
@@ -131,50 +109,42 @@ int Foam::mpm::pointRegion::sampleSubCell
     {
         return n == 0 ? 0 : 1;
     }
-    part = scalar(n)/nSamples_;
+    part = scalar(n) / nSamples_;
     c.mean /= n;
     centre(sub, xi);
     c.whole = 1;
     c.variance = Zero;
     for (int d = 0; d < grid_.nDim(); ++d)
     {
-        const scalar half = mag(map.tangent(xi, d))/(2*n_[d]);
-        c.whole *= 2*half;
-        c.variance[grid_.direction(d)] =
-            sqr(half)/3*std::pow(part, 2.0/grid_.nDim());
+        const scalar half = mag(map.tangent(xi, d)) / (2 * n_[d]);
+        c.whole *= 2 * half;
+        c.variance[grid_.direction(d)] = sqr(half) / 3 * std::pow(part, 2.0 / grid_.nDim());
     }
-    c.area = part*c.whole;
+    c.area = part * c.whole;
     if (inGas_)
     {
         c.mean = map.position(xi);
-        c.variance *= std::pow(part, -2.0/grid_.nDim());
+        c.variance *= std::pow(part, -2.0 / grid_.nDim());
     }
     return 2;
 }
 
-
-Foam::label Foam::mpm::pointRegion::beside
-(
-    const label k,
-    const label sub,
-    const int d,
-    const int side
-) const
+Foam::label
+Foam::mpm::pointRegion::beside(const label k, const label sub, const int d, const int side) const
 {
     label stride = 1;
     for (int e = 0; e < d; ++e)
     {
         stride *= n_[e];
     }
-    const label i = (sub/stride) % n_[d];
+    const label i = (sub / stride) % n_[d];
 
     label celli = cells_[k], other = sub + (side ? stride : -stride);
     if (i == (side ? n_[d] - 1 : 0))
     {
         // Of a mesh without a lattice cells turn their directions
-        celli =
-            grid_.hasLattice() ? grid_.neighbour(celli, d, side) : label(-1);
-        other = sub + (side ? -1 : 1)*stride*(n_[d] - 1);
+        celli = grid_.hasLattice() ? grid_.neighbour(celli, d, side) : label(-1);
+        other = sub + (side ? -1 : 1) * stride * (n_[d] - 1);
     }
     if (celli < 0 || grid_.period(d) > 0)
     {
@@ -187,11 +157,9 @@ Foam::label Foam::mpm::pointRegion::beside
     }
     const label otherK = cell - cells_.begin();
     const auto end = sub_.begin() + start_[otherK + 1];
-    const auto p =
-        std::lower_bound(sub_.begin() + start_[otherK], end, other);
+    const auto p = std::lower_bound(sub_.begin() + start_[otherK], end, other);
     return p == end || *p != other ? -1 : label(p - sub_.begin());
 }
-
 
 Foam::vector Foam::mpm::pointRegion::boxOf(const cutPoint& c) const
 {
@@ -199,33 +167,23 @@ Foam::vector Foam::mpm::pointRegion::boxOf(const cutPoint& c) const
     for (int d = 0; d < grid_.nDim(); ++d)
     {
         const int e = grid_.direction(d);
-        l[e] = std::sqrt(3*c.variance[e]);
+        l[e] = std::sqrt(3 * c.variance[e]);
     }
     return l;
 }
-
 
 bool Foam::mpm::pointRegion::isBox(const label celli, const cutPoint& c) const
 {
     // It reaches the surfaces and not beyond
     const vector l(boxOf(c));
     vector way;
-    return
-        (!formula_ && !cutter_)
-     || (
-            fit(celli, c, c.mean, l, false, way) == 1
-         && fit(celli, c, c.mean, (1 + 1e-6)*l, false, way) < 1
-        );
+    return (!formula_ && !cutter_)
+        || (fit(celli, c, c.mean, l, false, way) == 1
+            && fit(celli, c, c.mean, (1 + 1e-6) * l, false, way) < 1);
 }
 
-
-Foam::label Foam::mpm::pointRegion::fullestBeside
-(
-    const label k,
-    const label p,
-    const boolList& gone,
-    scalar& part
-) const
+Foam::label Foam::mpm::pointRegion::fullestBeside(
+    const label k, const label p, const boolList& gone, scalar& part) const
 {
     label best = -1;
     part = 0;
@@ -239,10 +197,7 @@ Foam::label Foam::mpm::pointRegion::fullestBeside
                 continue;
             }
             const auto cut = cutOf_.cfind(q);
-            const scalar area =
-                cut.good()
-              ? cut_[*cut].area/cut_[*cut].whole
-              : scalar(1);
+            const scalar area = cut.good() ? cut_[*cut].area / cut_[*cut].whole : scalar(1);
             if (area > part)
             {
                 part = area;
@@ -253,7 +208,6 @@ Foam::label Foam::mpm::pointRegion::fullestBeside
     return best;
 }
 
-
 void Foam::mpm::pointRegion::join(const label p, const label best)
 {
     materialPointCloud::newPoint& to = points_[best];
@@ -263,10 +217,10 @@ void Foam::mpm::pointRegion::join(const label p, const label best)
         full.point = best;
         full.whole = 1;
         full.mean = to.x;
-        full.variance = cmptMultiply(to.halfSize, to.halfSize)/3;
+        full.variance = cmptMultiply(to.halfSize, to.halfSize) / 3;
         for (int d = 0; d < grid_.nDim(); ++d)
         {
-            full.whole *= 2*to.halfSize[grid_.direction(d)];
+            full.whole *= 2 * to.halfSize[grid_.direction(d)];
         }
         full.area = full.whole;
         cutOf_.insert(best, cut_.size());
@@ -276,10 +230,9 @@ void Foam::mpm::pointRegion::join(const label p, const label best)
     const cutPoint& b = cut_[cutOf_[p]];
     const scalar area = a.area + b.area;
     const vector apart(b.mean - a.mean);
-    a.variance =
-        (a.area*a.variance + b.area*b.variance)/area
-      + a.area*b.area/sqr(area)*cmptMultiply(apart, apart);
-    a.mean += (b.area/area)*apart;
+    a.variance = (a.area * a.variance + b.area * b.variance) / area
+        + a.area * b.area / sqr(area) * cmptMultiply(apart, apart);
+    a.mean += (b.area / area) * apart;
     a.area = area;
     for (const label s : b.surfaces)
     {
@@ -291,7 +244,6 @@ void Foam::mpm::pointRegion::join(const label p, const label best)
     to.volume += points_[p].volume;
     to.mass += points_[p].mass;
 }
-
 
 void Foam::mpm::pointRegion::joinSmallParts()
 {
@@ -308,7 +260,7 @@ void Foam::mpm::pointRegion::joinSmallParts()
                 continue;
             }
             const cutPoint& c = cut_[*small];
-            const scalar part = c.area/c.whole;
+            const scalar part = c.area / c.whole;
             if (part >= (isBox(cells_[k], c) ? smallBox : smallPart))
             {
                 continue;
@@ -327,7 +279,6 @@ void Foam::mpm::pointRegion::joinSmallParts()
         remove(gone);
     }
 }
-
 
 void Foam::mpm::pointRegion::remove(const boolList& gone)
 {
@@ -363,7 +314,6 @@ void Foam::mpm::pointRegion::remove(const boolList& gone)
     }
 }
 
-
 bool Foam::mpm::pointRegion::goesOn(const label celli, const point& x) const
 {
     for (const pointRegionShape* shape : joined_)
@@ -376,16 +326,9 @@ bool Foam::mpm::pointRegion::goesOn(const label celli, const point& x) const
     return false;
 }
 
-
-Foam::scalar Foam::mpm::pointRegion::fit
-(
-    const label celli,
-    const cutPoint& c,
-    const point& x,
-    const vector& l,
-    const bool inBody,
-    vector& way
-) const
+Foam::scalar Foam::mpm::pointRegion::fit(
+    const label celli, const cutPoint& c, const point& x, const vector& l, const bool inBody,
+    vector& way) const
 {
     const int nDim = grid_.nDim();
     scalar factor = 1, least = GREAT;
@@ -397,14 +340,11 @@ Foam::scalar Foam::mpm::pointRegion::fit
     const auto touch = [&](const scalar distance, const vector& n)
     {
         const scalar R = mag(cmptMultiply(l, n));
-        if
-        (
-            distance < factor*R
-         && !(inBody && goesOn(celli, x + (distance + beyond*least)*n))
-        )
+        if (distance < factor * R
+            && !(inBody && goesOn(celli, x + (distance + beyond * least) * n)))
         {
-            factor = distance/R;
-            way = (distance - R)*n;
+            factor = distance / R;
+            way = (distance - R) * n;
         }
     };
 
@@ -441,16 +381,16 @@ Foam::scalar Foam::mpm::pointRegion::fit
                 bool inside[2];
                 for (int s = 0; s < 2; ++s)
                 {
-                    const scalar eps = 1e-6*least*side;
+                    const scalar eps = 1e-6 * least * side;
                     for (int d = 0; d < 3; ++d)
                     {
-                        foot[d] = at[d] + along[d]*(t[r] + (s ? eps : -eps));
+                        foot[d] = at[d] + along[d] * (t[r] + (s ? eps : -eps));
                     }
                     inside[s] = formula_->contains(celli, foot);
                 }
                 if (inside[0] && !inside[1])
                 {
-                    touch(mag(t[r]), side*n);
+                    touch(mag(t[r]), side * n);
                 }
             }
         }
@@ -460,23 +400,16 @@ Foam::scalar Foam::mpm::pointRegion::fit
         const triSurface& s = *shape_->facets();
         for (const label i : c.surfaces)
         {
-            const triPointRef facet
-            (
-                s.points()[s[i][0]], s.points()[s[i][1]], s.points()[s[i][2]]
-            );
-            const vector n
-            (
-                shape_->computed(facet.nearestPoint(x).rawPoint() - x)
-            );
+            const triPointRef facet(s.points()[s[i][0]], s.points()[s[i][1]], s.points()[s[i][2]]);
+            const vector n(shape_->computed(facet.nearestPoint(x).rawPoint() - x));
             if (mag(n) > 0)
             {
-                touch(mag(n), n/mag(n));
+                touch(mag(n), n / mag(n));
             }
         }
     }
     return factor > 1 - 1e-9 ? 1 : factor;
 }
-
 
 void Foam::mpm::pointRegion::placeCutPoints()
 {
@@ -491,8 +424,7 @@ void Foam::mpm::pointRegion::placeCutPoints()
         }
         materialPointCloud::newPoint& p = points_[c.point];
         const label k =
-            std::upper_bound(start_.begin(), start_.end(), c.point)
-          - start_.begin() - 1;
+            std::upper_bound(start_.begin(), start_.end(), c.point) - start_.begin() - 1;
 
         const vector l(boxOf(c));
         p.x = c.mean;
@@ -504,11 +436,7 @@ void Foam::mpm::pointRegion::placeCutPoints()
 
         // The box need not be full where another region goes on
         vector way;
-        if
-        (
-            joined_.size()
-         && fit(cells_[k], c, p.x, p.halfSize, true, way) == 1
-        )
+        if (joined_.size() && fit(cells_[k], c, p.x, p.halfSize, true, way) == 1)
         {
             p.halfSize = l;
             continue;
@@ -526,20 +454,14 @@ void Foam::mpm::pointRegion::placeCutPoints()
         {
             x[d] = p.x[grid_.direction(d)];
         }
-        if
-        (
-            !fits
-         || !shape_->contains(cells_[k], p.x)
-         || (grid_.locate(cells_[k], x) < 0 && grid_.find(x) < 0)
-        )
+        if (!fits || !shape_->contains(cells_[k], p.x)
+            || (grid_.locate(cells_[k], x) < 0 && grid_.find(x) < 0))
         {
             // Too thin for it, or the mesh ends here
             p.x = c.mean;
-            p.halfSize = max(fit(cells_[k], c, p.x, l, true, way), least)*l;
+            p.halfSize = max(fit(cells_[k], c, p.x, l, true, way), least) * l;
         }
     }
     cut_.clearStorage();
     cutOf_.clear();
 }
-
-// ************************************************************************* //

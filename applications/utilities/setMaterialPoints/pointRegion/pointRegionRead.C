@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointRegion.H"
 #include "dictionaryTools.H"
@@ -16,34 +10,26 @@ License
 
 void Foam::mpm::pointRegion::checkEntries() const
 {
-    wordList valid
-    ({
-        "phase", "type", "pointsPerCell", "parts", "samples", "velocity", "stress",
-        "pressure", "temperature", "volumeFraction", "density", "overlap"
-    });
+    wordList valid(
+        {"phase", "type", "pointsPerCell", "parts", "samples", "velocity", "stress", "pressure",
+         "temperature", "volumeFraction", "density", "overlap"});
     valid.append(shape_->keywords());
     if (dict_.found("scale") && !valid.found("scale") && valid.found("surface"))
     {
         FatalIOErrorInFunction(dict_)
             << "Unknown keyword scale in " << dict_.name()
-            << "; it belongs into surface { file ...; scale ...; }"
-            << exit(FatalIOError);
+            << "; it belongs into surface { file ...; scale ...; }" << exit(FatalIOError);
     }
     checkKeywords(dict_, valid);
 }
-
 
 void Foam::mpm::pointRegion::readPointsPerCell()
 {
     const word key("pointsPerCell");
     requireKeyword(dict_, key);
     const token first(dict_.lookup(key));
-    const vector given
-    (
-        first.isNumber()
-      ? vector::uniform(dict_.get<scalar>(key))
-      : dict_.get<vector>(key)
-    );
+    const vector given(
+        first.isNumber() ? vector::uniform(dict_.get<scalar>(key)) : dict_.get<vector>(key));
     labelVector perAxis(Zero);
     for (int c = 0; c < 3; ++c)
     {
@@ -65,9 +51,9 @@ void Foam::mpm::pointRegion::readPointsPerCell()
         if (n_[d] < 1 || n_[d] > 16)
         {
             FatalIOErrorInFunction(dict_)
-                << "Entry " << key << " asks for " << n_[d]
-                << " points in direction " << "xyz"[grid_.direction(d)]
-                << " of a cell; it must be 1 to 16." << exit(FatalIOError);
+                << "Entry " << key << " asks for " << n_[d] << " points in direction "
+                << "xyz"[grid_.direction(d)] << " of a cell; it must be 1 to 16."
+                << exit(FatalIOError);
         }
         nSub_ *= n_[d];
         nSamples_ *= m_;
@@ -76,8 +62,9 @@ void Foam::mpm::pointRegion::readPointsPerCell()
         {
             FatalIOErrorInFunction(dict_)
                 << "Entry " << key << " is " << perAxis << "; in "
-                << (byElements_ ? "elements of a mesh" : "cells that are no"
-                    " hexahedra")
+                << (byElements_ ? "elements of a mesh"
+                                : "cells that are no"
+                                  " hexahedra")
                 << " it must be the same in all directions: 1 (a point at the"
                 << " centroid), 2 (a point for each corner) or more (simplices"
                 << " in equal parts)." << exit(FatalIOError);
@@ -99,7 +86,6 @@ void Foam::mpm::pointRegion::readPointsPerCell()
     }
 }
 
-
 Foam::label Foam::mpm::pointRegion::mostParts(const label celli) const
 {
     if (!bySimplices_)
@@ -118,7 +104,6 @@ Foam::label Foam::mpm::pointRegion::mostParts(const label celli) const
     }
     return 0;
 }
-
 
 void Foam::mpm::pointRegion::readVelocity()
 {
@@ -148,17 +133,15 @@ void Foam::mpm::pointRegion::readVelocity()
         if (!(mag(axis) > 0))
         {
             FatalIOErrorInFunction(dict)
-                << "Entry axis is " << axis << "; it must have a length > 0."
-                << exit(FatalIOError);
+                << "Entry axis is " << axis << "; it must have a length > 0." << exit(FatalIOError);
         }
-        omega_ = dict.get<scalar>("omega")*axis/mag(axis);
+        omega_ = dict.get<scalar>("omega") * axis / mag(axis);
         origin_ = required<point>(dict, "origin");
     }
     else if (dict.found("axis") || dict.found("origin"))
     {
         FatalIOErrorInFunction(dict)
-            << "Entries axis and origin only go with omega [rad/s]."
-            << exit(FatalIOError);
+            << "Entries axis and origin only go with omega [rad/s]." << exit(FatalIOError);
     }
     forAll(coordinates, c)
     {
@@ -168,7 +151,6 @@ void Foam::mpm::pointRegion::readVelocity()
         }
     }
 }
-
 
 Foam::vector Foam::mpm::pointRegion::velocityAt(const point& x) const
 {
@@ -186,12 +168,10 @@ Foam::vector Foam::mpm::pointRegion::velocityAt(const point& x) const
             << "The velocity " << U << " at " << x << " has a component in a"
             << " direction of the mesh that is not computed (empty or wedge"
             << " patches); it must be 0."
-            << (mag(omega_) > 0 ? " In 2D the axis lies along it." : "")
-            << exit(FatalIOError);
+            << (mag(omega_) > 0 ? " In 2D the axis lies along it." : "") << exit(FatalIOError);
     }
     return U;
 }
-
 
 void Foam::mpm::pointRegion::readStress()
 {
@@ -219,8 +199,7 @@ void Foam::mpm::pointRegion::readStress()
     if (dict_.found("pressure"))
     {
         FatalIOErrorInFunction(dict_)
-            << "Entry pressure only goes with:  stress ambient;"
-            << exit(FatalIOError);
+            << "Entry pressure only goes with:  stress ambient;" << exit(FatalIOError);
     }
     if (!found)
     {
@@ -234,18 +213,12 @@ void Foam::mpm::pointRegion::readStress()
     {
         isComputed[grid_.direction(d)] = true;
     }
-    if
-    (
-        (sigma_.xy() != 0 && !(isComputed[0] && isComputed[1]))
-     || (sigma_.xz() != 0 && !(isComputed[0] && isComputed[2]))
-     || (sigma_.yz() != 0 && !(isComputed[1] && isComputed[2]))
-    )
+    if ((sigma_.xy() != 0 && !(isComputed[0] && isComputed[1]))
+        || (sigma_.xz() != 0 && !(isComputed[0] && isComputed[2]))
+        || (sigma_.yz() != 0 && !(isComputed[1] && isComputed[2])))
     {
         FatalIOErrorInFunction(dict_)
             << "The stress (xx xy xz yy yz zz) " << sigma_ << " has shear in"
-            << " an empty direction of the mesh; it must be 0."
-            << exit(FatalIOError);
+            << " an empty direction of the mesh; it must be 0." << exit(FatalIOError);
     }
 }
-
-// ************************************************************************* //

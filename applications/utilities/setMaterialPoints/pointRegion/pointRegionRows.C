@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointRegion.H"
 
@@ -15,29 +9,17 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::mpm::pointRegion::standsInRows
-(
-    const pointGrid& grid,
-    const pointRegionShape& shape
-)
+bool Foam::mpm::pointRegion::standsInRows(const pointGrid& grid, const pointRegionShape& shape)
 {
     if (!grid.hasLattice() || shape.type() != "box")
     {
         return false;
     }
     const int r = grid.radial();
-    return
-        r < 0
-     || shape.bounds().min()[grid.direction(r)] >= grid.lattice().planes(r)[2];
+    return r < 0 || shape.bounds().min()[grid.direction(r)] >= grid.lattice().planes(r)[2];
 }
 
-
-void Foam::mpm::pointRegion::row
-(
-    const int d,
-    scalarList& centre,
-    scalarList& size
-) const
+void Foam::mpm::pointRegion::row(const int d, scalarList& centre, scalarList& size) const
 {
     constexpr scalar tolerance = 1e-9;
 
@@ -47,39 +29,37 @@ void Foam::mpm::pointRegion::row
     const int c = grid_.direction(d);
     const scalar low = max(shape_->bounds().min()[c], planes[1]);
     const scalar high = min(shape_->bounds().max()[c], planes[nCells + 1]);
-    const scalar h = (planes[nCells + 1] - planes[1])/nCells;
+    const scalar h = (planes[nCells + 1] - planes[1]) / nCells;
 
     bool equal = d != grid_.radial();
     for (label i = 1; i <= nCells; ++i)
     {
-        equal = equal && mag(planes[i + 1] - planes[i] - h) < tolerance*h;
+        equal = equal && mag(planes[i + 1] - planes[i] - h) < tolerance * h;
     }
 
     DynamicList<scalar> x, w;
     if (!(low < high))
-    {}
+    {
+    }
     else if (equal)
     {
         // No point is wider than a cell
-        const label n = max
-        (
-            label((high - low)/h*n_[d] + 0.5),
-            label(std::ceil((high - low)/h - tolerance))
-        );
+        const label n = max(
+            label((high - low) / h * n_[d] + 0.5), label(std::ceil((high - low) / h - tolerance)));
         for (label i = 0; i < n; ++i)
         {
-            x.append(low + (i + 0.5)/n*(high - low));
-            w.append((high - low)/n);
+            x.append(low + (i + 0.5) / n * (high - low));
+            w.append((high - low) / n);
         }
     }
     else
     {
         for (label i = 1; i <= nCells; ++i)
         {
-            const scalar s = (planes[i + 1] - planes[i])/n_[d];
+            const scalar s = (planes[i + 1] - planes[i]) / n_[d];
             for (label j = 0; j < n_[d]; ++j)
             {
-                const scalar at = planes[i] + (j + 0.5)*s;
+                const scalar at = planes[i] + (j + 0.5) * s;
                 if (at >= low && at < high)
                 {
                     x.append(at);
@@ -91,7 +71,6 @@ void Foam::mpm::pointRegion::row
     centre.transfer(x);
     size.transfer(w);
 }
-
 
 void Foam::mpm::pointRegion::fillRows(const scalar rho)
 {
@@ -114,9 +93,7 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
         p.x = p.U = p.halfSize = Zero;
         p.sigma = sigma_;
         p.T = T_;
-        p.volume =
-            volumeFraction_
-           *(radial < 0 ? shape_->section() : grid_.sector());
+        p.volume = volumeFraction_ * (radial < 0 ? shape_->section() : grid_.sector());
         scalar x[3] = {0, 0, 0};
         label rest = i;
         for (int d = 0; d < nDim; ++d)
@@ -125,10 +102,10 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
             const label j = rest % centre[d].size();
             rest /= centre[d].size();
             x[d] = p.x[c] = centre[d][j];
-            p.halfSize[c] = 0.5*size[d][j];
-            p.volume *= size[d][j]*(d == radial ? x[d] : 1);
+            p.halfSize[c] = 0.5 * size[d][j];
+            p.volume *= size[d][j] * (d == radial ? x[d] : 1);
         }
-        p.mass = rho*p.volume;
+        p.mass = rho * p.volume;
         cellOf[i] = grid_.find(x);
         points.append(p);
     }
@@ -136,22 +113,15 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
     store(points, cellOf);
 }
 
-
-void Foam::mpm::pointRegion::store
-(
-    const UList<materialPointCloud::newPoint>& points,
-    const labelUList& cellOf
-)
+void Foam::mpm::pointRegion::store(
+    const UList<materialPointCloud::newPoint>& points, const labelUList& cellOf)
 {
     // In the order of cells
     labelList order(points.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort
-    (
-        order.begin(),
-        order.end(),
-        [&](const label a, const label b) { return cellOf[a] < cellOf[b]; }
-    );
+    std::stable_sort(
+        order.begin(), order.end(),
+        [&](const label a, const label b) { return cellOf[a] < cellOf[b]; });
     for (const label i : order)
     {
         const label celli = cellOf[i];
@@ -170,7 +140,7 @@ void Foam::mpm::pointRegion::store
         if (cells_.empty() || cells_.last() != celli)
         {
             cells_.append(celli);
-            const label from = start_.last();   // append() may move the list
+            const label from = start_.last(); // append() may move the list
             start_.append(from);
         }
         points_.append(p);
@@ -178,13 +148,7 @@ void Foam::mpm::pointRegion::store
     }
 }
 
-
-Foam::label Foam::mpm::pointRegion::find
-(
-    const point& at,
-    const label near,
-    point& moved
-) const
+Foam::label Foam::mpm::pointRegion::find(const point& at, const label near, point& moved) const
 {
     scalar x[3] = {0, 0, 0};
     for (int d = 0; d < grid_.nDim(); ++d)
@@ -193,8 +157,7 @@ Foam::label Foam::mpm::pointRegion::find
     }
 
     // Elements beside each other follow each other in most files
-    label celli =
-        grid_.locatesAtOnce() ? label(-1) : grid_.locate(max(near, label(0)), x);
+    label celli = grid_.locatesAtOnce() ? label(-1) : grid_.locate(max(near, label(0)), x);
     if (celli < 0)
     {
         celli = grid_.find(x);
@@ -207,14 +170,13 @@ Foam::label Foam::mpm::pointRegion::find
     return celli;
 }
 
-
 void Foam::mpm::pointRegion::fillElements(const scalar rho)
 {
     const bodyMesh& body = refCast<const meshShape>(*shape_).body();
     const int nDim = grid_.nDim();
     const int radial = grid_.radial();
 
-    DynamicList<materialPointCloud::newPoint> points(nSub_*body.size());
+    DynamicList<materialPointCloud::newPoint> points(nSub_ * body.size());
     DynamicList<label> cellOf(points.capacity());
     label celli = 0;
     for (label e = 0; e < body.size(); ++e)
@@ -232,24 +194,19 @@ void Foam::mpm::pointRegion::fillElements(const scalar rho)
             p.U = p.halfSize = Zero;
             p.sigma = sigma_;
             p.T = T_;
-            p.volume =
-                size*volumeFraction_
-               *(
-                    radial < 0
-                  ? shape_->section()
-                  : grid_.sector()*centre[grid_.direction(radial)]
-                );
-            p.mass = rho*p.volume;
+            p.volume = size * volumeFraction_
+                * (radial < 0 ? shape_->section()
+                              : grid_.sector() * centre[grid_.direction(radial)]);
+            p.mass = rho * p.volume;
 
             // Those of a cube (square) of its size, up to the outside
             vector l(Zero);
             for (int d = 0; d < nDim; ++d)
             {
-                l[grid_.direction(d)] = 0.5*std::pow(size, 1.0/nDim);
+                l[grid_.direction(d)] = 0.5 * std::pow(size, 1.0 / nDim);
             }
-            const scalar fit =
-                body.fit(e, whole || !c ? -1 : c->corners()[i], centre, l);
-            p.halfSize = (bySimplices_ ? min(fit, scalar(1)) : fit)*l;
+            const scalar fit = body.fit(e, whole || !c ? -1 : c->corners()[i], centre, l);
+            p.halfSize = (bySimplices_ ? min(fit, scalar(1)) : fit) * l;
 
             celli = find(centre, celli, p.x);
             cellOf.append(celli);
@@ -258,5 +215,3 @@ void Foam::mpm::pointRegion::fillElements(const scalar rho)
     }
     store(points, cellOf);
 }
-
-// ************************************************************************* //

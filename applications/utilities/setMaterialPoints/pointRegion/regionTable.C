@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "regionTable.H"
 #include "localIOdictionary.H"
@@ -22,15 +16,9 @@ namespace
 using namespace Foam;
 
 //- A line of the table; a negative volume is not known
-void printLine
-(
-    const std::string& region,
-    const word& phase,
-    const label nPoints,
-    const scalar mass,
-    const scalar volume,
-    const scalar exactVolume
-)
+void printLine(
+    const std::string& region, const word& phase, const label nPoints, const scalar mass,
+    const scalar volume, const scalar exactVolume)
 {
     const auto padded = [](std::string s)
     {
@@ -40,20 +28,18 @@ void printLine
 
     OStringStream line;
     line.precision(6);
-    line<< "    " << padded(region).c_str() << padded(phase).c_str()
-        << setw(10) << nPoints << setw(14) << mass << setw(14) << volume;
+    line << "    " << padded(region).c_str() << padded(phase).c_str() << setw(10) << nPoints
+         << setw(14) << mass << setw(14) << volume;
     if (exactVolume > 0)
     {
-        line<< setw(14) << exactVolume
-            << setw(14) << (volume - exactVolume)/exactVolume;
+        line << setw(14) << exactVolume << setw(14) << (volume - exactVolume) / exactVolume;
     }
     else
     {
-        line<< setw(14) << "n/a" << setw(14) << "n/a";
+        line << setw(14) << "n/a" << setw(14) << "n/a";
     }
-    Info<< line.str().c_str() << nl;
+    Info << line.str().c_str() << nl;
 }
-
 
 //- Share of a shape that lies beyond the mesh; negative: nothing, or not known
 scalar shareOutside(const mpm::pointRegion& r)
@@ -63,26 +49,19 @@ scalar shareOutside(const mpm::pointRegion& r)
         return -1;
     }
     const scalar whole = r.wholeVolume();
-    return whole > 0 ? 1 - r.volume()/whole : 0;
+    return whole > 0 ? 1 - r.volume() / whole : 0;
 }
-
 
 //- How much of a shape lies outside the mesh
 std::string outside(const mpm::pointRegion& r)
 {
     const scalar part = shareOutside(r);
-    return
-        part < 0
-      ? std::string()
-      : "; it reaches beyond the mesh"
-      + (
-            part > 1e-3
-          ? ", " + Foam::name(0.1*std::round(1000*part))
-          + " % of it has no points"
-          : std::string()
-        );
+    return part < 0 ? std::string()
+                    : "; it reaches beyond the mesh"
+            + (part > 1e-3
+                   ? ", " + Foam::name(0.1 * std::round(1000 * part)) + " % of it has no points"
+                   : std::string());
 }
-
 
 //- The boxes of the bodies
 void printBodies(const PtrList<mpm::pointRegion>& regions)
@@ -90,26 +69,21 @@ void printBodies(const PtrList<mpm::pointRegion>& regions)
     for (const mpm::pointRegion& r : regions)
     {
         const boundBox bb(r.bounds());
-        Info<< "    " << r.name() << ": " << r.type() << " of "
-            << bb.span() << " m from " << bb.min() << " to " << bb.max()
-            << " m, " << r.pointsPerCell()
-            << (r.pointsPerCell() == 1 ? " point per " : " points per ")
-            << (r.byElements() ? "element" : "cell")
-            << (r.samplesUnused()
-              ? "; samples is not used, parts of sub-cells are exact"
-              : "")
-            << outside(r).c_str() << nl;
+        Info << "    " << r.name() << ": " << r.type() << " of " << bb.span() << " m from "
+             << bb.min() << " to " << bb.max() << " m, " << r.pointsPerCell()
+             << (r.pointsPerCell() == 1 ? " point per " : " points per ")
+             << (r.byElements() ? "element" : "cell")
+             << (r.samplesUnused() ? "; samples is not used, parts of sub-cells are exact" : "")
+             << outside(r).c_str() << nl;
         if (r.wholeSubCells())
         {
             const boundBox filled(r.pointBounds());
-            Info<< "        points (whole sub-cells in a gas) fill "
-                << filled.span() << " m from " << filled.min() << " to "
-                << filled.max() << " m" << nl;
+            Info << "        points (whole sub-cells in a gas) fill " << filled.span() << " m from "
+                 << filled.min() << " to " << filled.max() << " m" << nl;
         }
     }
-    Info<< endl;
+    Info << endl;
 }
-
 
 //- Largest ratio of a body's side to that of the mesh
 scalar largestRatio(const mpm::pointGrid& grid, const boundBox& body)
@@ -119,11 +93,10 @@ scalar largestRatio(const mpm::pointGrid& grid, const boundBox& body)
     for (int d = 0; d < grid.nDim(); ++d)
     {
         const int c = grid.direction(d);
-        ratio = max(ratio, body.span()[c]/mesh[c]);
+        ratio = max(ratio, body.span()[c] / mesh[c]);
     }
     return ratio;
 }
-
 
 //- Warn of a shape of which 1 % or more lies beyond the mesh, unless each side
 //  that cuts it does so in the middle: a half or quarter at symmetry planes
@@ -141,12 +114,11 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
     for (int d = 0; d < grid.nDim(); ++d)
     {
         const int c = grid.direction(d);
-        const scalar middle = 0.5*(body.min()[c] + body.max()[c]);
-        const scalar tol = 1e-3*(body.max()[c] - body.min()[c]);
+        const scalar middle = 0.5 * (body.min()[c] + body.max()[c]);
+        const scalar tol = 1e-3 * (body.max()[c] - body.min()[c]);
         const bool low = d != grid.radial() && body.min()[c] < mesh.min()[c] - tol;
         const bool high = body.max()[c] > mesh.max()[c] + tol;
-        const bool half =
-            low != high && mag(middle - (low ? mesh.min() : mesh.max())[c]) < tol;
+        const bool half = low != high && mag(middle - (low ? mesh.min() : mesh.max())[c]) < tol;
         if ((low || high) && !half)
         {
             across = low && high ? c : -1;
@@ -158,35 +130,31 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
     if (!meant)
     {
         Ostream& os = WarningInFunction;
-        os  << "Region " << r.name() << " reaches beyond the mesh: "
-            << 0.1*std::round(1000*part) << " % of its " << r.shape().type()
-            << " has no points. The shape lies in " << r.bounds() << " m, the mesh"
-            << " in " << mesh << " m.";
+        os << "Region " << r.name() << " reaches beyond the mesh: " << 0.1 * std::round(1000 * part)
+           << " % of its " << r.shape().type() << " has no points. The shape lies in " << r.bounds()
+           << " m, the mesh"
+           << " in " << mesh << " m.";
         const scalar ratio = largestRatio(grid, body);
         if (ratio > 100)
         {
-            os  << " It is " << ratio << " times as large as the mesh: places"
-                << " and sizes are in m, a box of 5 mm has 5e-3.";
+            os << " It is " << ratio << " times as large as the mesh: places"
+               << " and sizes are in m, a box of 5 mm has 5e-3.";
         }
         else if (across >= 0 && grid.nDim() < 3)
         {
-            os  << " In a scene of fewer dimensions the sides of the mesh across "
-                << "xyz"[across] << " have type empty, of a sector wedge.";
+            os << " In a scene of fewer dimensions the sides of the mesh across "
+               << "xyz"[across] << " have type empty, of a sector wedge.";
         }
-        os  << endl;
+        os << endl;
     }
 }
-
 
 //- Warn of what is probably a wrong unit: the largest velocity is more than five
 //  times the wave speed of a law, also of one that is hit by it. Gas guns and
 //  meteorites (8 km/s on plastics, 20 km/s on rock) reach four times, factors of
 //  1000 in a unit more; laws without a stress have no waves
-void checkSpeed
-(
-    const PtrList<mpm::materialPointPhase>& phases,
-    const PtrList<mpm::pointRegion>& regions
-)
+void checkSpeed(
+    const PtrList<mpm::materialPointPhase>& phases, const PtrList<mpm::pointRegion>& regions)
 {
     constexpr scalar fast = 5;
     scalar speed = 0;
@@ -207,29 +175,22 @@ void checkSpeed
     for (const mpm::materialPointPhase& phase : phases)
     {
         const scalar c =
-            phase.motion() || !filled.found(phase.name())
-          ? 0 : phase.law().waveSpeed();
-        if (c > 0 && speed > fast*c)
+            phase.motion() || !filled.found(phase.name()) ? 0 : phase.law().waveSpeed();
+        if (c > 0 && speed > fast * c)
         {
-            WarningInFunction
-                << "Region " << fastest << " starts with " << speed << " m/s, "
-                << speed/c << " times the wave speed of phase " << phase.name()
-                << " (" << c << " m/s): look for a wrong unit of the velocity"
-                << " (m/s) or of the law (Pa, kg/m3)." << endl;
+            WarningInFunction << "Region " << fastest << " starts with " << speed << " m/s, "
+                              << speed / c << " times the wave speed of phase " << phase.name()
+                              << " (" << c << " m/s): look for a wrong unit of the velocity"
+                              << " (m/s) or of the law (Pa, kg/m3)." << endl;
         }
     }
 }
 
-
 //- Warn of a body that is narrower than two cells: a wrong unit, or too coarse.
 //  body: box around the region and those that continue it
-void checkWidth
-(
-    const mpm::pointGrid& grid,
-    const mpm::materialPointPhase& phase,
-    const mpm::pointRegion& r,
-    const boundBox& body
-)
+void checkWidth(
+    const mpm::pointGrid& grid, const mpm::materialPointPhase& phase, const mpm::pointRegion& r,
+    const boundBox& body)
 {
     if (phase.motion())
     {
@@ -244,32 +205,23 @@ void checkWidth
             h = min(h, grid.width(celli, d));
         }
         const scalar all = grid.mesh().bounds().span()[way];
-        const scalar n = (body.max()[way] - body.min()[way])/h;
-        if (all > 1.5*h && n < 2 - 1e-6)
+        const scalar n = (body.max()[way] - body.min()[way]) / h;
+        if (all > 1.5 * h && n < 2 - 1e-6)
         {
-            WarningInFunction
-                << "Region " << r.name() << " is " << n << " cells wide in "
-                << vector::componentNames[way] << ", fewer than 2: nothing is"
-                << " resolved across it. Use smaller cells; if that is not"
-                << " meant, look for a wrong unit (m)." << endl;
+            WarningInFunction << "Region " << r.name() << " is " << n << " cells wide in "
+                              << vector::componentNames[way] << ", fewer than 2: nothing is"
+                              << " resolved across it. Use smaller cells; if that is not"
+                              << " meant, look for a wrong unit (m)." << endl;
             break;
         }
     }
 }
 
-
 //- The start pressure on the cells, empty without a file of it
 scalarField startPressure(const polyMesh& mesh)
 {
-    const IOobject io
-    (
-        "p",
-        mesh.time().timeName(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
+    const IOobject io(
+        "p", mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (!isFile(io.objectPath()) && !isFile(io.objectPath() + ".gz"))
     {
         return scalarField();
@@ -290,7 +242,6 @@ scalarField startPressure(const polyMesh& mesh)
     return p;
 }
 
-
 //- Warn of points that start with another pressure than the gas around them;
 //  of grains the stress is not that of the gas
 void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
@@ -300,35 +251,29 @@ void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
     {
         return;
     }
-    const scalar ambient =
-        given ? -tr(r.stress())/3 : r.ambientPressure();
+    const scalar ambient = given ? -tr(r.stress()) / 3 : r.ambientPressure();
     scalar low = GREAT, high = -GREAT;
     for (const label celli : r.cells())
     {
         low = min(low, p[celli]);
         high = max(high, p[celli]);
     }
-    if (ambient < 0.9*low || ambient > 1.1*high)
+    if (ambient < 0.9 * low || ambient > 1.1 * high)
     {
-        WarningInFunction
-            << "Region " << r.name() << " starts with the pressure " << ambient
-            << (given ? " Pa (minus a third of the trace of its stress, which is"
-                " negative in compression)" : " Pa")
-            << "; the gas in its cells has " << low
-            << (high > low ? " to " + Foam::name(high) : std::string()).c_str()
-            << " Pa. They are not in equilibrium." << endl;
+        WarningInFunction << "Region " << r.name() << " starts with the pressure " << ambient
+                          << (given ? " Pa (minus a third of the trace of its stress, which is"
+                                      " negative in compression)"
+                                    : " Pa")
+                          << "; the gas in its cells has " << low
+                          << (high > low ? " to " + Foam::name(high) : std::string()).c_str()
+                          << " Pa. They are not in equilibrium." << endl;
     }
 }
 
-
 //- The law itself has the pressure of the gas or more, like an explosive that
 //  is burnt at the start
-bool pressesBack
-(
-    const mpm::materialPointPhase& phase,
-    const mpm::pointRegion& r,
-    const scalarField& p
-)
+bool pressesBack(
+    const mpm::materialPointPhase& phase, const mpm::pointRegion& r, const scalarField& p)
 {
     const scalar own = phase.law().startPressure();
     scalar most = 0;
@@ -339,15 +284,10 @@ bool pressesBack
     return own > 0 && own >= most;
 }
 
-
 //- Warn of cells in which points of a region cannot soften: their widest bands
 //  are those across a diagonal, of the strongest point. firstId: of the region
-void checkSoftening
-(
-    const mpm::materialPointPhase& phase,
-    const mpm::pointRegion& r,
-    const label firstId
-)
+void checkSoftening(
+    const mpm::materialPointPhase& phase, const mpm::pointRegion& r, const label firstId)
 {
     const mpm::failureModel* failure = phase.failure();
     if (!failure || !failure->softens())
@@ -360,32 +300,24 @@ void checkSoftening
         strongest = 0;
         forAll(r.points(), i)
         {
-            strongest = max
-            (
-                strongest,
-                failure->strength
-                (
-                    uint64_t(firstId + i),
-                    r.points()[i].mass/phase.rho()
-                )
-            );
+            strongest =
+                max(strongest,
+                    failure->strength(uint64_t(firstId + i), r.points()[i].mass / phase.rho()));
         }
     }
     const scalar widest = failure->widestBand(strongest);
     const scalar h = r.widestCell();
     const scalar diagonal = std::sqrt(scalar(phase.cloud().grid().nDim()));
-    if (diagonal*h >= widest)
+    if (diagonal * h >= widest)
     {
-        WarningInFunction
-            << "Region " << r.name() << " has cells of " << h
-            << " m; softening with the Gf of phase " << phase.name()
-            << " needs bands narrower than 2 E Gf/strength^2 = " << widest
-            << " m, with " << strongest << " Pa of its strongest point. A band"
-            << " is " << h << " m wide along the cells and up to "
-            << diagonal*h << " m across them. The run would stop where such a"
-            << " point fails"
-            << (h < widest ? " obliquely" : "")
-            << ". Use smaller cells, or no Gf." << endl;
+        WarningInFunction << "Region " << r.name() << " has cells of " << h
+                          << " m; softening with the Gf of phase " << phase.name()
+                          << " needs bands narrower than 2 E Gf/strength^2 = " << widest
+                          << " m, with " << strongest << " Pa of its strongest point. A band"
+                          << " is " << h << " m wide along the cells and up to " << diagonal * h
+                          << " m across them. The run would stop where such a"
+                          << " point fails" << (h < widest ? " obliquely" : "")
+                          << ". Use smaller cells, or no Gf." << endl;
     }
 }
 
@@ -393,25 +325,17 @@ void checkSoftening
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::printTable
-(
-    const wordList& phases,
-    const PtrList<pointRegion>& regions
-)
+void Foam::mpm::printTable(const wordList& phases, const PtrList<pointRegion>& regions)
 {
-    Info<< "    region          phase               points     mass [kg]"
-        << "   volume [m3]    exact [m3]    difference" << nl;
+    Info << "    region          phase               points     mass [kg]"
+         << "   volume [m3]    exact [m3]    difference" << nl;
 
     forAll(regions, i)
     {
         const pointRegion& r = regions[i];
-        printLine
-        (
-            r.name(), r.phase(), r.points().size(), r.mass(), r.volume(),
-            r.exactVolume()
-        );
+        printLine(r.name(), r.phase(), r.points().size(), r.mass(), r.volume(), r.exactVolume());
     }
-    Info<< nl;
+    Info << nl;
 
     for (const word& phase : phases)
     {
@@ -431,17 +355,12 @@ void Foam::mpm::printTable
         }
         printLine("total", phase, n, mass, volume, exact);
     }
-    Info<< endl;
+    Info << endl;
 }
 
-
-
-void Foam::mpm::printStart
-(
-    const dictionary& phaseProperties,
-    const PtrList<materialPointPhase>& phases,
-    const PtrList<pointRegion>& regions
-)
+void Foam::mpm::printStart(
+    const dictionary& phaseProperties, const PtrList<materialPointPhase>& phases,
+    const PtrList<pointRegion>& regions)
 {
     const wordList gases(phaseNames(phaseProperties, {"gas", "fluid"}));
     const bool contact = phaseProperties.found("contact");
@@ -452,29 +371,19 @@ void Foam::mpm::printStart
         names[i] = phases[i].name();
     }
     const auto phaseOf = [&](const pointRegion& r) -> const materialPointPhase&
-    {
-        return phases[names.find(r.phase())];
-    };
+    { return phases[names.find(r.phase())]; };
 
     printBodies(regions);
-    const scalarField p
-    (
-        gases.size() ? startPressure(phases[0].cloud().grid().mesh())
-      : scalarField()
-    );
+    const scalarField p(
+        gases.size() ? startPressure(phases[0].cloud().grid().mesh()) : scalarField());
     for (const materialPointPhase& phase : phases)
     {
-        if
-        (
-            gases.size() && phase.failure()
-         && phase.failure()->ambient() <= 0
-        )
+        if (gases.size() && phase.failure() && phase.failure()->ambient() <= 0)
         {
-            WarningInFunction
-                << "Phase " << phase.name() << " may fail in the gas "
-                << gases[0] << " and its failureModel has no ambientPressure:"
-                << " the gas would not enter the cracks. Write"
-                << "  ambientPressure <of the gas>;" << endl;
+            WarningInFunction << "Phase " << phase.name() << " may fail in the gas " << gases[0]
+                              << " and its failureModel has no ambientPressure:"
+                              << " the gas would not enter the cracks. Write"
+                              << "  ambientPressure <of the gas>;" << endl;
         }
     }
 
@@ -493,11 +402,8 @@ void Foam::mpm::printStart
         {
             boundBox near(other.bounds());
             near.inflate(1e-6);
-            if
-            (
-                phaseOf(other).velocityField() == phase.velocityField()
-             && near.overlaps(r.bounds())
-            )
+            if (phaseOf(other).velocityField() == phase.velocityField()
+                && near.overlaps(r.bounds()))
             {
                 body.add(other.bounds());
             }
@@ -506,49 +412,36 @@ void Foam::mpm::printStart
         const string hint(r.sizeHint());
         if (hint.size())
         {
-            WarningInFunction
-                << "Region " << r.name() << ":" << hint.c_str() << endl;
+            WarningInFunction << "Region " << r.name() << ":" << hint.c_str() << endl;
         }
-        if
-        (
-            gases.size() && !phase.motion() && !r.hasStress()
-         && !r.granular() && !pressesBack(phase, r, p)
-        )
+        if (gases.size() && !phase.motion() && !r.hasStress() && !r.granular()
+            && !pressesBack(phase, r, p))
         {
-            WarningInFunction
-                << "Region " << r.name() << " lies in the gas " << gases[0]
-                << " and starts without stress: the gas will press it"
-                << " together at once. For equilibrium write"
-                << "  stress ambient; pressure <of the gas>;" << endl;
+            WarningInFunction << "Region " << r.name() << " lies in the gas " << gases[0]
+                              << " and starts without stress: the gas will press it"
+                              << " together at once. For equilibrium write"
+                              << "  stress ambient; pressure <of the gas>;" << endl;
         }
         label firstId = 0;
         for (label j = 0; j < i; ++j)
         {
-            firstId +=
-                regions[j].phase() == r.phase() ? regions[j].points().size() : 0;
+            firstId += regions[j].phase() == r.phase() ? regions[j].points().size() : 0;
         }
         checkSoftening(phase, r, firstId);
         for (label j = 0; j < i; ++j)
         {
             point where;
-            if
-            (
-                phaseOf(regions[j]).velocityField() != phase.velocityField()
-             && regions[j].overlap(r, where) >= 0
-            )
+            if (phaseOf(regions[j]).velocityField() != phase.velocityField()
+                && regions[j].overlap(r, where) >= 0)
             {
-                WarningInFunction
-                    << "Regions " << regions[j].name() << " and " << r.name()
-                    << " overlap at " << where << ": "
-                    << (contact
-                      ? "contact stops them there but does not part them."
-                      : "they have different velocity fields, and nothing"
-                        " keeps them apart.")
-                    << " Change a shape, or write  overlap allow;  in one of"
-                    << " the regions if that is meant." << endl;
+                WarningInFunction << "Regions " << regions[j].name() << " and " << r.name()
+                                  << " overlap at " << where << ": "
+                                  << (contact ? "contact stops them there but does not part them."
+                                              : "they have different velocity fields, and nothing"
+                                                " keeps them apart.")
+                                  << " Change a shape, or write  overlap allow;  in one of"
+                                  << " the regions if that is meant." << endl;
             }
         }
     }
 }
-
-// ************************************************************************* //

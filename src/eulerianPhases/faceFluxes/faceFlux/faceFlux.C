@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "faceFlux.H"
 #include "dictionaryTools.H"
@@ -15,45 +9,26 @@ namespace Foam
 {
 namespace mpm
 {
-    defineTypeNameAndDebug(faceFlux, 0);
-    defineRunTimeSelectionTable(faceFlux, dictionary);
+defineTypeNameAndDebug(faceFlux, 0);
+defineRunTimeSelectionTable(faceFlux, dictionary);
 }
 }
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::faceFlux> Foam::mpm::faceFlux::New
-(
-    const dictionary& dict,
-    const gasFaces& faces
-)
+Foam::autoPtr<Foam::mpm::faceFlux>
+Foam::mpm::faceFlux::New(const dictionary& dict, const gasFaces& faces)
 {
-    const word name
-    (
-        oneOfOrDefault
-        (
-            dict,
-            "faceFlux",
-            "impedance",
-            dictionaryConstructorTablePtr_->sortedToc()
-        )
-    );
+    const word name(
+        oneOfOrDefault(dict, "faceFlux", "impedance", dictionaryConstructorTablePtr_->sortedToc()));
     return dictionaryConstructorTablePtr_->cfind(name).val()(dict, faces);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::faceFlux::flux
-(
-    const gasStates<false>&,
-    const besideSolid&,
-    const result&
-) const
+void Foam::mpm::faceFlux::flux(const gasStates<false>&, const besideSolid&, const result&) const
 {
-    FatalErrorInFunction
-        << "The faceFlux " << type() << " has no form beside solid:"
-        << " use impedance where points and gas act on each other."
-        << exit(FatalError);
+    FatalErrorInFunction << "The faceFlux " << type() << " has no form beside solid:"
+                         << " use impedance where points and gas act on each other."
+                         << exit(FatalError);
 }
-
-// ************************************************************************* //

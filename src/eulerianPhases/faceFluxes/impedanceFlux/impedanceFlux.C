@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "impedanceFlux.H"
 #include "addToRunTimeSelectionTable.H"
@@ -15,20 +9,16 @@ namespace Foam
 {
 namespace mpm
 {
-    defineTypeNameAndDebug(impedanceFlux, 0);
-    addToRunTimeSelectionTable(faceFlux, impedanceFlux, dictionary);
+defineTypeNameAndDebug(impedanceFlux, 0);
+addToRunTimeSelectionTable(faceFlux, impedanceFlux, dictionary);
 }
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<bool Porous, bool General, bool Vector>
-void Foam::mpm::impedanceFlux::insideFaces
-(
-    const gasStates<General>& states,
-    const besideSolid* solid,
-    const result& to
-) const
+void Foam::mpm::impedanceFlux::insideFaces(
+    const gasStates<General>& states, const besideSolid* solid, const result& to) const
 {
     typedef typename gasStates<General>::state state;
     const fvMesh& mesh = faces_.mesh;
@@ -46,37 +36,24 @@ void Foam::mpm::impedanceFlux::insideFaces
     scalar* const out = to.out.data();
 
     // Face next to solid
-    const auto porous = [&]
-    (
-        const label f,
-        const state& L,
-        const state& R,
-        const scalar thetaR,
-        const scalar VR
-    )
+    const auto porous =
+        [&](const label f, const state& L, const state& R, const scalar thetaR, const scalar VR)
     {
         const scalar qL = states.q(L), qR = states.q(R);
-        const scalar z = std::sqrt(factor*max(L.w.rho*qL, R.w.rho*qR));
+        const scalar z = std::sqrt(factor * max(L.w.rho * qL, R.w.rho * qR));
         const label P = own[f];
-        porousFace<Vector>
-        (
-            f,
-            {L.w, factor*qL, z, L.w.p, solid->theta[P], V[P]},
-            {R.w, factor*qR, z, R.w.p, thetaR, VR},
-            solid->dt, solid->pores, 0, to
-        );
+        porousFace<Vector>(
+            f, {L.w, factor * qL, z, L.w.p, solid->theta[P], V[P]},
+            {R.w, factor * qR, z, R.w.p, thetaR, VR}, solid->dt, solid->pores, 0, to);
     };
 
     // Face between two states
     const auto open = [&](const label f, const state& L, const state& R)
     {
-        const scalar z = std::sqrt
-        (
-            factor*max(L.w.rho*states.q(L), R.w.rho*states.q(R))
-        );
+        const scalar z = std::sqrt(factor * max(L.w.rho * states.q(L), R.w.rho * states.q(R)));
         const scalar uL = L.w.u & S[f], uR = R.w.u & S[f];
-        phi[f] = 0.5*(uL + uR + (L.w.p - R.w.p)*magS[f]/z);
-        pStar[f] = 0.5*(L.w.p + R.w.p + z*(uL - uR)/magS[f]);
+        phi[f] = 0.5 * (uL + uR + (L.w.p - R.w.p) * magS[f] / z);
+        pStar[f] = 0.5 * (L.w.p + R.w.p + z * (uL - uR) / magS[f]);
     };
 
     for (label f = 0; f < nInternal; ++f)
@@ -103,11 +80,7 @@ void Foam::mpm::impedanceFlux::insideFaces
         const label P = own[f], i = f - nInternal;
         if (Porous && (solid->near[P] || solid->near[nCells + i]))
         {
-            porous
-            (
-                f, states.cell(P), states.behind(i), solid->thetaB[i],
-                faces_.Vb[i]
-            );
+            porous(f, states.cell(P), states.behind(i), solid->thetaB[i], faces_.Vb[i]);
         }
         else if (upwind)
         {
@@ -121,14 +94,9 @@ void Foam::mpm::impedanceFlux::insideFaces
     }
 }
 
-
 template<bool Porous, bool General>
-void Foam::mpm::impedanceFlux::boundaryFaces
-(
-    const gasStates<General>& states,
-    const besideSolid* solid,
-    const result& to
-) const
+void Foam::mpm::impedanceFlux::boundaryFaces(
+    const gasStates<General>& states, const besideSolid* solid, const result& to) const
 {
     const fvMesh& mesh = faces_.mesh;
     const label nInternal = mesh.nInternalFaces();
@@ -156,33 +124,25 @@ void Foam::mpm::impedanceFlux::boundaryFaces
             phi[f] *= 1 - thetaS;
             if (pores.area)
             {
-                phi[f] += thetaS*pores.uS[f]*magS[f];
+                phi[f] += thetaS * pores.uS[f] * magS[f];
             }
         }
         if (faces_.wall[i])
         {
             // As between the state and its mirror image
-            scalar z = std::sqrt(states.factor()*L.w.rho*states.q(L));
+            scalar z = std::sqrt(states.factor() * L.w.rho * states.q(L));
             if (close)
             {
-                z *=
-                    solid->theta[P]
-                   /max(solid->theta[P], 1 - solid->pores.thetaS[f]);
+                z *= solid->theta[P] / max(solid->theta[P], 1 - solid->pores.thetaS[f]);
             }
-            pStar[f] +=
-                L.w.p - states.cell(P).w.p
-              + z*((L.w.u & S[f]) - u)/magS[f];
+            pStar[f] += L.w.p - states.cell(P).w.p + z * ((L.w.u & S[f]) - u) / magS[f];
         }
         to.out[P] += max(phi[f], scalar(0));
     }
 }
 
 template<bool General>
-void Foam::mpm::impedanceFlux::all
-(
-    const gasStates<General>& states,
-    const result& to
-) const
+void Foam::mpm::impedanceFlux::all(const gasStates<General>& states, const result& to) const
 {
     to.out = 0;
     insideFaces<false, General, false>(states, nullptr, to);
@@ -191,32 +151,18 @@ void Foam::mpm::impedanceFlux::all
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::impedanceFlux::flux
-(
-    const gasStates<false>& states,
-    const result& to
-) const
+void Foam::mpm::impedanceFlux::flux(const gasStates<false>& states, const result& to) const
 {
     all(states, to);
 }
 
-
-void Foam::mpm::impedanceFlux::flux
-(
-    const gasStates<true>& states,
-    const result& to
-) const
+void Foam::mpm::impedanceFlux::flux(const gasStates<true>& states, const result& to) const
 {
     all(states, to);
 }
 
-
-void Foam::mpm::impedanceFlux::flux
-(
-    const gasStates<false>& states,
-    const besideSolid& solid,
-    const result& to
-) const
+void Foam::mpm::impedanceFlux::flux(
+    const gasStates<false>& states, const besideSolid& solid, const result& to) const
 {
     to.out = 0;
     if (solid.pores.area)
@@ -229,5 +175,3 @@ void Foam::mpm::impedanceFlux::flux
     }
     boundaryFaces<true>(states, &solid, to);
 }
-
-// ************************************************************************* //

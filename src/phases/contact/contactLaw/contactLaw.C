@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "contactLaw.H"
 #include "dictionaryTools.H"
@@ -14,17 +8,13 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(contactLaw, 0);
-    defineRunTimeSelectionTable(contactLaw, dictionary);
+defineTypeNameAndDebug(contactLaw, 0);
+defineRunTimeSelectionTable(contactLaw, dictionary);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::contactLaw::contactLaw
-(
-    const dictionary& dict,
-    const wordList& keywords
-)
+Foam::mpm::contactLaw::contactLaw(const dictionary& dict, const wordList& keywords)
 {
     wordList valid({"type", "fields", "patch", "normal"});
     valid.append(keywords);
@@ -33,28 +23,20 @@ Foam::mpm::contactLaw::contactLaw
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::mpm::contactLaw> Foam::mpm::contactLaw::New
-(
-    const dictionary& dict
-)
+Foam::autoPtr<Foam::mpm::contactLaw> Foam::mpm::contactLaw::New(const dictionary& dict)
 {
-    return selectFromTable<contactLaw>
-    (
-        dict,
-        dictionaryConstructorTablePtr_,
-        dict
-    );
+    return selectFromTable<contactLaw>(dict, dictionaryConstructorTablePtr_, dict);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::mpm::contactLaw::slope(const state& s) const
 {
-    const scalar change = 1e-6*s.Jn;
+    const scalar change = 1e-6 * s.Jn;
     state more(s), less(s);
     more.Jn += change;
     less.Jn -= change;
-    return (limit(more) - limit(less))/(more.Jn - less.Jn);
+    return (limit(more) - limit(less)) / (more.Jn - less.Jn);
 }
 
 namespace Foam::mpm
@@ -69,9 +51,8 @@ static wordList withoutMu(const dictionary& dict)
 {
     if (dict.found("mu"))
     {
-        FatalIOErrorInFunction(dict)
-            << "mu is the friction of type Coulomb; the type is "
-            << dict.get<word>("type") << "." << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "mu is the friction of type Coulomb; the type is "
+                                     << dict.get<word>("type") << "." << exit(FatalIOError);
     }
     return wordList();
 }
@@ -79,69 +60,45 @@ static wordList withoutMu(const dictionary& dict)
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
 //- A limit that nothing changes
-class fixedLimit
-:
-    public contactLaw
+class fixedLimit : public contactLaw
 {
     const scalar limit_;
 
 public:
-
-    fixedLimit(const dictionary& dict, const scalar limit)
-    :
-        contactLaw(dict, withoutMu(dict)),
-        limit_(limit)
-    {}
+    fixedLimit(const dictionary& dict, const scalar limit) :
+        contactLaw(dict, withoutMu(dict)), limit_(limit)
+    {
+    }
 
     scalar limit(const state&) const override { return limit_; }
     scalar slope(const state&) const override { return 0; }
 };
 
-
-class frictionless
-:
-    public fixedLimit
+class frictionless : public fixedLimit
 {
 public:
-
     TypeName("frictionless");
 
-    explicit frictionless(const dictionary& dict)
-    :
-        fixedLimit(dict, 0)
-    {}
+    explicit frictionless(const dictionary& dict) : fixedLimit(dict, 0) {}
 };
 
-
-class stick
-:
-    public fixedLimit
+class stick : public fixedLimit
 {
 public:
-
     TypeName("stick");
 
-    explicit stick(const dictionary& dict)
-    :
-        fixedLimit(dict, VGREAT)
-    {}
+    explicit stick(const dictionary& dict) : fixedLimit(dict, VGREAT) {}
 };
 
-
-class Coulomb
-:
-    public contactLaw
+class Coulomb : public contactLaw
 {
     const scalar mu_;
 
 public:
-
     TypeName("Coulomb");
 
-    explicit Coulomb(const dictionary& dict)
-    :
-        contactLaw(dict, {"mu"}),
-        mu_(bounded(dict, "mu", 0, GREAT))
+    explicit Coulomb(const dictionary& dict) :
+        contactLaw(dict, {"mu"}), mu_(bounded(dict, "mu", 0, GREAT))
     {
         if (mu_ > 2)
         {
@@ -152,7 +109,7 @@ public:
         }
     }
 
-    scalar limit(const state& s) const override { return mu_*s.Jn; }
+    scalar limit(const state& s) const override { return mu_ * s.Jn; }
     scalar slope(const state&) const override { return mu_; }
 };
 
@@ -167,5 +124,3 @@ addToRunTimeSelectionTable(contactLaw, stick, dictionary);
 
 } // End namespace contactLaws
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "separationWatch.H"
 #include "Time.H"
@@ -30,29 +24,25 @@ constexpr scalar leastStretch = 1.4;
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
-:
-    warned_(false)
+Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase) : warned_(false)
 {
     const materialPointCloud& cloud = phase.cloud();
     const pointGrid& grid = cloud.grid();
     const int D = grid.nDim();
     const labelList& cells = cloud.cells();
     const label n = returnReduce(cloud.size(), sumOp<label>());
-    const label every = max(label(1), n/10000);
+    const label every = max(label(1), n / 10000);
 
     // Size of a point in a direction
     const auto size = [&](const label celli, const label p, const int d)
     {
         if (const column* l = cloud.halfSize())
         {
-            return 2*(*l)[d][p];
+            return 2 * (*l)[d][p];
         }
-        const auto k = std::lower_bound(cells.begin(), cells.end(), celli)
-          - cells.begin();
-        return
-            grid.width(celli, d)
-           /std::round(std::pow(cloud.start()[k + 1] - cloud.start()[k], 1.0/D));
+        const auto k = std::lower_bound(cells.begin(), cells.end(), celli) - cells.begin();
+        return grid.width(celli, d)
+            / std::round(std::pow(cloud.start()[k + 1] - cloud.start()[k], 1.0 / D));
     };
 
     // Pairs of ids: each chosen point with those above it in each direction,
@@ -71,8 +61,7 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
             {
                 for (const label celli : {cells[k], grid.neighbour(cells[k], d, 1)})
                 {
-                    const auto at =
-                        std::lower_bound(cells.begin(), cells.end(), celli);
+                    const auto at = std::lower_bound(cells.begin(), cells.end(), celli);
                     if (at == cells.end() || *at != celli)
                     {
                         continue;
@@ -85,22 +74,15 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
                         for (int e = 0; e < D; ++e)
                         {
                             const scalar way =
-                                (cloud.x()[e][q] - cloud.x()[e][p])
-                               /size(cells[k], p, e);
+                                (cloud.x()[e][q] - cloud.x()[e][p]) / size(cells[k], p, e);
                             next = next && mag(way - (e == d)) < 0.4;
                             sum += sqr(cloud.x()[e][q] - cloud.x()[e][p]);
                         }
                         if (next)
                         {
                             distance.append(std::sqrt(sum));
-                            found.append
-                            (
-                                labelPair
-                                (
-                                    label(cloud.id()[0][p]),
-                                    label(cloud.id()[0][q])
-                                )
-                            );
+                            found.append(
+                                labelPair(label(cloud.id()[0][p]), label(cloud.id()[0][q])));
                         }
                     }
                 }
@@ -124,37 +106,29 @@ Foam::mpm::separationWatch::separationWatch(const materialPointPhase& phase)
         nPairs += part.size();
     }
     pairs_.setSize(nPairs);
-    id_.setSize(2*nPairs);
+    id_.setSize(2 * nPairs);
     nPairs = 0;
     for (const List<labelPair>& part : parts)
     {
         for (const labelPair& pair : part)
         {
             pairs_[nPairs] = pair;
-            id_[2*nPairs] = pair.first();
-            id_[2*nPairs + 1] = pair.second();
+            id_[2 * nPairs] = pair.first();
+            id_[2 * nPairs + 1] = pair.second();
             ++nPairs;
         }
     }
     inplaceUniqueSort(id_);
     for (labelPair& pair : pairs_)
     {
-        pair = labelPair
-        (
-            findSortedIndex(id_, pair.first()),
-            findSortedIndex(id_, pair.second())
-        );
+        pair = labelPair(findSortedIndex(id_, pair.first()), findSortedIndex(id_, pair.second()));
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::separationWatch::extent
-(
-    const pointGrid& grid,
-    const label celli,
-    const int d
-)
+Foam::scalar
+Foam::mpm::separationWatch::extent(const pointGrid& grid, const label celli, const int d)
 {
     if (grid.hasLattice())
     {
@@ -173,7 +147,6 @@ Foam::scalar Foam::mpm::separationWatch::extent
     }
     return high - low;
 }
-
 
 void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
 {
@@ -223,7 +196,7 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
             continue;
         }
         ++nPairs;
-        if (mag(x[i] - x[j]) < leastStretch*distance_[pairi])
+        if (mag(x[i] - x[j]) < leastStretch * distance_[pairi])
         {
             continue;
         }
@@ -231,11 +204,8 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
         {
             const int c = grid.direction(d);
             const scalar way = mag(x[i][c] - x[j][c]);
-            if
-            (
-                way > max(h[i][c], h[j][c])
-             && !(grid.hasLattice() && way > 0.5*grid.period(d) && grid.period(d) > 0)
-            )
+            if (way > max(h[i][c], h[j][c])
+                && !(grid.hasLattice() && way > 0.5 * grid.period(d) && grid.period(d) > 0))
             {
                 apart.append(pair);
                 break;
@@ -247,19 +217,14 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
     labelList filled(apart.size(), label(0));
     forAll(apart, i)
     {
-        const point middle(0.5*(x[apart[i].first()] + x[apart[i].second()]));
+        const point middle(0.5 * (x[apart[i].first()] + x[apart[i].second()]));
         scalar at[3] = {0, 0, 0};
         for (int d = 0; d < D; ++d)
         {
             at[d] = middle[grid.direction(d)];
         }
         const label celli = grid.find(at);
-        filled[i] = std::binary_search
-        (
-            cloud.cells().begin(),
-            cloud.cells().end(),
-            celli
-        );
+        filled[i] = std::binary_search(cloud.cells().begin(), cloud.cells().end(), celli);
     }
     Pstream::listCombineGather(filled, maxEqOp<label>());
     Pstream::listCombineScatter(filled);
@@ -278,18 +243,15 @@ void Foam::mpm::separationWatch::look(const materialPointPhase& phase)
     }
     warned_ = true;
     const label i = apart[first].first(), j = apart[first].second();
-    WarningInFunction
-        << "Numerical fracture: of " << phase.name() << ", " << nApart
-        << " of the " << nPairs << " pairs of neighbours checked"
-        << " are more than a cell apart with an empty cell between them, though"
-        << " nothing has failed there, at time "
-        << cloud.time().timeName() << "; e.g. the points " << id_[i]
-        << " and " << id_[j] << " at " << x[i] << " and " << x[j] << '.' << nl
-        << "Points separate from a stretch of about their number per"
-        << " cell and direction: give more pointsPerCell in"
-        << " setMaterialPointsDict, or a failureModel if the material should"
-        << " break. The function object materialPointSeparation counts all"
-        << " pairs." << endl;
+    WarningInFunction << "Numerical fracture: of " << phase.name() << ", " << nApart << " of the "
+                      << nPairs << " pairs of neighbours checked"
+                      << " are more than a cell apart with an empty cell between them, though"
+                      << " nothing has failed there, at time " << cloud.time().timeName()
+                      << "; e.g. the points " << id_[i] << " and " << id_[j] << " at " << x[i]
+                      << " and " << x[j] << '.' << nl
+                      << "Points separate from a stretch of about their number per"
+                      << " cell and direction: give more pointsPerCell in"
+                      << " setMaterialPointsDict, or a failureModel if the material should"
+                      << " break. The function object materialPointSeparation counts all"
+                      << " pairs." << endl;
 }
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::uniformBodyForce
@@ -27,21 +24,16 @@ Usage
 namespace Foam::mpm
 {
 
-class uniformBodyForce
-:
-    public bodyForce
+class uniformBodyForce : public bodyForce
 {
     const dictionary dict_;
 
     autoPtr<Function1<vector>> acceleration_;
 
 public:
-
     TypeName("uniform");
 
-    explicit uniformBodyForce(const dictionary& dict)
-    :
-        dict_(dict)
+    explicit uniformBodyForce(const dictionary& dict) : dict_(dict)
     {
         checkKeywords(dict, {"type", "acceleration", "accelerationCoeffs"});
         requireKeyword(dict, "acceleration");
@@ -61,8 +53,7 @@ public:
             FatalIOErrorInFunction(dict_)
                 << "The acceleration is " << a << " at " << b.time << " s: it acts"
                 << " along a direction that the mesh does not compute (patches of"
-                << " type empty or wedge); it must be 0 there."
-                << exit(FatalIOError);
+                << " type empty or wedge); it must be 0 there." << exit(FatalIOError);
         }
         for (int d = 0; d < b.nDim; ++d)
         {
@@ -78,5 +69,3 @@ defineTypeNameAndDebug(uniformBodyForce, 0);
 addToRunTimeSelectionTable(bodyForce, uniformBodyForce, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

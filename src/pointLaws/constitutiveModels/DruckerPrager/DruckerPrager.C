@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::DruckerPrager
@@ -46,74 +43,62 @@ Usage
 namespace Foam::mpm
 {
 
-class DruckerPrager
-:
-    public frictionalLaw<DruckerPrager>
+class DruckerPrager : public frictionalLaw<DruckerPrager>
 {
     //- Slopes of cone and potential [-], strength [Pa], largest mean
     //  stress [Pa]
     scalar a_, b_, k_, sMax_;
 
 public:
-
     TypeName("DruckerPrager");
 
-    explicit DruckerPrager(const dictionary& dict)
-    :
+    explicit DruckerPrager(const dictionary& dict) :
         frictionalLaw<DruckerPrager>(dict, wordList({"match"}))
     {
         const word match(oneOf(dict, "match", {"outer", "inner", "planeStrain"}));
         const auto slope = [&](const scalar angle)
         {
-            return
-                match == "planeStrain"
-              ? 3*std::tan(angle)/std::sqrt(9 + 12*sqr(std::tan(angle)))
-              : 6*std::sin(angle)
-               /(std::sqrt(3.0)*(3 + (match == "inner" ? 1 : -1)*std::sin(angle)));
+            return match == "planeStrain"
+                ? 3 * std::tan(angle) / std::sqrt(9 + 12 * sqr(std::tan(angle)))
+                : 6 * std::sin(angle)
+                    / (std::sqrt(3.0) * (3 + (match == "inner" ? 1 : -1) * std::sin(angle)));
         };
         a_ = slope(phi_);
         b_ = slope(psi_);
-        k_ =
-            match == "planeStrain"
-          ? 3*c_/std::sqrt(9 + 12*sqr(std::tan(phi_)))
-          : 6*c_*std::cos(phi_)
-           /(std::sqrt(3.0)*(3 + (match == "inner" ? 1 : -1)*std::sin(phi_)));
-        sMax_ = min(tension_, a_ > 0 ? k_/a_ : GREAT);
+        k_ = match == "planeStrain" ? 3 * c_ / std::sqrt(9 + 12 * sqr(std::tan(phi_)))
+                                    : 6 * c_ * std::cos(phi_)
+                / (std::sqrt(3.0) * (3 + (match == "inner" ? 1 : -1) * std::sin(phi_)));
+        sMax_ = min(tension_, a_ > 0 ? k_ / a_ : GREAT);
     }
 
     //- See frictionalLaw
     template<int DIM>
-    MPM_INLINE void flow
-    (
-        elasticStrainStep<DIM>& step,
-        lanes<laneWidth<DIM>>& theta,
-        lanes<laneWidth<DIM>>& dEps,
-        const int
-    ) const
+    MPM_INLINE void flow(
+        elasticStrainStep<DIM>& step, lanes<laneWidth<DIM>>& theta, lanes<laneWidth<DIM>>& dEps,
+        const int) const
     {
         constexpr int W = laneWidth<DIM>;
         typedef lanes<W> T;
 
         T XX, XU, UU;
         step.products(XX, XU, UU);
-        const T t0 = 2*G_*laneSqrt(0.5*XX), s0 = K_*theta;
-        const T f = t0 + a_*s0 - k_;
+        const T t0 = 2 * G_ * laneSqrt(0.5 * XX), s0 = K_ * theta;
+        const T f = t0 + a_ * s0 - k_;
         const laneMask<W> flows = (f > 0.0) | (s0 > sMax_);
         if (!anyOf<W>(flows))
         {
             return;
         }
 
-        const T g = laneMax(f, T{})/(G_ + K_*a_*b_);
-        T s = s0 - K_*b_*g;
-        T t = t0 - G_*g;
+        const T g = laneMax(f, T{}) / (G_ + K_ * a_ * b_);
+        T s = s0 - K_ * b_ * g;
+        T t = t0 - G_ * g;
         const laneMask<W> cut = (s > sMax_) | (t < 0.0);
         s = select(cut, laneMin(s, broadcast<W>(sMax_)), s);
-        t = select(cut, laneMax(laneMin(t0, k_ - a_*s), T{}), t);
+        t = select(cut, laneMax(laneMin(t0, k_ - a_ * s), T{}), t);
 
-        const T factor =
-            select(flows, t/select(t0 > 0.0, t0, broadcast<W>(1)), broadcast<W>(1));
-        for (int i = 0; i < DIM*DIM; ++i)
+        const T factor = select(flows, t / select(t0 > 0.0, t0, broadcast<W>(1)), broadcast<W>(1));
+        for (int i = 0; i < DIM * DIM; ++i)
         {
             step.X[i] *= factor;
         }
@@ -121,8 +106,8 @@ public:
         {
             step.side[i] *= factor;
         }
-        theta = select(flows, s/K_, theta);
-        dEps = select(flows, (t0 - t)/(std::sqrt(3.0)*G_), T{});
+        theta = select(flows, s / K_, theta);
+        dEps = select(flows, (t0 - t) / (std::sqrt(3.0) * G_), T{});
     }
 };
 
@@ -130,5 +115,3 @@ defineTypeNameAndDebug(DruckerPrager, 0);
 addToRunTimeSelectionTable(constitutiveModel, DruckerPrager, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::J2Plasticity
@@ -41,35 +38,26 @@ namespace
 //- Keywords of the hardening, which must exist
 wordList hardeningKeywords(const dictionary& dict)
 {
-    const word hardening
-    (
-        mpm::oneOf(dict, "hardening", {"none", "linear", "power"})
-    );
+    const word hardening(mpm::oneOf(dict, "hardening", {"none", "linear", "power"}));
     wordList keys({"yield", "hardening"});
-    keys.append
-    (
-        hardening == "linear" ? wordList({"H"})
-      : hardening == "power" ? wordList({"B", "n"})
-      : wordList()
-    );
+    keys.append(
+        hardening == "linear"      ? wordList({"H"})
+            : hardening == "power" ? wordList({"B", "n"})
+                                   : wordList());
     return keys;
 }
 
 }
 
-class J2Plasticity
-:
-    public deviatoricPlasticity<J2Plasticity>
+class J2Plasticity : public deviatoricPlasticity<J2Plasticity>
 {
     //- Yield stress, modulus H or coefficient B [Pa], exponent (0: linear)
     scalar yield_, B_, n_;
 
 public:
-
     TypeName("J2Plasticity");
 
-    explicit J2Plasticity(const dictionary& dict)
-    :
+    explicit J2Plasticity(const dictionary& dict) :
         deviatoricPlasticity<J2Plasticity>(dict, hardeningKeywords(dict)),
         yield_(positive(dict, "yield")),
         B_(0),
@@ -91,27 +79,19 @@ public:
     static constexpr bool thermal = false;
 
     template<class T>
-    MPM_INLINE void strength
-    (
-        const T eps,
-        const T,
-        const T,
-        T& Y,
-        T& dYdEps,
-        T& dYdRate
-    ) const
+    MPM_INLINE void strength(const T eps, const T, const T, T& Y, T& dYdEps, T& dYdRate) const
     {
         dYdRate = T{};
         if (n_ > 0)
         {
             const T e = select(eps > 1e-300, eps, T{} + 1e-300);
-            const T h = B_*lanePow(e, n_);
+            const T h = B_ * lanePow(e, n_);
             Y = yield_ + h;
-            dYdEps = n_*h/e;
+            dYdEps = n_ * h / e;
         }
         else
         {
-            Y = yield_ + B_*eps;
+            Y = yield_ + B_ * eps;
             dYdEps = T{} + B_;
         }
     }
@@ -121,5 +101,3 @@ defineTypeNameAndDebug(J2Plasticity, 0);
 addToRunTimeSelectionTable(constitutiveModel, J2Plasticity, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

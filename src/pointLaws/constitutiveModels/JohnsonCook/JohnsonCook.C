@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::JohnsonCook
@@ -46,27 +43,19 @@ Usage
 namespace Foam::mpm
 {
 
-class JohnsonCook
-:
-    public deviatoricPlasticity<JohnsonCook>
+class JohnsonCook : public deviatoricPlasticity<JohnsonCook>
 {
     scalar A_, B_, n_, C_, m_, rate0_, T0_, Tm_;
 
 public:
-
     TypeName("JohnsonCook");
 
-    explicit JohnsonCook(const dictionary& dict)
-    :
-        deviatoricPlasticity<JohnsonCook>
-        (
+    explicit JohnsonCook(const dictionary& dict) :
+        deviatoricPlasticity<JohnsonCook>(
             dict,
-            wordList
-            ({
-                "A", "B", "n", "C", "m", "referenceRate", "referenceTemperature",
-                "meltTemperature", "cp", "beta", "initialTemperature"
-            })
-        ),
+            wordList(
+                {"A", "B", "n", "C", "m", "referenceRate", "referenceTemperature",
+                 "meltTemperature", "cp", "beta", "initialTemperature"})),
         A_(positive(dict, "A")),
         B_(bounded(dict, "B", 0, GREAT)),
         n_(bounded(dict, "n", 1e-6, 1)),
@@ -82,11 +71,9 @@ public:
                 << "Entry meltTemperature is " << Tm_ << "; it must be greater than"
                 << " referenceTemperature, " << T0_ << "." << exit(FatalIOError);
         }
-        rCp_ = 1/positive(dict, "cp");
-        betaOverCp_ = bounded(dict, "beta", 0, 1)*rCp_;
-        startT_ = dict.found("initialTemperature")
-          ? positive(dict, "initialTemperature")
-          : T0_;
+        rCp_ = 1 / positive(dict, "cp");
+        betaOverCp_ = bounded(dict, "beta", 0, 1) * rCp_;
+        startT_ = dict.found("initialTemperature") ? positive(dict, "initialTemperature") : T0_;
     }
 
     //- See deviatoricPlasticity
@@ -96,7 +83,7 @@ public:
     template<class T>
     MPM_INLINE T softening(const T temperature) const
     {
-        const T t = (temperature - T0_)/(Tm_ - T0_);
+        const T t = (temperature - T0_) / (Tm_ - T0_);
         if (!(horizontalMax(t) > 0))
         {
             return T{} + 1.0;
@@ -106,32 +93,25 @@ public:
     }
 
     template<class T>
-    MPM_INLINE void strength
-    (
-        const T eps,
-        const T rate,
-        const T soft,
-        T& Y,
-        T& dYdEps,
-        T& dYdRate
-    ) const
+    MPM_INLINE void
+    strength(const T eps, const T rate, const T soft, T& Y, T& dYdEps, T& dYdRate) const
     {
         const T e = select(eps > 1e-300, eps, T{} + 1e-300);
-        const T h = B_*lanePow(e, n_);
-        const T y = soft*(A_ + h);
+        const T h = B_ * lanePow(e, n_);
+        const T y = soft * (A_ + h);
 
         // No logarithm where nothing is faster than the reference
         T f = T{} + 1.0;
         dYdRate = T{};
-        const T fast = rate/rate0_;
+        const T fast = rate / rate0_;
         if (C_ > 0 && horizontalMax(fast) > 1)
         {
             const T x = select(fast > 1.0, fast, T{} + 1.0);
-            f += C_*laneLog(x);
-            dYdRate = select(fast > 1.0, y*C_/(x*rate0_), T{});
+            f += C_ * laneLog(x);
+            dYdRate = select(fast > 1.0, y * C_ / (x * rate0_), T{});
         }
-        Y = y*f;
-        dYdEps = soft*f*n_*h/e;
+        Y = y * f;
+        dYdEps = soft * f * n_ * h / e;
     }
 };
 
@@ -139,5 +119,3 @@ defineTypeNameAndDebug(JohnsonCook, 0);
 addToRunTimeSelectionTable(constitutiveModel, JohnsonCook, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

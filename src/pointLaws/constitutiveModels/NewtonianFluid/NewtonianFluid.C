@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::NewtonianFluid
@@ -46,9 +43,7 @@ Usage
 namespace Foam::mpm
 {
 
-class NewtonianFluid
-:
-    public constitutiveModel
+class NewtonianFluid : public constitutiveModel
 {
     //- Viscosity [Pa s]
     scalar mu_;
@@ -59,20 +54,13 @@ class NewtonianFluid
     void update(pointBlock& block) const;
 
 public:
-
     TypeName("NewtonianFluid");
 
-    explicit NewtonianFluid(const dictionary& dict)
-    :
+    explicit NewtonianFluid(const dictionary& dict) :
         constitutiveModel(dict),
         mu_(bounded(dict, "mu", 0, GREAT)),
-        pressure_
-        (
-            dict,
-            rho(),
-            0,
-            dict.found("pMin") ? bounded(dict, "pMin", -GREAT, GREAT) : -GREAT
-        )
+        pressure_(
+            dict, rho(), 0, dict.found("pMin") ? bounded(dict, "pMin", -GREAT, GREAT) : -GREAT)
     {
         wordList valid({"type", "rho", "mu", "pMin"});
         valid.append(pressurePart::keywords);
@@ -90,10 +78,7 @@ public:
         return h;
     }
 
-    bool needsWidth() const override
-    {
-        return mu_ > 0 || pressure_.usesWidth();
-    }
+    bool needsWidth() const override { return mu_ > 0 || pressure_.usesWidth(); }
 
     void start(pointBlock& b) const override
     {
@@ -109,17 +94,14 @@ public:
     {
         for (label p = 0; p < b.n; ++p)
         {
-            const scalar mean =
-                (b.stress[0][p] + b.stress[1][p] + b.stress[2][p])/3;
+            const scalar mean = (b.stress[0][p] + b.stress[1][p] + b.stress[2][p]) / 3;
             for (int i = 0; i < nStress(b.nDim); ++i)
             {
-                if (mag(b.stress[i][p] - (i < 3 ? mean : 0)) > 1e-9*mag(mean))
+                if (mag(b.stress[i][p] - (i < 3 ? mean : 0)) > 1e-9 * mag(mean))
                 {
-                    FatalErrorInFunction
-                        << "The law " << type() << " cannot start with a shear"
-                        << " stress, as " << b.nameOf(p).c_str()
-                        << " does; give a pressure."
-                        << exit(FatalError);
+                    FatalErrorInFunction << "The law " << type() << " cannot start with a shear"
+                                         << " stress, as " << b.nameOf(p).c_str()
+                                         << " does; give a pressure." << exit(FatalError);
                 }
             }
             scalar e;
@@ -135,18 +117,20 @@ public:
     {
         switch (b.nDim)
         {
-            case 1: update<1>(b); break;
-            case 2: update<2>(b); break;
-            default: update<3>(b);
+        case 1:
+            update<1>(b);
+            break;
+        case 2:
+            update<2>(b);
+            break;
+        default:
+            update<3>(b);
         }
     }
 
     bool holdsTogether() const override { return false; }
 
-    scalar waveSpeed() const override
-    {
-        return std::sqrt(pressure_.bulkModulus()/rho());
-    }
+    scalar waveSpeed() const override { return std::sqrt(pressure_.bulkModulus() / rho()); }
 
     bool waveSpeedVaries() const override { return true; }
 
@@ -156,11 +140,9 @@ public:
         scalar sum = 0;
         for (label p = 0; p < b.n; ++p)
         {
-            sum += b.mass[p]*pressure_.energy
-            (
-                rho()*std::exp(-b.history[0][p]),
-                energy ? energy + p : nullptr
-            );
+            sum += b.mass[p]
+                * pressure_.energy(
+                    rho() * std::exp(-b.history[0][p]), energy ? energy + p : nullptr);
         }
         return sum;
     }
@@ -173,7 +155,7 @@ void NewtonianFluid::update(pointBlock& b) const
     typedef lanes<W> T;
 
     scalar* energy = pressure_.usesEnergy() ? b.history[1] : nullptr;
-    const scalar twoMu = 2*mu_/b.dt;
+    const scalar twoMu = 2 * mu_ / b.dt;
     scalar fastest = 0, diffusion = 0;
     elasticStrainStep<DIM> step(b);
     pressurePart::run r;
@@ -196,64 +178,51 @@ void NewtonianFluid::update(pointBlock& b) const
                 r.keepMean(b, g, p - first);
             }
 
-            const T across = step.hoop - tr/3.0;
-            T dd = (DIM < 2 ? tr*tr/9.0 : T{}), d[DIM*DIM];
-            dd += DIM < 3 ? across*across : T{};
-            for (int i = 0; i < DIM*DIM; ++i)
+            const T across = step.hoop - tr / 3.0;
+            T dd = (DIM < 2 ? tr * tr / 9.0 : T{}), d[DIM * DIM];
+            dd += DIM < 3 ? across * across : T{};
+            for (int i = 0; i < DIM * DIM; ++i)
             {
-                step.X[i] =
-                    i % (DIM + 1) ? step.lnU[i] : step.lnU[i] - tr/3.0;
-                dd += step.X[i]*step.X[i];
+                step.X[i] = i % (DIM + 1) ? step.lnU[i] : step.lnU[i] - tr / 3.0;
+                dd += step.X[i] * step.X[i];
             }
             step.turned(broadcast<W>(twoMu), d);
             for (int i = 0; i < DIM; ++i)
             {
                 for (int j = i; j < DIM; ++j)
                 {
-                    g.put(b.stress[symmSlot(i, j)], d[i*DIM + j]);
+                    g.put(b.stress[symmSlot(i, j)], d[i * DIM + j]);
                 }
             }
             for (int i = DIM; i < 3; ++i)
             {
-                g.put(b.stress[i], twoMu*(i == 2 ? across : -tr/3.0));
+                g.put(b.stress[i], twoMu * (i == 2 ? across : -tr / 3.0));
             }
 
-            const T rhoNew = rho()*laneExp(-theta);
+            const T rhoNew = rho() * laneExp(-theta);
             store<W>(r.rho + (p - first), rhoNew);
-            store<W>(r.rhoOld + (p - first), rho()*laneExp(tr - theta));
+            store<W>(r.rhoOld + (p - first), rho() * laneExp(tr - theta));
             store<W>(r.dTheta + (p - first), tr);
-            store<W>
-            (
-                r.work + (p - first),
-                twoMu*dd*(1.0 - 0.5*tr)/rhoNew
-            );
+            store<W>(r.work + (p - first), twoMu * dd * (1.0 - 0.5 * tr) / rhoNew);
             if (b.dissipated && !energy)
             {
-                g.put
-                (
+                g.put(
                     b.dissipated,
-                    g.get(b.dissipated)
-                  + g.get(b.mass)*load<W>(r.work + (p - first))
-                );
+                    g.get(b.dissipated) + g.get(b.mass) * load<W>(r.work + (p - first)));
             }
         }
-        fastest = max
-        (
-            fastest,
-            pressure_.advance(r, b, first, energy ? energy + first : nullptr, 0)
-        );
+        fastest =
+            max(fastest, pressure_.advance(r, b, first, energy ? energy + first : nullptr, 0));
         r.addTo(b, first);
         for (label k = 0; b.width && mu_ > 0 && k < r.n; ++k)
         {
-            diffusion = max(diffusion, 1/(r.rho[k]*b.width[first + k]));
+            diffusion = max(diffusion, 1 / (r.rho[k] * b.width[first + k]));
         }
     }
-    b.waveSpeed = max(b.waveSpeed, fastest + 8.0/3*DIM*mu_*diffusion);
+    b.waveSpeed = max(b.waveSpeed, fastest + 8.0 / 3 * DIM * mu_ * diffusion);
 }
 
 defineTypeNameAndDebug(NewtonianFluid, 0);
 addToRunTimeSelectionTable(constitutiveModel, NewtonianFluid, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "constitutiveModel.H"
 #include <algorithm>
@@ -13,36 +7,26 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(constitutiveModel, 0);
-    defineRunTimeSelectionTable(constitutiveModel, dictionary);
+defineTypeNameAndDebug(constitutiveModel, 0);
+defineRunTimeSelectionTable(constitutiveModel, dictionary);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::constitutiveModel::constitutiveModel(const dictionary& dict)
-:
+Foam::mpm::constitutiveModel::constitutiveModel(const dictionary& dict) :
     rho_(positive(dict, "rho"))
-{}
-
+{
+}
 
 Foam::autoPtr<Foam::mpm::constitutiveModel>
 Foam::mpm::constitutiveModel::New(const dictionary& dict)
 {
-    return selectFromTable<constitutiveModel>
-    (
-        dict,
-        dictionaryConstructorTablePtr_,
-        dict
-    );
+    return selectFromTable<constitutiveModel>(dict, dictionaryConstructorTablePtr_, dict);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-int Foam::mpm::constitutiveModel::columnOf
-(
-    const word& name,
-    const int nDim
-) const
+int Foam::mpm::constitutiveModel::columnOf(const word& name, const int nDim) const
 {
     int n = 0;
     for (const historyColumn& h : history())
@@ -56,7 +40,6 @@ int Foam::mpm::constitutiveModel::columnOf
     return -1;
 }
 
-
 int Foam::mpm::constitutiveModel::nColumns(const int nDim) const
 {
     int n = 0;
@@ -67,7 +50,6 @@ int Foam::mpm::constitutiveModel::nColumns(const int nDim) const
     return n;
 }
 
-
 void Foam::mpm::constitutiveModel::initialise(pointBlock& block) const
 {
     for (int i = 0; i < nStress(block.nDim); ++i)
@@ -76,21 +58,16 @@ void Foam::mpm::constitutiveModel::initialise(pointBlock& block) const
         {
             if (block.stress[i][p] != 0)
             {
-                FatalErrorInFunction
-                    << "The law " << type() << " does not support points that"
-                    << " start with a stress; give none in"
-                    << " setMaterialPointsDict." << exit(FatalError);
+                FatalErrorInFunction << "The law " << type() << " does not support points that"
+                                     << " start with a stress; give none in"
+                                     << " setMaterialPointsDict." << exit(FatalError);
             }
         }
     }
 }
 
-Foam::scalar Foam::mpm::constitutiveModel::waveSpeedOf
-(
-    const pointBlock& block,
-    const label p,
-    const scalar width
-) const
+Foam::scalar Foam::mpm::constitutiveModel::waveSpeedOf(
+    const pointBlock& block, const label p, const scalar width) const
 {
     if (!waveSpeedVaries())
     {
@@ -133,5 +110,3 @@ Foam::scalar Foam::mpm::constitutiveModel::waveSpeedOf
     correct(one);
     return one.waveSpeed;
 }
-
-// ************************************************************************* //

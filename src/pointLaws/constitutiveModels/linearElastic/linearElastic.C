@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::linearElastic
@@ -69,24 +66,19 @@ constexpr double strainLimit = 3;
 
 }
 
-class linearElastic
-:
-    public isotropicElastic<linearElastic>
+class linearElastic : public isotropicElastic<linearElastic>
 {
     //- The law gives J sigma instead of sigma
     bool kirchhoff_;
 
 public:
-
     TypeName("linearElastic");
 
-    explicit linearElastic(const dictionary& dict)
-    :
+    explicit linearElastic(const dictionary& dict) :
         isotropicElastic<linearElastic>(dict, wordList({"stress"}))
     {
         kirchhoff_ =
-            oneOfOrDefault(dict, "stress", "Cauchy", {"Cauchy", "Kirchhoff"})
-         == "Kirchhoff";
+            oneOfOrDefault(dict, "stress", "Cauchy", {"Cauchy", "Kirchhoff"}) == "Kirchhoff";
     }
 
     //- Terms of a block: see isotropicElastic
@@ -94,7 +86,7 @@ public:
     class terms
     {
         static constexpr int W = laneWidth<DIM>;
-        static constexpr int N = DIM*DIM;
+        static constexpr int N = DIM * DIM;
         typedef lanes<W> T;
 
         const linearElastic& law_;
@@ -106,40 +98,28 @@ public:
         bool across_;
 
     public:
-
-        terms(const linearElastic& law, const pointBlock& b, const double dLMag)
-        :
-            law_(law),
-            across_(false)
+        terms(const linearElastic& law, const pointBlock& b, const double dLMag) :
+            law_(law), across_(false)
         {
             // |c'| <= (1 + |D|)^2 (1 + |c|) - 1 with |D| <= exp(|dL|) - 1
-            const double cBound =
-                std::exp(2*dLMag)*(1 + largestLeftStretch<DIM>(b)) - 1;
+            const double cBound = std::exp(2 * dLMag) * (1 + largestLeftStretch<DIM>(b)) - 1;
             nLog_ = logHalfTerms(cBound);
             if (DIM < 3)
             {
-                across_ =
-                    largestSquare<W, 3 - DIM, 3 - DIM>(b.history + DIM, b.n) > 0;
+                across_ = largestSquare<W, 3 - DIM, 3 - DIM>(b.history + DIM, b.n) > 0;
             }
         }
 
-        MPM_INLINE void stress
-        (
-            const pointBlock& b,
-            const laneGroup<W>& g,
-            const T (&c)[N],
-            T& volumePart,
-            T& factor,
-            T (&h)[N],
-            T (&side)[3]
-        ) const
+        MPM_INLINE void stress(
+            const pointBlock& b, const laneGroup<W>& g, const T (&c)[N], T& volumePart, T& factor,
+            T (&h)[N], T (&side)[3]) const
         {
             logHalf<W, DIM>(c, g.n, nLog_, h);
 
             T trh = h[0];
             for (int i = 1; i < DIM; ++i)
             {
-                trh += h[i*(DIM + 1)];
+                trh += h[i * (DIM + 1)];
             }
             for (int i = DIM; i < 3; ++i)
             {
@@ -156,21 +136,14 @@ public:
 
             // sigma = s or s/J
             const T rJ =
-                law_.kirchhoff_
-              ? g.get(b.mass)/(law_.rho()*g.get(b.volume))
-              : broadcast<W>(1);
-            volumePart = law_.lambda()*trh*rJ;
-            factor = 2*law_.mu()*rJ;
+                law_.kirchhoff_ ? g.get(b.mass) / (law_.rho() * g.get(b.volume)) : broadcast<W>(1);
+            volumePart = law_.lambda() * trh * rJ;
+            factor = 2 * law_.mu() * rJ;
         }
     };
 
     //- Left stretch that carries a stress: see isotropicElastic
-    std::string leftStretch
-    (
-        const double (&sigma)[9],
-        const scalar J,
-        double (&c)[9]
-    ) const;
+    std::string leftStretch(const double (&sigma)[9], const scalar J, double (&c)[9]) const;
 
     scalar strainEnergy(const pointBlock& b) const override
     {
@@ -180,55 +153,47 @@ public:
         scalar sum = 0;
         for (label p = 0; p < b.n; ++p)
         {
-            const scalar J = kirchhoff_ ? rho()*b.volume[p]/b.mass[p] : 1;
+            const scalar J = kirchhoff_ ? rho() * b.volume[p] / b.mass[p] : 1;
             const scalar a =
-                J*(b.stress[0][p] + b.stress[1][p] + b.stress[2][p])
-               /(3*lambda + 2*mu);
+                J * (b.stress[0][p] + b.stress[1][p] + b.stress[2][p]) / (3 * lambda + 2 * mu);
 
             scalar hh = 0;
             for (int i = 0; i < 3; ++i)
             {
-                hh += sqr((J*b.stress[i][p] - lambda*a)/(2*mu));
+                hh += sqr((J * b.stress[i][p] - lambda * a) / (2 * mu));
             }
             for (int i = 0; i < D; ++i)
             {
                 for (int j = i + 1; j < D; ++j)
                 {
-                    hh += 2*sqr(J*b.stress[symmSlot(i, j)][p]/(2*mu));
+                    hh += 2 * sqr(J * b.stress[symmSlot(i, j)][p] / (2 * mu));
                 }
             }
-            scalar w = 0.5*lambda*sqr(a) + mu*hh;
+            scalar w = 0.5 * lambda * sqr(a) + mu * hh;
 
             if (!kirchhoff_)
             {
                 // 2 (exp(a) (a - 1) + 1)/a^2, by its series where a is small
-                w *=
-                    mag(a) < 1e-3
-                  ? 1 + a*(2.0/3 + a*(0.25 + a/15))
-                  : 2*(std::exp(a)*(a - 1) + 1)/sqr(a);
+                w *= mag(a) < 1e-3 ? 1 + a * (2.0 / 3 + a * (0.25 + a / 15))
+                                   : 2 * (std::exp(a) * (a - 1) + 1) / sqr(a);
             }
-            sum += b.mass[p]/rho()*w;
+            sum += b.mass[p] / rho() * w;
         }
         return sum;
     }
 };
 
-std::string linearElastic::leftStretch
-(
-    const double (&sigma)[9],
-    const scalar J,
-    double (&c)[9]
-) const
+std::string
+linearElastic::leftStretch(const double (&sigma)[9], const scalar J, double (&c)[9]) const
 {
     // s = lambda tr(h) I + 2 mu h inverted
     const scalar f = kirchhoff_ ? J : 1;
-    const scalar trh =
-        f*(sigma[0] + sigma[4] + sigma[8])/(3*lambda() + 2*mu());
+    const scalar trh = f * (sigma[0] + sigma[4] + sigma[8]) / (3 * lambda() + 2 * mu());
 
     double h[9], minusH[9];
     for (int i = 0; i < 9; ++i)
     {
-        h[i] = (f*sigma[i] - (i % 4 == 0 ? lambda()*trh : 0))/(2*mu());
+        h[i] = (f * sigma[i] - (i % 4 == 0 ? lambda() * trh : 0)) / (2 * mu());
         minusH[i] = -h[i];
     }
 
@@ -236,12 +201,11 @@ std::string linearElastic::leftStretch
     const double high = largestPrincipal(h), low = -largestPrincipal(minusH);
     if (!(high <= strainLimit && low >= -strainLimit))
     {
-        return
-            "its principal logarithmic strains " + Foam::name(low) + " to "
-          + Foam::name(high) + " must be in [" + Foam::name(-strainLimit)
-          + ", " + Foam::name(strainLimit) + "]";
+        return "its principal logarithmic strains " + Foam::name(low) + " to " + Foam::name(high)
+            + " must be in [" + Foam::name(-strainLimit) + ", " + Foam::name(strainLimit) + "]";
     }
-    isotropicFunction<3>(h, [](double x) { return std::expm1(2*x); }, c);
+    isotropicFunction<3>(
+        h, [](double x) { return std::expm1(2 * x); }, c);
 
     return std::string();
 }
@@ -250,5 +214,3 @@ defineTypeNameAndDebug(linearElastic, 0);
 addToRunTimeSelectionTable(constitutiveModel, linearElastic, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

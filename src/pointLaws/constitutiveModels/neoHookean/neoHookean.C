@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::neoHookean
@@ -74,7 +71,6 @@ namespace
 //- |J - 1|/(J + 1) up to which ln J goes through its series: J from 1/3 to 3
 constexpr double seriesLimit = 0.5;
 
-
 //- Largest (J - 1)^2/(J + 1)^2 of the block
 template<int W>
 MPM_INLINE double largestVolumeChange(const pointBlock& b, const scalar rho)
@@ -83,44 +79,35 @@ MPM_INLINE double largestVolumeChange(const pointBlock& b, const scalar rho)
     for (label p = 0; p < b.n; p += W)
     {
         const laneGroup<W> g(p, b.n);
-        const lanes<W> m = g.get(b.mass), m0 = rho*g.get(b.volume);
-        const lanes<W> z = (m0 - m)/(m0 + m);
-        largest = laneMax(largest, z*z);
+        const lanes<W> m = g.get(b.mass), m0 = rho * g.get(b.volume);
+        const lanes<W> z = (m0 - m) / (m0 + m);
+        largest = laneMax(largest, z * z);
     }
     return horizontalMax(largest);
 }
 
-
 //- x - ln(1 + x), without cancellation for small x
 double minusLog1p(const double x)
 {
-    return
-        mag(x) < 1e-3
-      ? x*x*(0.5 - x*(1.0/3 - x*(0.25 - x*(0.2 - x/6))))
-      : x - std::log1p(x);
+    return mag(x) < 1e-3 ? x * x * (0.5 - x * (1.0 / 3 - x * (0.25 - x * (0.2 - x / 6))))
+                         : x - std::log1p(x);
 }
 
 }
 
-class neoHookean
-:
-    public isotropicElastic<neoHookean>
+class neoHookean : public isotropicElastic<neoHookean>
 {
 public:
-
     TypeName("neoHookean");
 
-    explicit neoHookean(const dictionary& dict)
-    :
-        isotropicElastic<neoHookean>(dict)
-    {}
+    explicit neoHookean(const dictionary& dict) : isotropicElastic<neoHookean>(dict) {}
 
     //- Terms of a block: see isotropicElastic
     template<int DIM>
     class terms
     {
         static constexpr int W = laneWidth<DIM>;
-        static constexpr int N = DIM*DIM;
+        static constexpr int N = DIM * DIM;
         typedef lanes<W> T;
 
         const neoHookean& law_;
@@ -129,11 +116,7 @@ public:
         int nLog_;
 
     public:
-
-        terms(const neoHookean& law, const pointBlock& b, const double)
-        :
-            law_(law),
-            nLog_(0)
+        terms(const neoHookean& law, const pointBlock& b, const double) : law_(law), nLog_(0)
         {
             const double q = std::sqrt(largestVolumeChange<W>(b, law.rho()));
             if (q < seriesLimit)
@@ -142,19 +125,12 @@ public:
             }
         }
 
-        MPM_INLINE void stress
-        (
-            const pointBlock& b,
-            const laneGroup<W>& g,
-            const T (&c)[N],
-            T& volumePart,
-            T& factor,
-            T (&a)[N],
-            T (&side)[3]
-        ) const
+        MPM_INLINE void stress(
+            const pointBlock& b, const laneGroup<W>& g, const T (&c)[N], T& volumePart, T& factor,
+            T (&a)[N], T (&side)[3]) const
         {
-            const T m = g.get(b.mass), m0 = law_.rho()*g.get(b.volume);
-            const T dJ[1] = {(m0 - m)/m};
+            const T m = g.get(b.mass), m0 = law_.rho() * g.get(b.volume);
+            const T dJ[1] = {(m0 - m) / m};
             T lnJ[1];
             if (nLog_)
             {
@@ -169,9 +145,9 @@ public:
                 }
             }
 
-            const T rJ = m/m0;
-            volumePart = law_.lambda()*rJ*lnJ[0];
-            factor = law_.mu()*rJ;
+            const T rJ = m / m0;
+            volumePart = law_.lambda() * rJ * lnJ[0];
+            factor = law_.mu() * rJ;
             for (int i = 0; i < N; ++i)
             {
                 a[i] = c[i];
@@ -184,12 +160,7 @@ public:
     };
 
     //- Left stretch that carries a stress: see isotropicElastic
-    std::string leftStretch
-    (
-        const double (&sigma)[9],
-        const scalar J,
-        double (&c)[9]
-    ) const;
+    std::string leftStretch(const double (&sigma)[9], const scalar J, double (&c)[9]) const;
 
     scalar strainEnergy(const pointBlock& b) const override
     {
@@ -202,47 +173,38 @@ public:
             // det b = 1 + I1 + I2 + I3 with the invariants of c = b - I
             const scalar I1 = c[0] + c[4] + c[8];
             const scalar I2 =
-                c[0]*c[4] - sqr(c[1]) + c[0]*c[8] - sqr(c[2])
-              + c[4]*c[8] - sqr(c[5]);
-            const scalar I3 =
-                c[0]*(c[4]*c[8] - sqr(c[5])) - c[1]*(c[1]*c[8] - c[5]*c[2])
-              + c[2]*(c[1]*c[5] - c[4]*c[2]);
+                c[0] * c[4] - sqr(c[1]) + c[0] * c[8] - sqr(c[2]) + c[4] * c[8] - sqr(c[5]);
+            const scalar I3 = c[0] * (c[4] * c[8] - sqr(c[5])) - c[1] * (c[1] * c[8] - c[5] * c[2])
+                + c[2] * (c[1] * c[5] - c[4] * c[2]);
 
             // tr c - ln det b: what is of first order in c has left
             const scalar shape = minusLog1p(I1 + I2 + I3) - I2 - I3;
-            const scalar lnJ =
-                std::log1p((rho()*b.volume[p] - b.mass[p])/b.mass[p]);
+            const scalar lnJ = std::log1p((rho() * b.volume[p] - b.mass[p]) / b.mass[p]);
 
-            sum += b.mass[p]/rho()*0.5*(mu()*shape + lambda()*sqr(lnJ));
+            sum += b.mass[p] / rho() * 0.5 * (mu() * shape + lambda() * sqr(lnJ));
         }
         return sum;
     }
 };
 
-std::string neoHookean::leftStretch
-(
-    const double (&sigma)[9],
-    const scalar J,
-    double (&c)[9]
-) const
+std::string neoHookean::leftStretch(const double (&sigma)[9], const scalar J, double (&c)[9]) const
 {
     // J is known, so that the law is linear in b:
     // b - I = (J sigma - lambda ln J I)/mu
-    const scalar volumePart = lambda()*std::log(J);
+    const scalar volumePart = lambda() * std::log(J);
 
     double minusC[9];
     for (int i = 0; i < 9; ++i)
     {
-        c[i] = (J*sigma[i] - (i % 4 == 0 ? volumePart : 0))/mu();
+        c[i] = (J * sigma[i] - (i % 4 == 0 ? volumePart : 0)) / mu();
         minusC[i] = -c[i];
     }
 
     // A stress that is not finite ends here too
     if (!(largestPrincipal(minusC) < 1 && largestPrincipal(c) < GREAT))
     {
-        return
-            "every principal stress has to be finite and above "
-          + Foam::name((volumePart - mu())/J) + " Pa";
+        return "every principal stress has to be finite and above "
+            + Foam::name((volumePart - mu()) / J) + " Pa";
     }
     return std::string();
 }
@@ -251,5 +213,3 @@ defineTypeNameAndDebug(neoHookean, 0);
 addToRunTimeSelectionTable(constitutiveModel, neoHookean, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::noStress
@@ -25,25 +22,19 @@ Usage
 namespace Foam::mpm
 {
 
-class noStress
-:
-    public constitutiveModel
+class noStress : public constitutiveModel
 {
 public:
-
     TypeName("noStress");
 
-    explicit noStress(const dictionary& dict)
-    :
-        constitutiveModel(dict)
+    explicit noStress(const dictionary& dict) : constitutiveModel(dict)
     {
         checkKeywords(dict, {"type", "rho"});
     }
 
     bool hasStress() const override { return false; }
 
-    void correct(pointBlock&) const override
-    {}
+    void correct(pointBlock&) const override {}
 
     scalar waveSpeed() const override { return 0; }
     scalar strainEnergy(const pointBlock&) const override { return 0; }
@@ -53,5 +44,3 @@ defineTypeNameAndDebug(noStress, 0);
 addToRunTimeSelectionTable(constitutiveModel, noStress, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

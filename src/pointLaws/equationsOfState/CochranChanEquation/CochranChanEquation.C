@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::CochranChanEquation
@@ -45,18 +42,14 @@ Usage
 namespace Foam::mpm
 {
 
-class CochranChanEquation
-:
-    public inlineEquation<CochranChanEquation>
+class CochranChanEquation : public inlineEquation<CochranChanEquation>
 {
     scalar A_, B_, E1_, E2_, Gamma0_, p0_;
 
 public:
-
     TypeName("CochranChan");
 
-    CochranChanEquation(const dictionary& dict, const scalar rho0)
-    :
+    CochranChanEquation(const dictionary& dict, const scalar rho0) :
         inlineEquation<CochranChanEquation>(rho0)
     {
         checkKeywords(dict, {"type", "A", "B", "E1", "E2", "Gamma0", "p0"});
@@ -71,40 +64,32 @@ public:
             FatalIOErrorInFunction(dict)
                 << "At rho " << rho0 << " and p0 " << p0_ << " the equation has no"
                 << " speed of sound: E1 A - E2 B + (1 + Gamma0)(p0 - A + B) must"
-                << " be above 0."
-                << exit(FatalIOError);
+                << " be above 0." << exit(FatalIOError);
         }
     }
 
     bool usesEnergy() const override { return true; }
-    scalar e0() const override { return (p0_ - A_ + B_)/(Gamma0_*rho0()); }
+    scalar e0() const override { return (p0_ - A_ + B_) / (Gamma0_ * rho0()); }
     bool hasTemperature() const override { return true; }
 
     scalar coldEnergy(const scalar rho) const override
     {
-        const scalar x = std::log(rho/rho0());
-        return
-        (
-            A_/(E1_ - 1)*std::expm1((E1_ - 1)*x)
-          - B_/(E2_ - 1)*std::expm1((E2_ - 1)*x)
-        )/rho0();
+        const scalar x = std::log(rho / rho0());
+        return (A_ / (E1_ - 1) * std::expm1((E1_ - 1) * x)
+                - B_ / (E2_ - 1) * std::expm1((E2_ - 1) * x))
+            / rho0();
     }
 
     terms of(const scalar rho) const
     {
         // rho de_c/drho = p_c/rho
-        const scalar x = rho/rho0();
-        const scalar a = A_*std::pow(x, E1_), b = B_*std::pow(x, E2_);
+        const scalar x = rho / rho0();
+        const scalar a = A_ * std::pow(x, E1_), b = B_ * std::pow(x, E2_);
         const scalar eCold =
-            a/rho/(E1_ - 1) - b/rho/(E2_ - 1)
-          - (A_/(E1_ - 1) - B_/(E2_ - 1))/rho0();
-        return
-        {
-            a - b - Gamma0_*rho*eCold,
-            Gamma0_*rho,
-            (E1_*a - E2_*b - Gamma0_*(a - b))/rho - Gamma0_*eCold,
-            Gamma0_
-        };
+            a / rho / (E1_ - 1) - b / rho / (E2_ - 1) - (A_ / (E1_ - 1) - B_ / (E2_ - 1)) / rho0();
+        return {
+            a - b - Gamma0_ * rho * eCold, Gamma0_ * rho,
+            (E1_ * a - E2_ * b - Gamma0_ * (a - b)) / rho - Gamma0_ * eCold, Gamma0_};
     }
 };
 
@@ -112,5 +97,3 @@ defineTypeNameAndDebug(CochranChanEquation, 0);
 addToRunTimeSelectionTable(equationOfState, CochranChanEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

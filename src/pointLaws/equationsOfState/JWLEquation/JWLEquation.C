@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::JWLEquation
@@ -38,19 +35,14 @@ Usage
 namespace Foam::mpm
 {
 
-class JWLEquation
-:
-    public inlineEquation<JWLEquation>
+class JWLEquation : public inlineEquation<JWLEquation>
 {
     scalar A_, B_, R1_, R2_, omega_, E0_;
 
 public:
-
     TypeName("JWL");
 
-    JWLEquation(const dictionary& dict, const scalar rho0)
-    :
-        inlineEquation<JWLEquation>(rho0)
+    JWLEquation(const dictionary& dict, const scalar rho0) : inlineEquation<JWLEquation>(rho0)
     {
         checkKeywords(dict, {"type", "A", "B", "R1", "R2", "omega", "E0"});
         A_ = positive(dict, "A");
@@ -64,29 +56,22 @@ public:
     bool usesEnergy() const override { return true; }
     bool pressureByEnergy() const override { return true; }
     bool ofReaction() const override { return true; }
-    scalar e0() const override { return E0_/rho0(); }
+    scalar e0() const override { return E0_ / rho0(); }
     bool hasTemperature() const override { return true; }
 
     scalar coldEnergy(const scalar rho) const override
     {
-        const scalar V = rho0()/rho;
-        return
-            (A_/R1_*std::exp(-R1_*V) + B_/R2_*std::exp(-R2_*V))/rho0();
+        const scalar V = rho0() / rho;
+        return (A_ / R1_ * std::exp(-R1_ * V) + B_ / R2_ * std::exp(-R2_ * V)) / rho0();
     }
 
     terms of(const scalar rho) const
     {
-        const scalar V = rho0()/rho;
-        const scalar a = A_*std::exp(-R1_*V), b = B_*std::exp(-R2_*V);
-        const scalar u = omega_/(R1_*V), w = omega_/(R2_*V);
-        const scalar dV = a*(u/V - R1_*(1 - u)) + b*(w/V - R2_*(1 - w));
-        return
-        {
-            a*(1 - u) + b*(1 - w),
-            omega_*rho,
-            -dV*V/rho,
-            omega_
-        };
+        const scalar V = rho0() / rho;
+        const scalar a = A_ * std::exp(-R1_ * V), b = B_ * std::exp(-R2_ * V);
+        const scalar u = omega_ / (R1_ * V), w = omega_ / (R2_ * V);
+        const scalar dV = a * (u / V - R1_ * (1 - u)) + b * (w / V - R2_ * (1 - w));
+        return {a * (1 - u) + b * (1 - w), omega_ * rho, -dV * V / rho, omega_};
     }
 };
 
@@ -94,5 +79,3 @@ defineTypeNameAndDebug(JWLEquation, 0);
 addToRunTimeSelectionTable(equationOfState, JWLEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

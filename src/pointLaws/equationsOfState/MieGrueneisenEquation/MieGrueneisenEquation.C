@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::MieGrueneisenEquation
@@ -40,18 +37,14 @@ Usage
 namespace Foam::mpm
 {
 
-class MieGrueneisenEquation
-:
-    public inlineEquation<MieGrueneisenEquation>
+class MieGrueneisenEquation : public inlineEquation<MieGrueneisenEquation>
 {
     scalar C0_, S_, Gamma0_;
 
 public:
-
     TypeName("MieGrueneisen");
 
-    MieGrueneisenEquation(const dictionary& dict, const scalar rho0)
-    :
+    MieGrueneisenEquation(const dictionary& dict, const scalar rho0) :
         inlineEquation<MieGrueneisenEquation>(rho0)
     {
         checkKeywords(dict, {"type", "C0", "S", "Gamma0"});
@@ -64,34 +57,31 @@ public:
 
     terms of(const scalar rho) const
     {
-        const scalar r0 = rho0(), x = 1 - r0/rho, B = Gamma0_*r0;
+        const scalar r0 = rho0(), x = 1 - r0 / rho, B = Gamma0_ * r0;
         if (x < 0)
         {
-            return {sqr(C0_)*(rho - r0), B, sqr(C0_), 0};
+            return {sqr(C0_) * (rho - r0), B, sqr(C0_), 0};
         }
-        const scalar y = S_*x < 0.9 ? x : 0.9/S_;
-        const scalar d = 1/(1 - S_*y), k = r0*sqr(C0_*d);
-        const scalar pH = k*y, f = 1 - 0.5*Gamma0_*y;
-        const scalar slope = k*(1 + S_*y)*d*f - 0.5*Gamma0_*pH;
-        return {pH*f + slope*(x - y), B, slope*r0/sqr(rho), 0};
+        const scalar y = S_ * x < 0.9 ? x : 0.9 / S_;
+        const scalar d = 1 / (1 - S_ * y), k = r0 * sqr(C0_ * d);
+        const scalar pH = k * y, f = 1 - 0.5 * Gamma0_ * y;
+        const scalar slope = k * (1 + S_ * y) * d * f - 0.5 * Gamma0_ * pH;
+        return {pH * f + slope * (x - y), B, slope * r0 / sqr(rho), 0};
     }
 
     scalar storedEnergy(const scalar rho) const override
     {
         // Gamma0 = 0: integral of pH dx/rho0
-        const scalar x = 1 - rho0()/rho, y = S_*x < 0.9 ? x : 0.9/S_;
+        const scalar x = 1 - rho0() / rho, y = S_ * x < 0.9 ? x : 0.9 / S_;
         if (x < 0)
         {
-            return sqr(C0_)*(std::log(rho/rho0()) + rho0()/rho - 1);
+            return sqr(C0_) * (std::log(rho / rho0()) + rho0() / rho - 1);
         }
-        const scalar d = 1/(1 - S_*y), z = S_*y;
-        const scalar curve =
-            z < 1e-3
-          ? sqr(y)*(0.5 + z*(2.0/3 + 0.75*z))
-          : (std::log1p(-z) + z*d)/sqr(S_);
-        const scalar pH = sqr(C0_*d)*y, slope = sqr(C0_*d)*(1 + z)*d;
-        return
-            sqr(C0_)*curve + (x - y)*(pH + 0.5*slope*(x - y));
+        const scalar d = 1 / (1 - S_ * y), z = S_ * y;
+        const scalar curve = z < 1e-3 ? sqr(y) * (0.5 + z * (2.0 / 3 + 0.75 * z))
+                                      : (std::log1p(-z) + z * d) / sqr(S_);
+        const scalar pH = sqr(C0_ * d) * y, slope = sqr(C0_ * d) * (1 + z) * d;
+        return sqr(C0_) * curve + (x - y) * (pH + 0.5 * slope * (x - y));
     }
 };
 
@@ -99,5 +89,3 @@ defineTypeNameAndDebug(MieGrueneisenEquation, 0);
 addToRunTimeSelectionTable(equationOfState, MieGrueneisenEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::TaitEquation
@@ -35,19 +32,14 @@ Usage
 namespace Foam::mpm
 {
 
-class TaitEquation
-:
-    public inlineEquation<TaitEquation>
+class TaitEquation : public inlineEquation<TaitEquation>
 {
     scalar K_, n_, p0_;
 
 public:
-
     TypeName("Tait");
 
-    TaitEquation(const dictionary& dict, const scalar rho0)
-    :
-        inlineEquation<TaitEquation>(rho0)
+    TaitEquation(const dictionary& dict, const scalar rho0) : inlineEquation<TaitEquation>(rho0)
     {
         checkKeywords(dict, {"type", "K", "n", "p0"});
         K_ = positive(dict, "K");
@@ -59,18 +51,15 @@ public:
 
     terms of(const scalar rho) const
     {
-        const scalar x = std::pow(rho/rho0(), n_);
-        return {p0_ + K_/n_*(x - 1), 0, K_*x/rho, 0};
+        const scalar x = std::pow(rho / rho0(), n_);
+        return {p0_ + K_ / n_ * (x - 1), 0, K_ * x / rho, 0};
     }
 
     scalar storedEnergy(const scalar rho) const override
     {
-        const scalar x = rho/rho0();
-        return
-        (
-            (p0_ - K_/n_)*(1 - 1/x)
-          + K_/(n_*(n_ - 1))*(std::pow(x, n_ - 1) - 1)
-        )/rho0();
+        const scalar x = rho / rho0();
+        return ((p0_ - K_ / n_) * (1 - 1 / x) + K_ / (n_ * (n_ - 1)) * (std::pow(x, n_ - 1) - 1))
+            / rho0();
     }
 };
 
@@ -78,5 +67,3 @@ defineTypeNameAndDebug(TaitEquation, 0);
 addToRunTimeSelectionTable(equationOfState, TaitEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

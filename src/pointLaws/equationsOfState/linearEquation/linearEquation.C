@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::linearEquation
@@ -27,19 +24,14 @@ Usage
 namespace Foam::mpm
 {
 
-class linearEquation
-:
-    public inlineEquation<linearEquation>
+class linearEquation : public inlineEquation<linearEquation>
 {
     scalar K_;
 
 public:
-
     TypeName("linear");
 
-    linearEquation(const dictionary& dict, const scalar rho0)
-    :
-        inlineEquation<linearEquation>(rho0)
+    linearEquation(const dictionary& dict, const scalar rho0) : inlineEquation<linearEquation>(rho0)
     {
         checkKeywords(dict, {"type", "K"});
         K_ = positive(dict, "K");
@@ -47,14 +39,11 @@ public:
 
     bool usesEnergy() const override { return false; }
 
-    terms of(const scalar rho) const
-    {
-        return {K_*(rho/rho0() - 1), 0, K_/rho0(), 0};
-    }
+    terms of(const scalar rho) const { return {K_ * (rho / rho0() - 1), 0, K_ / rho0(), 0}; }
 
     scalar storedEnergy(const scalar rho) const override
     {
-        return K_/rho0()*(std::log(rho/rho0()) + rho0()/rho - 1);
+        return K_ / rho0() * (std::log(rho / rho0()) + rho0() / rho - 1);
     }
 };
 
@@ -62,5 +51,3 @@ defineTypeNameAndDebug(linearEquation, 0);
 addToRunTimeSelectionTable(equationOfState, linearEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::nobleAbelStiffenedGasEquation
@@ -41,24 +38,20 @@ Usage
 namespace Foam::mpm
 {
 
-class nobleAbelStiffenedGasEquation
-:
-    public inlineEquation<nobleAbelStiffenedGasEquation>
+class nobleAbelStiffenedGasEquation : public inlineEquation<nobleAbelStiffenedGasEquation>
 {
     scalar gamma_, pInf_, b_, q_, p0_;
 
 public:
-
     TypeName("nobleAbelStiffenedGas");
 
-    nobleAbelStiffenedGasEquation(const dictionary& dict, const scalar rho0)
-    :
+    nobleAbelStiffenedGasEquation(const dictionary& dict, const scalar rho0) :
         inlineEquation<nobleAbelStiffenedGasEquation>(rho0)
     {
         checkKeywords(dict, {"type", "gamma", "pInf", "b", "q", "p0"});
         gamma_ = bounded(dict, "gamma", 1.000001, 100);
         pInf_ = bounded(dict, "pInf", 0, GREAT);
-        b_ = bounded(dict, "b", 0, mostCovolume/rho0);
+        b_ = bounded(dict, "b", 0, mostCovolume / rho0);
         q_ = bounded(dict, "q", -GREAT, GREAT);
         p0_ = bounded(dict, "p0", -pInf_, GREAT);
     }
@@ -68,16 +61,13 @@ public:
 
     scalar e0() const override
     {
-        const scalar v = (1 - b_*rho0())/rho0();
-        return (p0_ + gamma_*pInf_)*v/(gamma_ - 1) + q_;
+        const scalar v = (1 - b_ * rho0()) / rho0();
+        return (p0_ + gamma_ * pInf_) * v / (gamma_ - 1) + q_;
     }
 
     bool hasTemperature() const override { return true; }
 
-    scalar coldEnergy(const scalar rho) const override
-    {
-        return pInf_*(1/rho - b_) + q_;
-    }
+    scalar coldEnergy(const scalar rho) const override { return pInf_ * (1 / rho - b_) + q_; }
 
     bool isStiffened(scalar& gamma, scalar& pInf) const override
     {
@@ -91,10 +81,10 @@ public:
 
     terms of(const scalar rho) const
     {
-        const covolume v(b_*rho);
-        const scalar B = (gamma_ - 1)*rho*v.factor;
-        const scalar dB = (gamma_ - 1)*(v.factor + b_*rho*v.slope);
-        return {-q_*B - gamma_*pInf_, B, -q_*dB, dB};
+        const covolume v(b_ * rho);
+        const scalar B = (gamma_ - 1) * rho * v.factor;
+        const scalar dB = (gamma_ - 1) * (v.factor + b_ * rho * v.slope);
+        return {-q_ * B - gamma_ * pInf_, B, -q_ * dB, dB};
     }
 };
 
@@ -102,5 +92,3 @@ defineTypeNameAndDebug(nobleAbelStiffenedGasEquation, 0);
 addToRunTimeSelectionTable(equationOfState, nobleAbelStiffenedGasEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

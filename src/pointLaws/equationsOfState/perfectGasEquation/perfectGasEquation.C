@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::perfectGasEquation
@@ -28,18 +25,14 @@ Usage
 namespace Foam::mpm
 {
 
-class perfectGasEquation
-:
-    public inlineEquation<perfectGasEquation>
+class perfectGasEquation : public inlineEquation<perfectGasEquation>
 {
     scalar gamma_, p0_;
 
 public:
-
     TypeName("perfectGas");
 
-    perfectGasEquation(const dictionary& dict, const scalar rho0)
-    :
+    perfectGasEquation(const dictionary& dict, const scalar rho0) :
         inlineEquation<perfectGasEquation>(rho0)
     {
         checkKeywords(dict, {"type", "gamma", "p0"});
@@ -49,7 +42,7 @@ public:
 
     bool usesEnergy() const override { return true; }
     bool pressureByEnergy() const override { return true; }
-    scalar e0() const override { return p0_/((gamma_ - 1)*rho0()); }
+    scalar e0() const override { return p0_ / ((gamma_ - 1) * rho0()); }
     bool hasTemperature() const override { return true; }
     scalar coldEnergy(const scalar) const override { return 0; }
 
@@ -60,15 +53,10 @@ public:
         return true;
     }
 
-    terms of(const scalar rho) const
-    {
-        return {0, (gamma_ - 1)*rho, 0, gamma_ - 1};
-    }
+    terms of(const scalar rho) const { return {0, (gamma_ - 1) * rho, 0, gamma_ - 1}; }
 };
 
 defineTypeNameAndDebug(perfectGasEquation, 0);
 addToRunTimeSelectionTable(equationOfState, perfectGasEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::stiffenedGasEquation
@@ -41,9 +38,7 @@ Usage
 namespace Foam::mpm
 {
 
-class stiffenedGasEquation
-:
-    public inlineEquation<stiffenedGasEquation>
+class stiffenedGasEquation : public inlineEquation<stiffenedGasEquation>
 {
     scalar gamma_, pInf_, p0_;
 
@@ -51,13 +46,10 @@ class stiffenedGasEquation
     scalar softened_;
 
 public:
-
     TypeName("stiffenedGas");
 
-    stiffenedGasEquation(const dictionary& dict, const scalar rho0)
-    :
-        inlineEquation<stiffenedGasEquation>(rho0),
-        softened_(0)
+    stiffenedGasEquation(const dictionary& dict, const scalar rho0) :
+        inlineEquation<stiffenedGasEquation>(rho0), softened_(0)
     {
         checkKeywords(dict, {"type", "gamma", "pInf", "soundSpeed", "p0"});
         gamma_ = bounded(dict, "gamma", 1.000001, 100);
@@ -71,33 +63,29 @@ public:
         {
             FatalIOErrorInFunction(dict)
                 << "Entries pInf and soundSpeed in " << dict.name()
-                << " say the same thing; give just one of them."
-                << exit(FatalIOError);
+                << " say the same thing; give just one of them." << exit(FatalIOError);
         }
         softened_ = positive(dict, "soundSpeed");
         p0_ = bounded(dict, "p0", -GREAT, GREAT);
-        pInf_ = rho0*sqr(softened_)/gamma_ - p0_;
+        pInf_ = rho0 * sqr(softened_) / gamma_ - p0_;
         if (!(pInf_ > 0))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry soundSpeed " << softened_ << " in " << dict.name()
-                << " is too small for the pressure p0 " << p0_ << " Pa: at "
-                << rho0 << " kg/m3 it must be above sqrt(gamma p0/rho) "
-                << std::sqrt(gamma_*p0_/rho0) << " m/s." << exit(FatalIOError);
+                << " is too small for the pressure p0 " << p0_ << " Pa: at " << rho0
+                << " kg/m3 it must be above sqrt(gamma p0/rho) " << std::sqrt(gamma_ * p0_ / rho0)
+                << " m/s." << exit(FatalIOError);
         }
     }
 
     bool usesEnergy() const override { return true; }
     bool pressureByEnergy() const override { return true; }
 
-    scalar e0() const override
-    {
-        return (p0_ + gamma_*pInf_)/((gamma_ - 1)*rho0());
-    }
+    scalar e0() const override { return (p0_ + gamma_ * pInf_) / ((gamma_ - 1) * rho0()); }
 
     bool hasTemperature() const override { return true; }
     scalar softened() const override { return softened_; }
-    scalar coldEnergy(const scalar rho) const override { return pInf_/rho; }
+    scalar coldEnergy(const scalar rho) const override { return pInf_ / rho; }
 
     bool isStiffened(scalar& gamma, scalar& pInf) const override
     {
@@ -108,7 +96,7 @@ public:
 
     terms of(const scalar rho) const
     {
-        return {-gamma_*pInf_, (gamma_ - 1)*rho, 0, gamma_ - 1};
+        return {-gamma_ * pInf_, (gamma_ - 1) * rho, 0, gamma_ - 1};
     }
 };
 
@@ -116,5 +104,3 @@ defineTypeNameAndDebug(stiffenedGasEquation, 0);
 addToRunTimeSelectionTable(equationOfState, stiffenedGasEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::vanDerWaalsEquation
@@ -40,32 +37,27 @@ Usage
 namespace Foam::mpm
 {
 
-class vanDerWaalsEquation
-:
-    public inlineEquation<vanDerWaalsEquation>
+class vanDerWaalsEquation : public inlineEquation<vanDerWaalsEquation>
 {
     scalar gamma_, a_, b_, p0_;
 
 public:
-
     TypeName("vanDerWaals");
 
-    vanDerWaalsEquation(const dictionary& dict, const scalar rho0)
-    :
+    vanDerWaalsEquation(const dictionary& dict, const scalar rho0) :
         inlineEquation<vanDerWaalsEquation>(rho0)
     {
         checkKeywords(dict, {"type", "gamma", "a", "b", "p0"});
         gamma_ = bounded(dict, "gamma", 1.000001, 100);
         a_ = bounded(dict, "a", 0, GREAT);
-        b_ = bounded(dict, "b", 0, mostCovolume/rho0);
+        b_ = bounded(dict, "b", 0, mostCovolume / rho0);
         p0_ = positive(dict, "p0");
         if (!(c2(rho0, e0()) > 0))
         {
             FatalIOErrorInFunction(dict)
                 << "At rho " << rho0 << " and p0 " << p0_ << " the equation has no"
                 << " speed of sound (the gas would condense): gamma (p + a rho^2)"
-                << " must be above 2 a rho^2 (1 - b rho)."
-                << exit(FatalIOError);
+                << " must be above 2 a rho^2 (1 - b rho)." << exit(FatalIOError);
         }
     }
 
@@ -75,25 +67,19 @@ public:
     scalar e0() const override
     {
         const scalar r = rho0();
-        return (p0_ + a_*sqr(r))*(1 - b_*r)/((gamma_ - 1)*r) - a_*r;
+        return (p0_ + a_ * sqr(r)) * (1 - b_ * r) / ((gamma_ - 1) * r) - a_ * r;
     }
 
     bool hasTemperature() const override { return true; }
-    scalar coldEnergy(const scalar rho) const override { return -a_*rho; }
+    scalar coldEnergy(const scalar rho) const override { return -a_ * rho; }
 
     terms of(const scalar rho) const
     {
         // A = a rho (B - rho)
-        const covolume v(b_*rho);
-        const scalar B = (gamma_ - 1)*rho*v.factor;
-        const scalar dB = (gamma_ - 1)*(v.factor + b_*rho*v.slope);
-        return
-        {
-            a_*rho*(B - rho),
-            B,
-            a_*(B - 2*rho + rho*dB),
-            dB
-        };
+        const covolume v(b_ * rho);
+        const scalar B = (gamma_ - 1) * rho * v.factor;
+        const scalar dB = (gamma_ - 1) * (v.factor + b_ * rho * v.slope);
+        return {a_ * rho * (B - rho), B, a_ * (B - 2 * rho + rho * dB), dB};
     }
 };
 
@@ -101,5 +87,3 @@ defineTypeNameAndDebug(vanDerWaalsEquation, 0);
 addToRunTimeSelectionTable(equationOfState, vanDerWaalsEquation, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::GradyKipp
@@ -51,9 +48,7 @@ Usage
 namespace Foam::mpm
 {
 
-class GradyKipp
-:
-    public failureModel
+class GradyKipp : public failureModel
 {
     scalar m_;
 
@@ -61,11 +56,9 @@ class GradyKipp
     scalar growth_, E_;
 
 public:
-
     TypeName("GradyKipp");
 
-    explicit GradyKipp(const dictionary& dict)
-    :
+    explicit GradyKipp(const dictionary& dict) :
         failureModel(dict, word()),
         m_(bounded(dict, "m", 1, 100)),
         growth_(positive(dict, "crackSpeed")),
@@ -75,13 +68,10 @@ public:
         valid.append(wordList({"k", "m", "crackSpeed"}));
         checkKeywords(dict, valid);
 
-        growth_ *=
-            (m_ + 3)/3
-           *std::cbrt
-            (
-                8*constant::mathematical::pi*positive(dict, "k")
-               /((m_ + 1)*(m_ + 2)*(m_ + 3))
-            );
+        growth_ *= (m_ + 3) / 3
+            * std::cbrt(
+                       8 * constant::mathematical::pi * positive(dict, "k")
+                       / ((m_ + 1) * (m_ + 2) * (m_ + 3)));
     }
 
     bool softens() const override { return true; }
@@ -100,14 +90,9 @@ public:
             scalar& d = b.damage[p];
             if (d < 1 && largestBound(b, p) > 0)
             {
-                const scalar e =
-                    max(largestStress(b, p), scalar(0))
-                   /(E_*(b.strength ? b.strength[p] : scalar(1)));
-                d = min
-                (
-                    pow3(std::cbrt(d) + growth_*std::pow(e, m_/3)*b.dt),
-                    scalar(1)
-                );
+                const scalar e = max(largestStress(b, p), scalar(0))
+                    / (E_ * (b.strength ? b.strength[p] : scalar(1)));
+                d = min(pow3(std::cbrt(d) + growth_ * std::pow(e, m_ / 3) * b.dt), scalar(1));
                 nFailed += d >= 1;
             }
             if (d > 0)
@@ -123,5 +108,3 @@ defineTypeNameAndDebug(GradyKipp, 0);
 addToRunTimeSelectionTable(failureModel, GradyKipp, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

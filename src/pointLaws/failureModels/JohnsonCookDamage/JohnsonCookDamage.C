@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::JohnsonCookDamage
@@ -43,9 +40,7 @@ Usage
 namespace Foam::mpm
 {
 
-class JohnsonCookDamage
-:
-    public failureModel
+class JohnsonCookDamage : public failureModel
 {
     scalar D1_, D2_, D3_, D4_, D5_, rate0_, T0_, Tm_;
 
@@ -53,11 +48,9 @@ class JohnsonCookDamage
     int plastic_, temperature_, counted_;
 
 public:
-
     TypeName("JohnsonCookDamage");
 
-    explicit JohnsonCookDamage(const dictionary& dict)
-    :
+    explicit JohnsonCookDamage(const dictionary& dict) :
         failureModel(dict, word()),
         D1_(bounded(dict, "D1", -100, 100)),
         D2_(bounded(dict, "D2", -100, 100)),
@@ -72,14 +65,9 @@ public:
         counted_(-1)
     {
         wordList valid(keywords);
-        valid.append
-        (
-            wordList
-            ({
-                "D1", "D2", "D3", "D4", "D5", "referenceRate",
-                "referenceTemperature", "meltTemperature"
-            })
-        );
+        valid.append(wordList(
+            {"D1", "D2", "D3", "D4", "D5", "referenceRate", "referenceTemperature",
+             "meltTemperature"}));
         if (!(Tm_ > T0_))
         {
             FatalIOErrorInFunction(dict)
@@ -97,10 +85,9 @@ public:
         counted_ = law.nColumns(nDim);
         if (plastic_ < 0 || (temperature_ < 0 && D5_ != 0))
         {
-            FatalErrorInFunction
-                << "The failure model " << type() << " needs a law with "
-                << (plastic_ < 0 ? "plastic strain" : "temperature (D5 is not 0)")
-                << "; " << law.type() << " has none." << exit(FatalError);
+            FatalErrorInFunction << "The failure model " << type() << " needs a law with "
+                                 << (plastic_ < 0 ? "plastic strain" : "temperature (D5 is not 0)")
+                                 << "; " << law.type() << " has none." << exit(FatalError);
         }
     }
 
@@ -122,34 +109,21 @@ public:
             {
                 counted[p] = eps[p];
 
-                const scalar mean =
-                    (b.stress[0][p] + b.stress[1][p] + b.stress[2][p])/3;
+                const scalar mean = (b.stress[0][p] + b.stress[1][p] + b.stress[2][p]) / 3;
                 scalar ss = 0;
                 for (int i = 0; i < nStress(b.nDim); ++i)
                 {
-                    ss +=
-                        i < 3
-                      ? sqr(b.stress[i][p] - mean)
-                      : 2*sqr(b.stress[i][p]);
+                    ss += i < 3 ? sqr(b.stress[i][p] - mean) : 2 * sqr(b.stress[i][p]);
                 }
                 const scalar S =
-                    max
-                    (
-                        min(mean/max(std::sqrt(1.5*ss), VSMALL), scalar(1.5)),
-                        scalar(-3)
-                    );
-                const scalar rate = dEps/(b.dt*rate0_);
-                const scalar t =
-                    T
-                  ? min(max((T[p] - T0_)/(Tm_ - T0_), scalar(0)), scalar(1))
-                  : 0;
-                const scalar epsF =
-                    (b.strength ? b.strength[p] : scalar(1))
-                   *(D1_ + D2_*std::exp(D3_*S))
-                   *(1 + D4_*(rate > 1 ? std::log(rate) : 0))
-                   *(1 + D5_*t);
+                    max(min(mean / max(std::sqrt(1.5 * ss), VSMALL), scalar(1.5)), scalar(-3));
+                const scalar rate = dEps / (b.dt * rate0_);
+                const scalar t = T ? min(max((T[p] - T0_) / (Tm_ - T0_), scalar(0)), scalar(1)) : 0;
+                const scalar epsF = (b.strength ? b.strength[p] : scalar(1))
+                    * (D1_ + D2_ * std::exp(D3_ * S)) * (1 + D4_ * (rate > 1 ? std::log(rate) : 0))
+                    * (1 + D5_ * t);
 
-                b.damage[p] += dEps/max(epsF, scalar(1e-6));
+                b.damage[p] += dEps / max(epsF, scalar(1e-6));
                 if (b.damage[p] >= 1)
                 {
                     b.damage[p] = 1;
@@ -169,5 +143,3 @@ defineTypeNameAndDebug(JohnsonCookDamage, 0);
 addToRunTimeSelectionTable(failureModel, JohnsonCookDamage, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

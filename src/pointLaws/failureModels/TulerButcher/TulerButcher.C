@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::TulerButcher
@@ -37,9 +34,7 @@ Usage
 namespace Foam::mpm
 {
 
-class TulerButcher
-:
-    public failureModel
+class TulerButcher : public failureModel
 {
     scalar exponent_, impulse_;
 
@@ -47,11 +42,9 @@ class TulerButcher
     int column_;
 
 public:
-
     TypeName("TulerButcher");
 
-    explicit TulerButcher(const dictionary& dict)
-    :
+    explicit TulerButcher(const dictionary& dict) :
         failureModel(dict, "strength"),
         exponent_(positive(dict, "exponent")),
         impulse_(positive(dict, "impulse")),
@@ -85,7 +78,7 @@ public:
                 const scalar over = largestStress(b, p) - limit;
                 if (over > 0)
                 {
-                    sum[p] += std::pow(over, exponent_)*b.dt/impulse_;
+                    sum[p] += std::pow(over, exponent_) * b.dt / impulse_;
                     if (sum[p] >= 1)
                     {
                         b.damage[p] = 1;
@@ -106,5 +99,3 @@ defineTypeNameAndDebug(TulerButcher, 0);
 addToRunTimeSelectionTable(failureModel, TulerButcher, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

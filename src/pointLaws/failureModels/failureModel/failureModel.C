@@ -1,10 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
-
-\*---------------------------------------------------------------------------*/
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "failureModel.H"
 #include "spectral.H"
@@ -13,21 +7,19 @@ License
 
 namespace Foam::mpm
 {
-    defineTypeNameAndDebug(failureModel, 0);
-    defineRunTimeSelectionTable(failureModel, dictionary);
+defineTypeNameAndDebug(failureModel, 0);
+defineRunTimeSelectionTable(failureModel, dictionary);
 }
 
-const Foam::wordList Foam::mpm::failureModel::keywords
-({
-    "type", "failed", "weibull", "ambientPressure"
-});
+const Foam::wordList
+    Foam::mpm::failureModel::keywords({"type", "failed", "weibull", "ambientPressure"});
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::mpm::uniformOf(const uint64_t seed, const uint64_t id)
 {
     // Two rounds of a mixing function with full avalanche on 64 bits
-    uint64_t z = seed*0x9e3779b97f4a7c15ULL + id + 1;
+    uint64_t z = seed * 0x9e3779b97f4a7c15ULL + id + 1;
     for (int round = 0; round < 2; ++round)
     {
         z ^= z >> 30;
@@ -37,32 +29,19 @@ Foam::scalar Foam::mpm::uniformOf(const uint64_t seed, const uint64_t id)
         z ^= z >> 31;
     }
     // 53 bits, centred in their interval: neither 0 nor 1 occurs
-    return (scalar(z >> 11) + 0.5)/9007199254740992.0;
+    return (scalar(z >> 11) + 0.5) / 9007199254740992.0;
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::failureModel::failureModel
-(
-    const dictionary& dict,
-    const word& limit
-)
-:
+Foam::mpm::failureModel::failureModel(const dictionary& dict, const word& limit) :
     strength_(limit.empty() ? 1 : positive(dict, limit)),
     modulus_(0),
     seed_(0),
     referenceVolume_(0),
     ambient_(boundedOrDefault(dict, "ambientPressure", 0, 0, GREAT)),
-    nothing_
-    (
-        oneOfOrDefault
-        (
-            dict,
-            "failed",
-            "compression",
-            {"compression", "nothing"}
-        ) == "nothing"
-    ),
+    nothing_(
+        oneOfOrDefault(dict, "failed", "compression", {"compression", "nothing"}) == "nothing"),
     law_(nullptr),
     nHistory_(0),
     strain_(-1),
@@ -83,16 +62,9 @@ Foam::mpm::failureModel::failureModel
     }
 }
 
-
-Foam::autoPtr<Foam::mpm::failureModel>
-Foam::mpm::failureModel::New(const dictionary& dict)
+Foam::autoPtr<Foam::mpm::failureModel> Foam::mpm::failureModel::New(const dictionary& dict)
 {
-    return selectFromTable<failureModel>
-    (
-        dict,
-        dictionaryConstructorTablePtr_,
-        dict
-    );
+    return selectFromTable<failureModel>(dict, dictionaryConstructorTablePtr_, dict);
 }
 
 namespace
@@ -106,16 +78,11 @@ struct principal2D
 {
     scalar radius, high, low;
 
-    principal2D
-    (
-        const Foam::mpm::pointBlock& b,
-        const Foam::label p,
-        const scalar shift
-    )
+    principal2D(const Foam::mpm::pointBlock& b, const Foam::label p, const scalar shift)
     {
         const scalar xx = b.stress[0][p], yy = b.stress[1][p];
-        const scalar mean = 0.5*(xx + yy) + shift;
-        radius = std::hypot(0.5*(xx - yy), b.stress[3][p]);
+        const scalar mean = 0.5 * (xx + yy) + shift;
+        radius = std::hypot(0.5 * (xx - yy), b.stress[3][p]);
         high = mean + radius;
         low = mean - radius;
     }
@@ -125,28 +92,18 @@ struct principal2D
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::failureModel::strength
-(
-    const uint64_t id,
-    const scalar volume
-) const
+Foam::scalar Foam::mpm::failureModel::strength(const uint64_t id, const scalar volume) const
 {
     if (!scatters())
     {
         return strength_;
     }
     const scalar scale =
-        referenceVolume_ > 0
-      ? std::pow(referenceVolume_/volume, 1/modulus_)
-      : 1;
-    return
-        strength_*scale
-       *std::pow(-std::log1p(-uniformOf(seed_, id)), scalar(1)/modulus_);
+        referenceVolume_ > 0 ? std::pow(referenceVolume_ / volume, 1 / modulus_) : 1;
+    return strength_ * scale * std::pow(-std::log1p(-uniformOf(seed_, id)), scalar(1) / modulus_);
 }
 
-
-Foam::scalar
-Foam::mpm::failureModel::largestStress(const pointBlock& b, const label p)
+Foam::scalar Foam::mpm::failureModel::largestStress(const pointBlock& b, const label p)
 {
     if (b.nDim == 1)
     {
@@ -161,13 +118,8 @@ Foam::mpm::failureModel::largestStress(const pointBlock& b, const label p)
     return largestPrincipal(sigma);
 }
 
-
-Foam::scalar Foam::mpm::failureModel::largestStress
-(
-    const pointBlock& b,
-    const label p,
-    scalar (&n)[3]
-)
+Foam::scalar
+Foam::mpm::failureModel::largestStress(const pointBlock& b, const label p, scalar (&n)[3])
 {
     n[0] = n[1] = n[2] = 0;
     if (b.nDim == 3)
@@ -186,9 +138,9 @@ Foam::scalar Foam::mpm::failureModel::largestStress
         const principal2D q(b, p, 0);
         if (q.radius > 0)
         {
-            const scalar c = 0.5*(b.stress[0][p] - b.stress[1][p])/q.radius;
-            n[0] = std::sqrt(max(0.5*(1 + c), scalar(0)));
-            n[1] = std::sqrt(max(0.5*(1 - c), scalar(0)));
+            const scalar c = 0.5 * (b.stress[0][p] - b.stress[1][p]) / q.radius;
+            n[0] = std::sqrt(max(0.5 * (1 + c), scalar(0)));
+            n[1] = std::sqrt(max(0.5 * (1 - c), scalar(0)));
             if (b.stress[3][p] < 0)
             {
                 n[1] = -n[1];
@@ -202,9 +154,7 @@ Foam::scalar Foam::mpm::failureModel::largestStress
     return s;
 }
 
-
-void
-Foam::mpm::failureModel::releaseTension(pointBlock& b, const label p) const
+void Foam::mpm::failureModel::releaseTension(pointBlock& b, const label p) const
 {
     const int D = b.nDim;
     const scalar d = b.damage[p];
@@ -212,100 +162,80 @@ Foam::mpm::failureModel::releaseTension(pointBlock& b, const label p) const
     {
         // <A> = A, 0, or high (A - low I)/(high - low)
         const principal2D s(b, p, ambient_);
-        const scalar part =
-            s.low >= 0 ? 1
-          : s.high > 0 ? s.high/(2*s.radius)
-          : 0;
+        const scalar part = s.low >= 0 ? 1 : s.high > 0 ? s.high / (2 * s.radius) : 0;
         const scalar low = s.low < 0 ? s.low : 0;
         for (int i = 0; i < 2; ++i)
         {
             scalar& a = b.stress[i][p];
-            a += d*(ambient_ - part*(a + ambient_ - low));
+            a += d * (ambient_ - part * (a + ambient_ - low));
         }
         scalar& across = b.stress[2][p];
-        across += d*(ambient_ - max(across + ambient_, scalar(0)));
-        b.stress[3][p] *= 1 - d*part;
+        across += d * (ambient_ - max(across + ambient_, scalar(0)));
+        b.stress[3][p] *= 1 - d * part;
         return;
     }
     double sigma[9], tension[9];
     fullStress(b, p, sigma);
     for (int i = 0; i < 3; ++i)
     {
-        sigma[4*i] += ambient_;
+        sigma[4 * i] += ambient_;
     }
-    isotropicFunction<3>
-    (
-        sigma,
-        [](double x) { return x > 0 ? x : 0.0; },
-        tension
-    );
+    isotropicFunction<3>(
+        sigma, [](double x) { return x > 0 ? x : 0.0; }, tension);
     for (int i = 0; i < 3; ++i)
     {
-        b.stress[i][p] += d*(ambient_ - tension[4*i]);
+        b.stress[i][p] += d * (ambient_ - tension[4 * i]);
     }
     for (int i = 0; i < D; ++i)
     {
         for (int j = i + 1; j < D; ++j)
         {
-            b.stress[symmSlot(i, j)][p] -= d*tension[3*i + j];
+            b.stress[symmSlot(i, j)][p] -= d * tension[3 * i + j];
         }
     }
 }
 
-
-Foam::scalar
-Foam::mpm::failureModel::normSquare(const pointBlock& b, const label p)
+Foam::scalar Foam::mpm::failureModel::normSquare(const pointBlock& b, const label p)
 {
     scalar sum = 0;
     for (int i = 0; i < nStress(b.nDim); ++i)
     {
-        sum += (i < 3 ? 1 : 2)*sqr(b.stress[i][p]);
+        sum += (i < 3 ? 1 : 2) * sqr(b.stress[i][p]);
     }
     return sum;
 }
 
-
-Foam::scalar
-Foam::mpm::failureModel::givenBack(const pointBlock& b, const label p) const
+Foam::scalar Foam::mpm::failureModel::givenBack(const pointBlock& b, const label p) const
 {
     const scalar v = b.volume[p];
     if (strainKind_ == noStrain)
     {
-        return v*normSquare(b, p)/(2*law_->elasticModulus());
+        return v * normSquare(b, p) / (2 * law_->elasticModulus());
     }
     if (strainKind_ == volumetric)
     {
         const scalar tr = b.stress[0][p] + b.stress[1][p] + b.stress[2][p];
-        return max(v*tr*b.history[strain_][p]/6, scalar(0));
+        return max(v * tr * b.history[strain_][p] / 6, scalar(0));
     }
     scalar c[9];
     fullTensor(b.history + strain_, b.nDim, p, c);
     if (strainKind_ == stretch)
     {
         scalar h[9];
-        isotropicFunction<3>
-        (
-            c,
-            [](double x) { return 0.5*std::log1p(max(x, -1 + SMALL)); },
-            h
-        );
+        isotropicFunction<3>(
+            c, [](double x) { return 0.5 * std::log1p(max(x, -1 + SMALL)); }, h);
         std::copy(h, h + 9, c);
     }
     scalar sigma[9], sum = 0;
     fullStress(b, p, sigma);
     for (int i = 0; i < 9; ++i)
     {
-        sum += sigma[i]*c[i];
+        sum += sigma[i] * c[i];
     }
-    return max(0.5*v*sum, scalar(0));
+    return max(0.5 * v * sum, scalar(0));
 }
 
-
-void Foam::mpm::failureModel::connect
-(
-    const constitutiveModel& law,
-    const int nDim
-)
+void Foam::mpm::failureModel::connect(const constitutiveModel& law, const int nDim)
 {
     law_ = &law;
     nHistory_ = law.nColumns(nDim);
@@ -323,12 +253,8 @@ void Foam::mpm::failureModel::connect
     {
         const char* name;
         decltype(strainKind_) kind;
-    } strains[] =
-    {
-        {"elasticStrain", logarithmic},
-        {"leftStretch", stretch},
-        {"volumeStrain", volumetric}
-    };
+    } strains[] = {
+        {"elasticStrain", logarithmic}, {"leftStretch", stretch}, {"volumeStrain", volumetric}};
     for (const auto& s : strains)
     {
         strain_ = law.columnOf(s.name, nDim);
@@ -340,7 +266,6 @@ void Foam::mpm::failureModel::connect
     }
 }
 
-
 void Foam::mpm::failureModel::start(pointBlock& b) const
 {
     if (energy_ < 0 && shared_.empty())
@@ -348,9 +273,9 @@ void Foam::mpm::failureModel::start(pointBlock& b) const
         return;
     }
     const int N = nStress(b.nDim), n = N + shared_.size() + 2;
-    if (before_.size() < n*b.n)
+    if (before_.size() < n * b.n)
     {
-        before_.setSize(n*b.n);
+        before_.setSize(n * b.n);
     }
     scalar* to = before_.begin();
     const auto keep = [&](const scalar* from)
@@ -372,7 +297,6 @@ void Foam::mpm::failureModel::start(pointBlock& b) const
     }
 }
 
-
 Foam::label Foam::mpm::failureModel::finish(pointBlock& b) const
 {
     if (energy_ < 0 && shared_.empty())
@@ -380,9 +304,9 @@ Foam::label Foam::mpm::failureModel::finish(pointBlock& b) const
         return correct(b);
     }
     const int N = nStress(b.nDim), nShared = shared_.size();
-    const scalar* stress = before_.begin() + nShared*b.n;
-    const scalar* e = stress + N*b.n;
-    scalar* norm = before_.begin() + (nShared + N + 1)*b.n;
+    const scalar* stress = before_.begin() + nShared * b.n;
+    const scalar* e = stress + N * b.n;
+    scalar* norm = before_.begin() + (nShared + N + 1) * b.n;
     for (label p = 0; p < b.n; ++p)
     {
         norm[p] = normSquare(b, p);
@@ -394,15 +318,12 @@ Foam::label Foam::mpm::failureModel::finish(pointBlock& b) const
         {
             continue;
         }
-        const scalar part =
-            norm[p] > 0
-          ? min(std::sqrt(normSquare(b, p)/norm[p]), scalar(1))
-          : 1;
+        const scalar part = norm[p] > 0 ? min(std::sqrt(normSquare(b, p) / norm[p]), scalar(1)) : 1;
         for (int i = 0; i < nShared; ++i)
         {
-            const scalar a = before_[i*b.n + p];
+            const scalar a = before_[i * b.n + p];
             scalar& now = b.history[shared_[i]][p];
-            now = a + part*(now - a);
+            now = a + part * (now - a);
         }
         if (energy_ >= 0)
         {
@@ -411,22 +332,17 @@ Foam::label Foam::mpm::failureModel::finish(pointBlock& b) const
             {
                 kept[i] = b.stress[i][p];
             }
-            b.history[energy_][p] =
-                e[p]
-              + 0.5
-               *(
-                    stressWork(b, p, volumeBefore(b, p), stress + p, b.n)
-                  + stressWork(b, p, b.volume[p], kept, 1)
-                )
-               /b.mass[p];
+            b.history[energy_][p] = e[p]
+                + 0.5
+                    * (stressWork(b, p, volumeBefore(b, p), stress + p, b.n)
+                       + stressWork(b, p, b.volume[p], kept, 1))
+                    / b.mass[p];
         }
     }
     return nFailed;
 }
 
-
-Foam::scalar
-Foam::mpm::failureModel::storedEnergy(const pointBlock& b) const
+Foam::scalar Foam::mpm::failureModel::storedEnergy(const pointBlock& b) const
 {
     if (!law_ || energy_ >= 0)
     {
@@ -437,11 +353,7 @@ Foam::mpm::failureModel::storedEnergy(const pointBlock& b) const
     {
         if (released(b.damage[p]))
         {
-            sum += min
-            (
-                law_->strainEnergy(b.part(p, 1, nHistory_)),
-                givenBack(b, p)
-            );
+            sum += min(law_->strainEnergy(b.part(p, 1, nHistory_)), givenBack(b, p));
             ++p;
             continue;
         }
@@ -454,5 +366,3 @@ Foam::mpm::failureModel::storedEnergy(const pointBlock& b) const
     }
     return sum;
 }
-
-// ************************************************************************* //

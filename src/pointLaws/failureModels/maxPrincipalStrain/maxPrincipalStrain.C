@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::maxPrincipalStrain
@@ -34,9 +31,7 @@ Usage
 namespace Foam::mpm
 {
 
-class maxPrincipalStrain
-:
-    public failureModel
+class maxPrincipalStrain : public failureModel
 {
     //- Index of the column leftStretch; true if it belongs to this model
     int stretch_;
@@ -47,14 +42,10 @@ class maxPrincipalStrain
     void strain(pointBlock b) const;
 
 public:
-
     TypeName("maxPrincipalStrain");
 
-    explicit maxPrincipalStrain(const dictionary& dict)
-    :
-        failureModel(dict, "strain"),
-        stretch_(0),
-        own_(false)
+    explicit maxPrincipalStrain(const dictionary& dict) :
+        failureModel(dict, "strain"), stretch_(0), own_(false)
     {
         wordList valid(keywords);
         valid.append("strain");
@@ -72,10 +63,9 @@ public:
         }
         if (own_ && law.columnOf("elasticStrain", nDim) < 0)
         {
-            FatalErrorInFunction
-                << "The failure model " << type() << " needs a law with a column"
-                << " leftStretch or elasticStrain; " << law.type()
-                << " has none." << exit(FatalError);
+            FatalErrorInFunction << "The failure model " << type() << " needs a law with a column"
+                                 << " leftStretch or elasticStrain; " << law.type() << " has none."
+                                 << exit(FatalError);
         }
     }
 
@@ -91,9 +81,14 @@ public:
         {
             switch (b.nDim)
             {
-                case 1: strain<1>(b); break;
-                case 2: strain<2>(b); break;
-                default: strain<3>(b);
+            case 1:
+                strain<1>(b);
+                break;
+            case 2:
+                strain<2>(b);
+                break;
+            default:
+                strain<3>(b);
             }
         }
         scalar* const* c = b.history + stretch_;
@@ -101,14 +96,14 @@ public:
         for (label p = 0; p < b.n; ++p)
         {
             const scalar strain = b.strength ? b.strength[p] : strength();
-            const scalar limit = std::expm1(2*strain);
+            const scalar limit = std::expm1(2 * strain);
             if (b.damage[p] < 1)
             {
                 // No principal value exceeds the norm
                 scalar norm = 0;
                 for (int i = 0; i < nStress(b.nDim); ++i)
                 {
-                    norm += (i < 3 ? 1 : 2)*sqr(c[i][p]);
+                    norm += (i < 3 ? 1 : 2) * sqr(c[i][p]);
                 }
                 if (norm > sqr(limit))
                 {
@@ -146,7 +141,7 @@ void maxPrincipalStrain::strain(pointBlock b) const
     const int nExp = expTerms(largestIncrement<DIM>(b));
     for (label p = 0; p < b.n; p += W)
     {
-        lanes<W> c[DIM*DIM];
+        lanes<W> c[DIM * DIM];
         updateLeftStretch<DIM>(b, laneGroup<W>(p, b.n), nExp, c);
     }
 }
@@ -155,5 +150,3 @@ defineTypeNameAndDebug(maxPrincipalStrain, 0);
 addToRunTimeSelectionTable(failureModel, maxPrincipalStrain, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

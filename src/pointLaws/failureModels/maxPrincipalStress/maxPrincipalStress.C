@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Class
     Foam::mpm::maxPrincipalStress
@@ -57,9 +54,7 @@ Usage
 namespace Foam::mpm
 {
 
-class maxPrincipalStress
-:
-    public failureModel
+class maxPrincipalStress : public failureModel
 {
     //- The limit is on sigma + p_0 I
     bool effective_;
@@ -72,28 +67,16 @@ class maxPrincipalStress
 
     //- Damage of point p at the stress s in the direction n above its
     //  limit; raises the part of Gf that is spent
-    scalar damageOf
-    (
-        const pointBlock& b,
-        const label p,
-        const scalar s,
-        const scalar (&n)[3],
-        const scalar limit,
-        scalar& crack
-    ) const;
+    scalar damageOf(
+        const pointBlock& b, const label p, const scalar s, const scalar (&n)[3],
+        const scalar limit, scalar& crack) const;
 
 public:
-
     TypeName("maxPrincipalStress");
 
-    explicit maxPrincipalStress(const dictionary& dict)
-    :
+    explicit maxPrincipalStress(const dictionary& dict) :
         failureModel(dict, "strength"),
-        effective_
-        (
-            oneOfOrDefault(dict, "limitOn", "total", {"total", "effective"})
-         == "effective"
-        ),
+        effective_(oneOfOrDefault(dict, "limitOn", "total", {"total", "effective"}) == "effective"),
         Gf_(dict.found("Gf") ? positive(dict, "Gf") : 0),
         E_(0),
         crack_(-1)
@@ -105,7 +88,7 @@ public:
 
     scalar widestBand(const scalar limit) const override
     {
-        return Gf_ > 0 ? 2*E_*Gf_/sqr(limit) : GREAT;
+        return Gf_ > 0 ? 2 * E_ * Gf_ / sqr(limit) : GREAT;
     }
 
     bool needsWidth() const override { return Gf_ > 0; }
@@ -141,11 +124,7 @@ public:
                 const scalar s = largestStress(b, p, n) + shift;
                 if (s > limit)
                 {
-                    d = max
-                    (
-                        d,
-                        damageOf(b, p, s, n, limit, crack ? crack[p] : none)
-                    );
+                    d = max(d, damageOf(b, p, s, n, limit, crack ? crack[p] : none));
                     nFailed += d >= 1;
                 }
             }
@@ -158,33 +137,26 @@ public:
     }
 };
 
-scalar maxPrincipalStress::damageOf
-(
-    const pointBlock& b,
-    const label p,
-    const scalar s,
-    const scalar (&n)[3],
-    const scalar limit,
-    scalar& crack
-) const
+scalar maxPrincipalStress::damageOf(
+    const pointBlock& b, const label p, const scalar s, const scalar (&n)[3], const scalar limit,
+    scalar& crack) const
 {
     if (Gf_ <= 0)
     {
         return 1;
     }
     const scalar across = mag(n[0]) + mag(n[1]) + mag(n[2]);
-    const scalar l = max(across, scalar(1))*b.width[p];
-    const scalar r = 2*E_*Gf_/(sqr(limit)*l);
+    const scalar l = max(across, scalar(1)) * b.width[p];
+    const scalar r = 2 * E_ * Gf_ / (sqr(limit) * l);
     if (!(r > 1))
     {
-        FatalErrorInFunction
-            << "Softening needs bands narrower than 2 E Gf/strength^2 = "
-            << r*l << " m; that of " << b.nameOf(p).c_str() << " is " << l
-            << " m wide, in a cell of " << b.width[p] << " m. Use smaller cells, or no Gf."
-            << exit(FatalError);
+        FatalErrorInFunction << "Softening needs bands narrower than 2 E Gf/strength^2 = " << r * l
+                             << " m; that of " << b.nameOf(p).c_str() << " is " << l
+                             << " m wide, in a cell of " << b.width[p]
+                             << " m. Use smaller cells, or no Gf." << exit(FatalError);
     }
-    const scalar d = min(r/(r - 1)*(1 - limit/s), scalar(1));
-    crack = max(crack, d/(r - d*(r - 1)));
+    const scalar d = min(r / (r - 1) * (1 - limit / s), scalar(1));
+    crack = max(crack, d / (r - d * (r - 1)));
     return d;
 }
 
@@ -192,5 +164,3 @@ defineTypeNameAndDebug(maxPrincipalStress, 0);
 addToRunTimeSelectionTable(failureModel, maxPrincipalStress, dictionary);
 
 } // End namespace Foam::mpm
-
-// ************************************************************************* //

@@ -10,22 +10,16 @@ namespace Foam
 namespace mpm
 {
 
-class nanLaw
-:
-    public pointwise<nanLaw>
+class nanLaw : public pointwise<nanLaw>
 {
     const scalar E_, nanAfter_;
     mutable scalar nCalls_ = 0;
 
 public:
-
     TypeName("nanLaw");
 
-    explicit nanLaw(const dictionary& dict)
-    :
-        pointwise<nanLaw>(dict),
-        E_(positive(dict, "E")),
-        nanAfter_(positive(dict, "nanAfter"))
+    explicit nanLaw(const dictionary& dict) :
+        pointwise<nanLaw>(dict), E_(positive(dict, "E")), nanAfter_(positive(dict, "nanAfter"))
     {
         checkKeywords(dict, {"type", "rho", "E", "nanAfter"});
     }
@@ -35,18 +29,12 @@ public:
         // Raises the invalid-operation flag once, when the calls are used up
         const scalar left = nanAfter_ - ++nCalls_;
         const scalar factor = left == -1 ? std::sqrt(left) : scalar(1);
-        return factor*(s.stress + E_*symm(s.dL));
+        return factor * (s.stress + E_ * symm(s.dL));
     }
 
-    scalar waveSpeed() const override
-    {
-        return std::sqrt(E_/rho());
-    }
+    scalar waveSpeed() const override { return std::sqrt(E_ / rho()); }
 
-    scalar strainEnergy(const pointBlock&) const override
-    {
-        return 0;
-    }
+    scalar strainEnergy(const pointBlock&) const override { return 0; }
 };
 
 defineTypeNameAndDebug(nanLaw, 0);

@@ -18,9 +18,7 @@ namespace Foam
 namespace mpm
 {
 
-class waveBodyForce
-:
-    public pointwiseBodyForce<waveBodyForce>
+class waveBodyForce : public pointwiseBodyForce<waveBodyForce>
 {
     const scalar G_, rho_, E_, nu_, lambda_, mu_;
     const vector phase_;
@@ -29,49 +27,41 @@ class waveBodyForce
     const vector active_;
 
 public:
-
     TypeName("wave");
 
-    explicit waveBodyForce(const dictionary& dict)
-    :
+    explicit waveBodyForce(const dictionary& dict) :
         G_(positive(dict, "G")),
         rho_(positive(dict, "rho")),
         E_(positive(dict, "E")),
         nu_(bounded(dict, "nu", -0.999, 0.499)),
-        lambda_(E_*nu_/((1 + nu_)*(1 - 2*nu_))),
-        mu_(E_/(2*(1 + nu_))),
+        lambda_(E_ * nu_ / ((1 + nu_) * (1 - 2 * nu_))),
+        mu_(E_ / (2 * (1 + nu_))),
         phase_(required<vector>(dict, "phase")),
         active_(required<vector>(dict, "active"))
     {
-        checkKeywords
-        (dict, {"type", "G", "rho", "E", "nu", "phase", "active"});
+        checkKeywords(dict, {"type", "G", "rho", "E", "nu", "phase", "active"});
     }
 
-    bool needsReference() const override
-    {
-        return true;
-    }
+    bool needsReference() const override { return true; }
 
     vector acceleration(const point&, const point& X, const scalar time) const
     {
         const scalar pi = constant::mathematical::pi;
-        const scalar omega = pi*std::sqrt(E_/rho_);
+        const scalar omega = pi * std::sqrt(E_ / rho_);
 
         vector u(Zero), F(vector::one);
         for (int i = 0; i < 3; ++i)
         {
-            const scalar a = active_[i]*G_*std::sin(omega*time + phase_[i]);
-            u[i] = a*std::sin(pi*X[i]);
-            F[i] = 1 + a*pi*std::cos(pi*X[i]);
+            const scalar a = active_[i] * G_ * std::sin(omega * time + phase_[i]);
+            u[i] = a * std::sin(pi * X[i]);
+            F[i] = 1 + a * pi * std::cos(pi * X[i]);
         }
-        const scalar lnJ = std::log(F[0]*F[1]*F[2]);
+        const scalar lnJ = std::log(F[0] * F[1] * F[2]);
 
         vector b(Zero);
         for (int i = 0; i < 3; ++i)
         {
-            b[i] =
-                sqr(pi)*u[i]/rho_
-               *((lambda_*(1 - lnJ) + mu_)/sqr(F[i]) + mu_ - E_);
+            b[i] = sqr(pi) * u[i] / rho_ * ((lambda_ * (1 - lnJ) + mu_) / sqr(F[i]) + mu_ - E_);
         }
         return b;
     }

@@ -1,8 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    materialPointFoam: material point method on OpenFOAM's mesh
--------------------------------------------------------------------------------
-License
-    GPL-3.0-or-later, see LICENSE in the project's top folder.
+    materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 Application
     renumbered
@@ -53,30 +50,18 @@ autoPtr<fvMesh> renumbered(autoPtr<fvMesh>& old, std::mt19937& random)
             s.f = s.f.reverseFace();
         }
     }
-    std::sort
-    (
-        sides.begin(),
-        sides.begin() + nInternal,
+    std::sort(
+        sides.begin(), sides.begin() + nInternal,
         [](const side& a, const side& b)
-        {
-            return
-                a.owner != b.owner
-              ? a.owner < b.owner
-              : a.neighbour < b.neighbour;
-        }
-    );
+        { return a.owner != b.owner ? a.owner < b.owner : a.neighbour < b.neighbour; });
     List<dictionary> patches;
     wordList names;
     for (const polyPatch& pp : old->boundaryMesh())
     {
         if (!pp.coupled())
         {
-            std::shuffle
-            (
-                sides.begin() + pp.start(),
-                sides.begin() + pp.start() + pp.size(),
-                random
-            );
+            std::shuffle(
+                sides.begin() + pp.start(), sides.begin() + pp.start() + pp.size(), random);
         }
         OStringStream os;
         pp.write(os);
@@ -101,39 +86,19 @@ autoPtr<fvMesh> renumbered(autoPtr<fvMesh>& old, std::mt19937& random)
     const Time& time = old->time();
     old.clear();
 
-    autoPtr<fvMesh> mesh
-    (
-        new fvMesh
-        (
-            // Schemes are read as those of the case, the mesh is not
-            IOobject
-            (
-                fvMesh::defaultRegion,
-                "inMemory",
-                time,
-                IOobject::READ_IF_PRESENT
-            ),
-            std::move(points),
-            std::move(faces),
-            std::move(owner),
-            std::move(neighbour)
-        )
-    );
+    autoPtr<fvMesh> mesh(new fvMesh(
+        // Schemes are read as those of the case, the mesh is not
+        IOobject(fvMesh::defaultRegion, "inMemory", time, IOobject::READ_IF_PRESENT),
+        std::move(points), std::move(faces), std::move(owner), std::move(neighbour)));
     List<polyPatch*> list(patches.size());
     forAll(list, patchi)
     {
-        list[patchi] = polyPatch::New
-        (
-            names[patchi],
-            patches[patchi],
-            patchi,
-            mesh->boundaryMesh()
-        ).ptr();
+        list[patchi] =
+            polyPatch::New(names[patchi], patches[patchi], patchi, mesh->boundaryMesh()).ptr();
     }
     mesh->addFvPatches(list);
     return mesh;
 }
-
 
 void advance(mpm::simulation& simulation, Time& time, const label nSteps)
 {
@@ -142,16 +107,14 @@ void advance(mpm::simulation& simulation, Time& time, const label nSteps)
         scalar factor = 1;
         if (!simulation.advancePoints(time.deltaTValue(), factor))
         {
-            FatalErrorInFunction
-                << "A step has to be redone: take a smaller deltaT."
-                << exit(FatalError);
+            FatalErrorInFunction << "A step has to be redone: take a smaller deltaT."
+                                 << exit(FatalError);
         }
         simulation.advanceGas(time.deltaTValue());
         ++time;
         simulation.correct();
     }
 }
-
 
 //- Rows in the order of their ids
 labelList byId(const mpm::pointRows& rows, label& nComponents)
@@ -163,35 +126,21 @@ labelList byId(const mpm::pointRows& rows, label& nComponents)
         at += rows.nComponents[c];
     }
     labelList order(identity(rows.size()));
-    std::sort
-    (
-        order.begin(),
-        order.end(),
+    std::sort(
+        order.begin(), order.end(),
         [&](const label a, const label b)
-        {
-            return
-                rows.values[nComponents*a + at]
-              < rows.values[nComponents*b + at];
-        }
-    );
+        { return rows.values[nComponents * a + at] < rows.values[nComponents * b + at]; });
     return order;
 }
 
-
-void comparePoints
-(
-    const word& phase,
-    const mpm::pointRows& a,
-    const mpm::pointRows& b
-)
+void comparePoints(const word& phase, const mpm::pointRows& a, const mpm::pointRows& b)
 {
     label size = 0, at = 0;
     const labelList orderA(byId(a, size)), orderB(byId(b, size));
     if (a.columns != b.columns || orderA.size() != orderB.size())
     {
-        FatalErrorInFunction
-            << "Phase " << phase << " has other columns or points."
-            << exit(FatalError);
+        FatalErrorInFunction << "Phase " << phase << " has other columns or points."
+                             << exit(FatalError);
     }
     forAll(a.columns, c)
     {
@@ -200,57 +149,37 @@ void comparePoints
         {
             forAll(orderA, p)
             {
-                const scalar u = a.values[size*orderA[p] + i];
-                const scalar v = b.values[size*orderB[p] + i];
+                const scalar u = a.values[size * orderA[p] + i];
+                const scalar v = b.values[size * orderB[p] + i];
                 most = max(most, mag(u));
                 difference = max(difference, mag(u - v));
             }
         }
         at += a.nComponents[c];
-        Info<< "Column " << phase << '.' << a.columns[c] << ": "
-            << difference/max(most, VSMALL) << nl;
+        Info << "Column " << phase << '.' << a.columns[c] << ": " << difference / max(most, VSMALL)
+             << nl;
     }
 }
 
-
 template<class Type>
-void compareField
-(
-    const word& name,
-    const word& key,
-    const dictionary& a,
-    const dictionary& b,
-    const label nCells
-)
+void compareField(
+    const word& name, const word& key, const dictionary& a, const dictionary& b, const label nCells)
 {
     const Field<Type> u(key, a, nCells), v(key, b, nCells);
-    Info<< "Field " << name << ": "
-        << max(mag(u - v))/max(max(mag(u)), VSMALL) << nl;
+    Info << "Field " << name << ": " << max(mag(u - v)) / max(max(mag(u)), VSMALL) << nl;
 }
 
 }
 
-
-int main(int argc, char *argv[])
+int main(int argc, char* argv[])
 {
     mpm::exitOnFatal();
     argList::noParallel();
     argList::addOption("steps", "n", "number of steps");
-    #include "setRootCase.H"
-    #include "createTime.H"
-    autoPtr<fvMesh> mesh
-    (
-        new fvMesh
-        (
-            IOobject
-            (
-                fvMesh::defaultRegion,
-                runTime.timeName(),
-                runTime,
-                IOobject::MUST_READ
-            )
-        )
-    );
+#include "setRootCase.H"
+#include "createTime.H"
+    autoPtr<fvMesh> mesh(new fvMesh(
+        IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ)));
     const label nSteps = args.getOrDefault<label>("steps", 20);
 
     mpm::simulation::rows a;
@@ -262,15 +191,15 @@ int main(int argc, char *argv[])
 
     runTime.setTime(0, 0);
     mpm::simulation simulation(*mesh);
-    advance(simulation, runTime, nSteps/2);
+    advance(simulation, runTime, nSteps / 2);
     mpm::simulation::rows middle(simulation.takeDown());
     std::mt19937 random(1);
     mesh = renumbered(mesh, random);
     simulation = mpm::simulation(*mesh, std::move(middle));
-    advance(simulation, runTime, nSteps - nSteps/2);
+    advance(simulation, runTime, nSteps - nSteps / 2);
     const mpm::simulation::rows b(simulation.takeDown());
 
-    Info<< nl << "Cells: " << mesh->nCells() << nl;
+    Info << nl << "Cells: " << mesh->nCells() << nl;
     forAllConstIters(a.points.points, iter)
     {
         comparePoints(iter.key(), iter.val(), b.points.points[iter.key()]);
@@ -291,9 +220,7 @@ int main(int argc, char *argv[])
             compareField<scalar>(iter.key(), key, field, other, mesh->nCells());
         }
     }
-    Info<< "End" << nl;
+    Info << "End" << nl;
 
     return 0;
 }
-
-// ************************************************************************* //
