@@ -194,10 +194,10 @@ def slab(table):
     """The normal is (1 -1)/sqrt(2), s = (x - y)/sqrt(2) in cells, periodic in
     n/sqrt(2). What the shocked gas does behind the slab's back must not reach the
     window."""
-    for m in (1, 2) if VERIFY else (1,):
+    for m in (1, 2) if VERIFY else (0.7,):
         for Ms in (1.2, 2, 3):
             p2, rho2, u2, pr, W = shockStates(Ms)
-            ahead, back, thick = 30*m, 30*m, 12*m
+            ahead, back, thick = 30*m, 30*m, 12*m  # cells
             time = ahead/(Ms*C0) + back/W
             away = time*(u2 + np.sqrt(GAMMA*p2/rho2))
             n = int(np.ceil(np.sqrt(2)*(away + back + thick + 20*m)))
