@@ -41,8 +41,8 @@ from surfaces import prisms, surfaceRegion
 
 GAMMA, P0, RHO0 = 1.4, 1e5, 1.2
 C0 = np.sqrt(GAMMA*P0/RHO0)
-H, R, N = 1e-4, 10, 40
-CENTRE = (20.5*H, 20.5*H)
+H, R, N = (1e-4, 10, 40) if VERIFY else (1e-4, 8, 32)
+CENTRE = ((0.5*N + 0.5)*H,)*2
 SOLID = {"constitutiveModel": {"type": "linearElastic", "rho": 2700, "E": 70e9, "nu": 0}}
 CYCLIC = {"left": ("cyclic; neighbourPatch right", ("x-",)),
           "right": ("cyclic; neighbourPatch left", ("x+",)),
