@@ -24,7 +24,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from bar import period
-from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, foamText, noSchemes,
+from foamCase import (VERIFY, FoamCase, RunFailed, boxMesh, controlDict, foamText, noSchemes,
                       readInternal, velocityFile, writeField)
 from report import Report
 from wedge import SECTOR, wedgeConditions, wedgeMesh
@@ -174,7 +174,7 @@ def flight(name, numerics, v):
 # --- Lame ------------------------------------------------------------------------
 
 A, B, OPENING = 1.0, 2.0, 1e-5
-RAMP = 180.0
+RAMP = 40.0
 
 
 def lame(r):
@@ -186,10 +186,11 @@ def lame(r):
 
 
 def ramp(direction=1.0):
-    """Velocity at A: up and down, so that the opening is slow at both ends."""
+    """Velocity at A, (1 - cos)/2 over the time: so smooth that the ring hardly swings
+    after it. Its 24 straight pieces lie between the frequencies of the ring."""
     top = 2*OPENING/RAMP*np.asarray(direction, float)
-    zero = 0*top
-    return [(0, zero), (RAMP/2, top), (RAMP, zero), (10*RAMP, zero)]
+    return [(s*RAMP, 0.5*(1 - np.cos(2*np.pi*s))*top) for s in np.linspace(0, 1, 25)
+            ] + [(10*RAMP, 0*top)]
 
 
 def quarterRing(name, dim, n):
@@ -274,7 +275,7 @@ def ring(table):
         "inner": TABLE},
         FLIP, controlDict(RAMP, RAMP, maxCo=0.4, functions={"forces": {
             "type": "materialPointPatchForces", "libs": "(mpmFunctionObjects)",
-            "patches": "(inner)", "writeControl": "timeStep", "writeInterval": 100}}))
+            "patches": "(inner)", "writeControl": "timeStep", "writeInterval": 25}}))
     writeTable(case, ramp((0, 1, 0)))
     case.run("materialPointFoam", limit=300)
     p = ringErrors(table, "wedge", case, n)
@@ -282,10 +283,10 @@ def ring(table):
     force = case.series("forces", [f for f in files if "inner" in f][0])
     table.row("ring, wedge: pressure on the inner side", p,
               -np.mean(force[-5:, 2])/(SECTOR*A*0.1), 0.01, "relative")
-    for dim in (2, 3):
-        case = quarterRing(f"ring-{dim}D", dim, 12)
+    for dim, n in ((2, 12), (3, 12 if VERIFY else 10)):
+        case = quarterRing(f"ring-{dim}D", dim, n)
         case.run("materialPointFoam", limit=300)
-        ringErrors(table, f"{dim}D", case, 12)
+        ringErrors(table, f"{dim}D", case, n)
 
 
 def cylinder(table):

@@ -41,8 +41,8 @@ from surfaces import prisms, surfaceRegion
 
 GAMMA, P0, RHO0 = 1.4, 1e5, 1.2
 C0 = np.sqrt(GAMMA*P0/RHO0)
-H, R, N = 1e-4, 10, 40
-CENTRE = (20.5*H, 20.5*H)
+H, R, N = (1e-4, 10, 40) if VERIFY else (1e-4, 8, 32)
+CENTRE = ((0.5*N + 0.5)*H,)*2
 SOLID = {"constitutiveModel": {"type": "linearElastic", "rho": 2700, "E": 70e9, "nu": 0}}
 CYCLIC = {"left": ("cyclic; neighbourPatch right", ("x-",)),
           "right": ("cyclic; neighbourPatch left", ("x+",)),
@@ -194,10 +194,10 @@ def slab(table):
     """The normal is (1 -1)/sqrt(2), s = (x - y)/sqrt(2) in cells, periodic in
     n/sqrt(2). What the shocked gas does behind the slab's back must not reach the
     window."""
-    for m in (1, 2) if VERIFY else (1,):
+    for m in (1, 2) if VERIFY else (0.7,):
         for Ms in (1.2, 2, 3):
             p2, rho2, u2, pr, W = shockStates(Ms)
-            ahead, back, thick = 30*m, 30*m, 12*m
+            ahead, back, thick = 30*m, 30*m, 12*m  # cells
             time = ahead/(Ms*C0) + back/W
             away = time*(u2 + np.sqrt(GAMMA*p2/rho2))
             n = int(np.ceil(np.sqrt(2)*(away + back + thick + 20*m)))

@@ -27,7 +27,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bounce import bounce
-from foamCase import (PROJECT, FoamCase, boxMesh, controlDict, foamText, noSchemes,
+from foamCase import (PROJECT, VERIFY, FoamCase, boxMesh, controlDict, foamText, noSchemes,
                       runParts, velocityFile)
 
 FMPM = {"shapeFunction": "GIMP", "transfer": "FMPM", "order": 2}
@@ -323,14 +323,14 @@ def balls(table):
     parting(table, "balls", case, n)
 
 
-def tutorial(name, *scripts):
-    """A tutorial on one processor; what its plot.py says."""
+def tutorial(name, *changes):
+    """A tutorial on one processor, with changes of its files; what its plot.py says."""
     case = FoamCase("contact", name, os.path.join(PROJECT, "tutorials", name))
     case.run("./Allclean")
+    for change in changes:
+        case.change(*change)
     case.run("blockMesh")
     case.run("setMaterialPoints")
-    for script in scripts:
-        case.run(sys.executable, script)
     case.run("materialPointFoam", limit=400)
     case.run(sys.executable, "plot.py")
     return case.log(os.path.basename(sys.executable))
@@ -489,8 +489,10 @@ def hertz(table):
 
 
 def sand(table):
+    # Nothing moves after 0.5 s
+    shorter = () if VERIFY else (("system/controlDict", r"^endTime .*?;", "endTime 0.5;"),)
     said = re.findall(r"runout \(L - L0\)/L0 (\S+), farthest point (\S+),",
-                      tutorial("sandColumn"))
+                      tutorial("sandColumn", *shorter))
     for name, value in zip(("end of the heap", "farthest point"), said[-1]):
         # Lube 1.2 a, Lajeunesse 1.8 a with a = 2
         table.row(f"sand column: runout, {name}", 3.0, float(value), 0.6)
