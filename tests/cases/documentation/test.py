@@ -193,12 +193,12 @@ def commands(table):
 
 
 def coarse(path):
-    """The plates of tutorials/spall with 50 cells in place of 100: its probes in the
-    mid-plane have points down to these."""
+    """The plates of tutorials/spall with 60 cells in place of 100. Its probes in the
+    mid-plane have points down to 50."""
     with open(path) as f:
         text = f.read()
     for name, n in (("n", 100), ("nx", 240), ("ny", 200)):
-        text, nChanged = re.subn(rf"(?m)^({name} +){n};", rf"\g<1>{n//2};", text)
+        text, nChanged = re.subn(rf"(?m)^({name} +){n};", rf"\g<1>{6*n//10};", text)
         assert nChanged == 1, name
     with open(path, "w") as f:
         f.write(text)
