@@ -6,9 +6,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 defineTypeNameAndDebug(dragModel, 0);
@@ -142,8 +140,7 @@ addDrag(Gidaspow);
 #undef addDrag
 
 } // End namespace dragModels
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

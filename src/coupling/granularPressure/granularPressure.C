@@ -4,9 +4,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 defineTypeNameAndDebug(granularPressure, 0);
@@ -67,8 +65,7 @@ addToRunTimeSelectionTable(granularPressure, JohnsonJackson, dictionary);
 
 } // End namespace granularPressures
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

@@ -6,9 +6,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 defineTypeNameAndDebug(heatTransferModel, 0);
@@ -84,8 +82,7 @@ addSpheres(Gunn);
 
 } // End namespace heatTransferModels
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 

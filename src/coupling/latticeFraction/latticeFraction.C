@@ -6,13 +6,10 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 defineTypeNameAndDebug(latticeFraction, 0);
 addToRunTimeSelectionTable(solidFraction, latticeFraction, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

@@ -3,9 +3,7 @@
 #include "pointKernels.H"
 #include "lanes.H"
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
@@ -401,5 +399,4 @@ autoPtr<pointKernels> pointKernels::New(const fractionLattice& sums)
     }
 }
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm

@@ -7,13 +7,10 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 defineTypeNameAndDebug(solidFraction, 0);
 defineRunTimeSelectionTable(solidFraction, dictionary);
-}
 }
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //

@@ -8,13 +8,10 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 defineTypeNameAndDebug(starFraction, 0);
 addToRunTimeSelectionTable(solidFraction, starFraction, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

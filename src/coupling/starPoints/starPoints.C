@@ -5,9 +5,7 @@
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 //- HOOP: on wedges (DIM 2)
@@ -150,8 +148,7 @@ public:
         const override;
 };
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

@@ -8,12 +8,9 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 defineTypeName(eulerianFlow::handle);
-}
 }
 
 // * * * * * * * * * * * * * * * * Handle  * * * * * * * * * * * * * * * * * //

@@ -47,9 +47,7 @@ constexpr scalar universal = 8314.46261815324;
 
 // * * * * * * * * * * * * * * * * * Classes * * * * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 class perfectGasThermo : public gasThermo
@@ -142,8 +140,7 @@ addToRunTimeSelectionTable(gasThermo, perfectGasThermo, dictionary);
 addToRunTimeSelectionTable(gasThermo, isentropicThermo, dictionary);
 addToRunTimeSelectionTable(gasThermo, equationThermo, dictionary);
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 

@@ -45,9 +45,7 @@ scalar speedOf(const mpm::equationOfState& products)
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 class programmedBurn : public detonation
@@ -110,8 +108,7 @@ defineTypeNameAndDebug(pressureRate, 0);
 addToRunTimeSelectionTable(detonation, programmedBurn, dictionary);
 addToRunTimeSelectionTable(detonation, pressureRate, dictionary);
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

@@ -5,13 +5,10 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 defineTypeNameAndDebug(faceFlux, 0);
 defineRunTimeSelectionTable(faceFlux, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //

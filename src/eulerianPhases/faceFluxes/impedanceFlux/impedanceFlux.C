@@ -5,13 +5,10 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 defineTypeNameAndDebug(impedanceFlux, 0);
 addToRunTimeSelectionTable(faceFlux, impedanceFlux, dictionary);
-}
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

@@ -5,9 +5,7 @@
 #include "dictionaryTools.H"
 #include "addToRunTimeSelectionTable.H"
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 class nanLaw : public pointwise<nanLaw>
@@ -40,5 +38,4 @@ public:
 defineTypeNameAndDebug(nanLaw, 0);
 addToRunTimeSelectionTable(constitutiveModel, nanLaw, dictionary);
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm

@@ -13,9 +13,7 @@
 #include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 
-namespace Foam
-{
-namespace mpm
+namespace Foam::mpm
 {
 
 class waveBodyForce : public pointwiseBodyForce<waveBodyForce>
@@ -70,5 +68,4 @@ public:
 defineTypeNameAndDebug(waveBodyForce, 0);
 addToRunTimeSelectionTable(bodyForce, waveBodyForce, dictionary);
 
-} // End namespace mpm
-} // End namespace Foam
+} // End namespace Foam::mpm
