@@ -187,9 +187,9 @@ def lame(r):
 
 def ramp(direction=1.0):
     """Velocity at A, (1 - cos)/2 over the time: so smooth that the ring hardly swings
-    after it. Its 24 straight pieces lie between the frequencies of the ring."""
+    after it."""
     top = 2*OPENING/RAMP*np.asarray(direction, float)
-    return [(s*RAMP, 0.5*(1 - np.cos(2*np.pi*s))*top) for s in np.linspace(0, 1, 25)
+    return [(s*RAMP, 0.5*(1 - np.cos(2*np.pi*s))*top) for s in np.linspace(0, 1, 401)
             ] + [(10*RAMP, 0*top)]
 
 

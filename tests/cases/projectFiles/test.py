@@ -6,7 +6,7 @@
                in the files of points and of the state
     style      text files as .editorconfig says: no tabs, no blanks at the end of a line, lines
                end with LF, so does the file; no marks of a merge; src and applications: lines
-               below 100 columns (aimed at: 80), files below 600 lines
+               below 100 columns, files below 600 lines
     theory     doc/theory.md has equations (1) to (12), each a row with functions; each link to a
                function leads to its definition (within 25 lines)
     extending  doc/extending.md names each template of etc/codeTemplates, and there is one for

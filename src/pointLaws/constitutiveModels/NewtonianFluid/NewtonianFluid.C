@@ -115,17 +115,7 @@ public:
 
     void correct(pointBlock& b) const override
     {
-        switch (b.nDim)
-        {
-        case 1:
-            update<1>(b);
-            break;
-        case 2:
-            update<2>(b);
-            break;
-        default:
-            update<3>(b);
-        }
+        forDimension(b.nDim, [&](auto D) { this->update<decltype(D)::value>(b); });
     }
 
     bool holdsTogether() const override { return false; }

@@ -79,17 +79,7 @@ public:
     {
         if (own_)
         {
-            switch (b.nDim)
-            {
-            case 1:
-                strain<1>(b);
-                break;
-            case 2:
-                strain<2>(b);
-                break;
-            default:
-                strain<3>(b);
-            }
+            forDimension(b.nDim, [&](auto D) { this->strain<decltype(D)::value>(b); });
         }
         scalar* const* c = b.history + stretch_;
         label nFailed = 0;
