@@ -210,7 +210,9 @@ Foam::word Foam::mpm::oneOf(const dictionary& dict, const word& key, const wordL
             << valid.first() << ';' << nl << nl << "Valid choices are: " << flatOutput(valid)
             << exit(FatalIOError);
     }
-    const word value(dict.get<word>(key));
+    // A number is no word: OpenFOAM would not say which are
+    const token first(dict.lookup(key));
+    const word value(first.isNumber() ? word(name(first.number())) : dict.get<word>(key));
 
     if (!valid.found(value))
     {

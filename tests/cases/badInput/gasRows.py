@@ -162,6 +162,8 @@ def gasRows(solve, replace, remove, several, withPoints, line):
          inPhases + ["equationOfState", "beside", "thermo perfectGas or isentropic"]),
         ("gas: poreFloor 1", solve, inAir(gas("R 287; poreFloor 1;")),
          inPhases + ["poreFloor"]),
+        ("gas: faceDrag 1, a number of older cases", solve, inAir(gas("R 287; faceDrag 1;")),
+         inPhases + ["faceDrag 1", valid, "impedance"]),
         ("gas: faceDrag pressure", solve, inAir(gas("R 287; faceDrag pressure;")),
          inPhases + ["faceDrag pressure", valid, "impedance"]),
         ("gas: mu negative", solve, inAir(gas("R 287; mu -1;")), inPhases + ["mu"]),
