@@ -118,8 +118,7 @@ void Foam::mpm::simulation::advanceGas(const scalar dt, const scalar all, const 
     }
     else if (gas_)
     {
-        gas_->faceFlux(dt);
-        gas_->advance(dt);
+        gas_->step(dt);
     }
 }
 

@@ -417,8 +417,7 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt, const scalar all, const
         }
         pores.dilation = dilation_.cdata();
     }
-    gas_.faceFlux(dt, &pores);
-    gas_.advance(dt, &pores);
+    gas_.step(dt, &pores);
     if (!last)
     {
         return;

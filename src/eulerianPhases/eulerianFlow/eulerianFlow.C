@@ -306,6 +306,37 @@ void Foam::mpm::eulerianFlow::addHeat(const UList<label>& cells, const UList<sca
     }
 }
 
+void Foam::mpm::eulerianFlow::step(const scalar dt, const solidOnFaces* pores, const label halves)
+{
+    faceFlux(dt, pores);
+    if (advance(dt, pores, halves == mostHalves))
+    {
+        return;
+    }
+    ++fixups_.halved;
+    scalarField dilation(pores ? mesh_.nCells() : 0);
+    solidOnFaces half;
+    if (pores)
+    {
+        half = *pores;
+        forAll(dilation, c)
+        {
+            dilation[c] = 0.5 * pores->dilation[c];
+        }
+        half.dilation = dilation.cdata();
+    }
+    step(0.5 * dt, pores ? &half : nullptr, halves + 1);
+    primitives();
+    updateFields();
+    updateBoundaryStates();
+    step(0.5 * dt, pores ? &half : nullptr, halves + 1);
+}
+
+void Foam::mpm::eulerianFlow::step(const scalar dt, const solidOnFaces* pores)
+{
+    step(dt, pores, 0);
+}
+
 void Foam::mpm::eulerianFlow::correct()
 {
     primitives();
@@ -349,6 +380,7 @@ Foam::dictionary Foam::mpm::eulerianFlow::state() const
     state.add("theta", total(fixups_.theta));
     state.add("isentropic", total(fixups_.isentropic));
     state.add("positive", total(fixups_.positive));
+    state.add("halved", fixups_.halved);
     state.add("energy", total(fixups_.energy));
     state.add("heldBack", total(fixups_.heldBack));
     state.add("filled", total(fixups_.filled));
@@ -365,6 +397,7 @@ void Foam::mpm::eulerianFlow::setState(const dictionary& state)
         fixups_.theta = required<label>(state, "theta");
         fixups_.isentropic = required<label>(state, "isentropic");
         fixups_.positive = state.getOrDefault<label>("positive", 0);
+        fixups_.halved = state.getOrDefault<label>("halved", 0);
         fixups_.energy = required<scalar>(state, "energy");
         fixups_.heldBack = required<scalar>(state, "heldBack");
         fixups_.filled = state.getOrDefault<scalar>("filled", 0);

@@ -12,6 +12,7 @@ void Foam::mpm::eulerianFluids::oneFluid(const label k, const labelUList& cells)
     constexpr label room = gasThermo::room;
     scalar rho[room], e[room], p[room], c2[room], strength[room], F[room];
     const bool burns = mixture_.detonates(k);
+    const fluidMixture::torn& torn = mixture_.least(k);
     for (label first = 0; first < cells.size(); first += room)
     {
         const label n = min(room, cells.size() - first);
@@ -35,8 +36,17 @@ void Foam::mpm::eulerianFluids::oneFluid(const label k, const labelUList& cells)
             t_[c].rhoE = rho[i] * e[i];
             t_[c].strength = strength[i];
             z_[c] = rho[i] * std::sqrt(max(c2[i], scalar(0)));
+            if (torn.is(rho[i], strength[i]))
+            {
+                torn_.append(c);
+            }
         }
     }
+}
+
+bool Foam::mpm::eulerianFluids::isTorn(const label c, const label k) const
+{
+    return interfaces_->single()[c] == k && mixture_.least(k).is(W_[c].rho, t_[c].strength);
 }
 
 void Foam::mpm::eulerianFluids::severalFluids(const label c)
@@ -67,6 +77,7 @@ void Foam::mpm::eulerianFluids::primitives()
     label bad = -1;
     {
         const noTraps guard;
+        torn_.clear();
         List<DynamicList<label>> of(n_);
         forAll(theta_, c)
         {
@@ -92,6 +103,7 @@ void Foam::mpm::eulerianFluids::primitives()
         {
             oneFluid(k, of[k]);
         }
+        spreadTears();
         forAll(W_, c)
         {
             const gasState& w = W_[c];
@@ -100,11 +112,22 @@ void Foam::mpm::eulerianFluids::primitives()
             rho0_[c] = w.rho;
             const scalar r =
                 (cmptMag(w.u) & faceRates_.directions[c]) + z_[c] / w.rho * faceRates_.all[c];
-            if (!(w.rho > 0 && t_[c].K > 0 && r < GREAT))
+            if (!(w.rho > 0 && t_[c].K > 0 && r < GREAT && mag(w.p) < GREAT))
             {
                 bad = bad < 0 ? c : bad;
             }
             rate = max(rate, r);
+        }
+        for (const label c : torn_)
+        {
+            // What is torn may close
+            for (label k = 0; k < n_; ++k)
+            {
+                if (mass_[n_ * c + k] > 0)
+                {
+                    rate = max(rate, mixture_.least(k).c * faceRates_.all[c]);
+                }
+            }
         }
         for (const label k : burning_)
         {
@@ -233,6 +256,9 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     voids_(0),
     faceMass_(n_, Zero),
     beside_(false),
+    bounds_(false),
+    firstTry_(true),
+    lastTry_(false),
     warned_(n_, false),
     tension_(false),
     nuclei_(n_, Zero)

@@ -160,7 +160,11 @@ void Foam::mpm::eulerianFluids::addFluids(
         const scalar volume = phi * alpha[k];
         const scalar m = volume * rho;
         const scalar F = behind && !ofCell ? burntBehind(i, k) : burntOf(c, k);
-        const scalar e = volume * fluidMixture::energy(mixture_.at(k, rho, F), rho, p);
+        scalar e = volume * fluidMixture::energy(mixture_.at(k, rho, F), rho, p);
+        if (!behind && isTorn(D, k))
+        {
+            e = volume * t_[D].rhoE;
+        }
         faceMass_[k] = m;
         if (mixture_.detonates(k))
         {
@@ -244,6 +248,13 @@ void Foam::mpm::eulerianFluids::sumInside(const scalar dt, const solidOnFaces* p
     {
         const label P = own[f], N = nei[f];
         const bool out = limited[f] > 0;
+        if (bounds_ && bounded_[f])
+        {
+            addBounded(f, P, N, -1, dt);
+            addFace(P, 1, f, dt, pores);
+            addFace(N, -1, f, dt, pores);
+            continue;
+        }
         if (slot[P] >= 0 || slot[N] >= 0)
         {
             addFluids(f, P, N, dt);
@@ -288,7 +299,11 @@ void Foam::mpm::eulerianFluids::sumBoundary(const scalar dt, const solidOnFaces*
         {
             const label P = own[f], i = f - mesh_.nInternalFaces();
             const bool first = upwind || first_[P] || (coupled && first_[mesh_.nCells() + i]);
-            if (slot[P] >= 0)
+            if (coupled && bounds_ && bounded_[f])
+            {
+                addBounded(f, P, -1, i, dt);
+            }
+            else if (slot[P] >= 0)
             {
                 addFluids(f, P, P, dt);
             }
@@ -342,16 +357,24 @@ void Foam::mpm::eulerianFluids::keepIsentrope(const label c, const scalar rho, c
     }
 }
 
-void Foam::mpm::eulerianFluids::newStates(const scalar dt, const solidOnFaces* pores)
+bool Foam::mpm::eulerianFluids::newStates(const scalar dt, const solidOnFaces* pores)
 {
     const scalarField& V = mesh_.V();
     const labelList& slot = interfaces_->slot();
     const labelList& single = interfaces_->single();
+    bad_.clear();
+    FixedList<scalar, fluidMixture::most> surely;
+    for (label k = 0; k < n_; ++k)
+    {
+        surely[k] = mixture_.surely(k);
+    }
     forAll(sums_, c)
     {
         const scalar h = dt / V[c];
         const sums& s = sums_[c];
         const scalar rho = W_[c].rho;
+        const scalar rhoOld = rho_[c], rhoEOld = rhoE_[c];
+        const vector rhoUOld(rhoU_[c]);
         rho_[c] -= h * s.rho;
         rhoU_[c] -= h * s.rhoU;
         rhoE_[c] -= h * s.rhoE;
@@ -368,31 +391,64 @@ void Foam::mpm::eulerianFluids::newStates(const scalar dt, const solidOnFaces* p
             {
                 keepIsentrope(c, rho, W_[c].p);
             }
+
+            // Sure without a division
+            const scalar sure = 2 * rho_[c] * (rhoE_[c] - theta_[c] * surely[k]);
+            if (!(rho_[c] > 0 && sure > magSqr(rhoU_[c]) && sure < GREAT) && !isState(k, c))
+            {
+                bad_.append(oldState{c, rhoOld, rhoEOld, rhoUOld});
+            }
         }
     }
     forAll(interfaces_->cells(), s)
     {
-        relaxCell(s);
+        if (!relaxCell(s))
+        {
+            const label c = interfaces_->cells()[s];
+            bad_.append(oldState{c, rho_[c], rhoE_[c], rhoU_[c]});
+        }
     }
+    return !returnReduce(bad_.size() > 0, orOp<bool>());
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* pores)
+bool Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* pores, const bool last)
 {
     const noTraps guard;
     beside_ = pores;
-    startShares();
+    bounds_ = false;
+    firstTry_ = true;
+    lastTry_ = false;
+    keepOld(pores);
     setComposition(dt);
-    sums_ = sums{0, Zero, 0};
-    if (pores)
+    for (;;)
     {
-        volumes_.setSize(mesh_.nCells());
-        volumes_ = volumes{0, 0, 0};
+        startShares();
+        sums_ = sums{0, Zero, 0};
+        if (pores)
+        {
+            volumes_.setSize(mesh_.nCells());
+            volumes_ = volumes{0, 0, 0};
+        }
+        sumInside(dt, pores);
+        sumBoundary(dt, pores);
+        burn(dt);
+        if (newStates(dt, pores) || lastTry_)
+        {
+            break;
+        }
+        restore(dt);
+        firstTry_ = false;
+        if (!boundFaces(pores))
+        {
+            if (!last)
+            {
+                return false;
+            }
+            lastTry_ = true;
+        }
     }
-    sumInside(dt, pores);
-    sumBoundary(dt, pores);
-    burn(dt);
-    newStates(dt, pores);
     addViscosity(dt);
+    return true;
 }

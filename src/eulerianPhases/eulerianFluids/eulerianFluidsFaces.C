@@ -410,7 +410,7 @@ void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
 void Foam::mpm::eulerianFluids::widenFirst()
 {
     boolList near(mesh_.nPoints(), false);
-    const label nCells = mesh_.nCells(), nInternal = mesh_.nInternalFaces();
+    const label nCells = mesh_.nCells();
     for (label c = 0; c < nCells; ++c)
     {
         if (first_[c])
@@ -432,6 +432,12 @@ void Foam::mpm::eulerianFluids::widenFirst()
             }
         }
     }
+    swapFirst();
+}
+
+void Foam::mpm::eulerianFluids::swapFirst()
+{
+    const label nCells = mesh_.nCells(), nInternal = mesh_.nInternalFaces();
     scalarField behind(Wb_.size(), 0);
     for (const label f : faces_.coupled)
     {
@@ -452,9 +458,17 @@ void Foam::mpm::eulerianFluids::faceFlux(const scalar dt, const solidOnFaces* po
     interfaces_->update(contents());
     setJumps();
     first_ = interfaces_->near();
+    for (const label c : torn_)
+    {
+        first_[c] = true;
+    }
     if (jump_.size() && n_ > 1 && reconstruction_.byCells())
     {
         widenFirst();
+    }
+    else if (!coupled_.empty())
+    {
+        swapFirst();
     }
     if (pores)
     {

@@ -143,11 +143,14 @@ Foam::wordList Foam::mpm::eulerianFluids::fluidNames() const
 
 Foam::List<Foam::mpm::eulerianFlow::fluidSums> Foam::mpm::eulerianFluids::fluidContents() const
 {
-    // Their energies by the common pressure, the sum is that of the cell
+    // Their energies by the common pressure. The sum is that of the cell, by
+    // the largest, which may be torn
     const scalarField& V = mesh_.V();
     List<fluidSums> all(n_);
     forAll(rho_, c)
     {
+        label most = 0;
+        scalar sum = 0, sizes = 0;
         for (label k = 0; k < n_; ++k)
         {
             const scalar m = mass_[n_ * c + k], theta = part_[n_ * c + k];
@@ -160,10 +163,16 @@ Foam::List<Foam::mpm::eulerianFlow::fluidSums> Foam::mpm::eulerianFluids::fluidC
             s.mass += V[c] * m;
             s.momentum += V[c] * m * W_[c].u;
             s.kinetic += 0.5 * V[c] * m * magSqr(W_[c].u);
-            s.internal += V[c] * theta
+            const scalar e = V[c] * theta
                 * fluidMixture::energy(mixture_.at(k, rho, burntOf(c, k)), rho, W_[c].p);
+            s.internal += e;
             s.volume += V[c] * theta;
+            sum += e;
+            sizes += mag(e);
+            most = m > mass_[n_ * c + most] ? k : most;
         }
+        const scalar rest = V[c] * (rhoE_[c] - 0.5 * (rhoU_[c] & W_[c].u)) - sum;
+        all[most].internal += mag(rest) > 1e-9 * sizes ? rest : scalar(0);
     }
     return all;
 }
@@ -195,6 +204,12 @@ void Foam::mpm::eulerianFluids::report() const
          << total(relaxed_) << ", isentropic " << total(fixups_.isentropic) << ", voids "
          << total(voids_) << " (energy " << total(fixups_.energy) << " added, mass "
          << total(fixups_.heldBack) << " held back, " << total(dropped_) << " dropped)" << endl;
+    const label bounded = total(fixups_.positive);
+    if (bounded || fixups_.halved)
+    {
+        Info << "    faces with bounded fluxes " << bounded << ", steps halved " << fixups_.halved
+             << endl;
+    }
     for (const label k : burning_)
     {
         Info << "    burnt of " << mixture_.name(k) << ": " << burntShare(k) << endl;

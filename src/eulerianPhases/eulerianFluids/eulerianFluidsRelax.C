@@ -15,6 +15,10 @@ namespace
 //  1e-45 Pa, and what closes such voids follows from rounding
 constexpr Foam::scalar leastOfVoid = 1e-7;
 
+//- Largest energy of a cell's fix-up over that of the cell, where a smaller step
+//  may need none
+constexpr Foam::scalar mostKept = 0.05;
+
 } // End anonymous namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -34,11 +38,15 @@ void Foam::mpm::eulerianFluids::startShares()
             shares_[n_ * s + k] = {
                 theta, m,
                 m > 0 ? theta * fluidMixture::energy(mixture_.at(k, rho, F), rho, W_[c].p) : 0, F};
+            if (m > 0 && isTorn(c, k))
+            {
+                shares_[n_ * s + k].e0 = theta * t_[c].rhoE;
+            }
         }
     }
 }
 
-void Foam::mpm::eulerianFluids::relaxCell(const label s)
+bool Foam::mpm::eulerianFluids::relaxCell(const label s)
 {
     const label c = interfaces_->cells()[s];
     fluidMixture::share* share = shares_.begin() + n_ * s;
@@ -56,6 +64,10 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
                 && (of.m > 10 * before * of.A || of.m < 0.1 * before * of.A));
         if (rounding)
         {
+            if (of.A < -1e-10 * theta_[c] && !lastTry_)
+            {
+                return false;
+            }
             if (of.A < -1e-10 * theta_[c] && badCell_ < 0)
             {
                 badCell_ = c;
@@ -71,6 +83,9 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         }
         else
         {
+            // Gas that has left a void: less than any rounding, but more than
+            // what can't be squared
+            of.m = max(of.m, 1e-30 * rho_[c] * of.A);
             only = k;
             ++several;
             (isGas(k) ? gas : other) = true;
@@ -85,10 +100,14 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
             mass[k] = share[k].m;
         }
         rho_[c] = only < 0 ? 0 : mass[only];
-        return;
+        return only >= 0 && isState(only, c);
     }
     bool common = true;
     const scalar P = mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common);
+    if (!common && !lastTry_)
+    {
+        return false;
+    }
     if (!common && badCell_ < 0)
     {
         badCell_ = c;
@@ -114,10 +133,38 @@ void Foam::mpm::eulerianFluids::relaxCell(const label s)
         total += mass[k];
     }
     rho_[c] = total;
-    heatCell(c, share, P, gas, other);
+    return heatCell(c, share, P, gas, other);
 }
 
-void Foam::mpm::eulerianFluids::heatCell(
+Foam::scalar Foam::mpm::eulerianFluids::ofGas(const label c) const
+{
+    scalar sum = 0;
+    for (label k = 0; k < n_; ++k)
+    {
+        sum += isGas(k) ? mass_[n_ * c + k] : scalar(0);
+    }
+    return sum;
+}
+
+Foam::scalar Foam::mpm::eulerianFluids::mostOfEmpty(const label c) const
+{
+    // What a void had of energy stays when all mass has gone: without this
+    // bound c^2 = p/rho has none
+    const scalar* mass = mass_.cdata() + n_ * c;
+    scalar rho0 = 0, c2 = 0;
+    for (label k = 0; k < n_; ++k)
+    {
+        if (!isGas(k) && mass[k] > 0)
+        {
+            rho0 = max(rho0, mixture_.rho0(k));
+            c2 = max(c2, sqr(mixture_.least(k).c));
+        }
+    }
+    const bool empty = c2 > 0 && rho_[c] < 1e-4 * rho0 * theta_[c] && ofGas(c) < 1e-6 * rho_[c];
+    return empty ? rho_[c] / theta_[c] * c2 : GREAT;
+}
+
+bool Foam::mpm::eulerianFluids::heatCell(
     const label c, const fluidMixture::share* share, scalar P, const bool gas, const bool other)
 {
     scalar* part = part_.begin() + n_ * c;
@@ -131,7 +178,13 @@ void Foam::mpm::eulerianFluids::heatCell(
         const fluidMixture::moduli at = mixture_.at(part, mass, P, F);
         const scalar Q = energy - at.energy;
         wet = min(at.liquid / 0.8, scalar(1));
-        least = leastOfVoid * at.stiffest;
+        if (gas)
+        {
+            // Nor do traces of gas take the heat of products (1e14 J/kg in
+            // what was left between two slugs that met)
+            wet = max(wet, min((1e-6 - ofGas(c) / rho_[c]) / 9e-7, scalar(1)));
+        }
+        least = min(leastOfVoid * at.stiffest, mostOfEmpty(c));
         if (wet > 0 && Q > -1e-3 * at.store)
         {
             P = mixture_.heat(share, P, wet * Q, wet, part);
@@ -142,13 +195,37 @@ void Foam::mpm::eulerianFluids::heatCell(
     {
         p = mixture_.pressure(part, mass, energy, F);
     }
+    if (!gas && p < 0 && mixture_.at(part, mass, p, F).torn)
+    {
+        // Torn, as one fluid is
+        scalar fast = 0;
+        for (label k = 0; k < n_; ++k)
+        {
+            fast = mass[k] > 0 ? max(fast, mixture_.least(k).c) : fast;
+        }
+        relaxedP_[c] = 1e-7 * sqr(fast) * rho_[c] / theta_[c];
+        return !firstTry_ && (lastTry_ || energy / rho_[c] > leastAround(c) - 0.05 * sqr(fast));
+    }
     if (gas && !(p >= 0.3 * P))
     {
         const scalar E = mixture_.at(part, mass, P, F).energy + kinetic;
+        if (!lastTry_ && E - rhoE_[c] > mostKept * (mag(rhoE_[c]) + kinetic))
+        {
+            return false;
+        }
         bookFixup(c, (E - rhoE_[c]) * mesh_.V()[c]);
         rhoE_[c] = E;
         p = P;
         ++relaxed_;
+    }
+    const scalar most = gas && other ? mostOfEmpty(c) : GREAT;
+    if (p > most)
+    {
+        const scalar E = mixture_.at(part, mass, most, F).energy + kinetic;
+        bookFixup(c, (E - rhoE_[c]) * mesh_.V()[c]);
+        rhoE_[c] = E;
+        p = most;
+        ++voids_;
     }
     if (gas && wet == 1 && p < least)
     {
@@ -158,6 +235,7 @@ void Foam::mpm::eulerianFluids::heatCell(
         ++voids_;
     }
     relaxedP_[c] = wet > 0 ? p : -1;
+    return mag(p) < GREAT && mag(rhoE_[c]) < GREAT;
 }
 
 void Foam::mpm::eulerianFluids::makeBurnt(const fieldStates* states)

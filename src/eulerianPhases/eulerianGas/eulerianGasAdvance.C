@@ -318,7 +318,7 @@ void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::eulerianGas::advance(const scalar dt, const solidOnFaces* pores)
+bool Foam::mpm::eulerianGas::advance(const scalar dt, const solidOnFaces* pores, const bool)
 {
     const noTraps guard;
 
@@ -348,6 +348,7 @@ void Foam::mpm::eulerianGas::advance(const scalar dt, const solidOnFaces* pores)
         cells<false, false, true>(dt, pores);
     }
     addViscosity(dt);
+    return true;
 }
 
 // * * * * * * * * * * * * * * * Instantiations  * * * * * * * * * * * * * * //

@@ -190,6 +190,79 @@ Foam::scalar Foam::mpm::fluidMixture::ofTwo(
     return one > 0 ? -2 * none / (one + root) : (root - one) / (2 * two);
 }
 
+Foam::mpm::fluidMixture::torn Foam::mpm::fluidMixture::leastOf(const fluid& f) const
+{
+    scalar K = f.gamma * f.pInf, rho = f.rho0;
+    if (!(f.gamma > 0) && rho > 0)
+    {
+        const terms t(f.law.valid() ? f.law->at(rho, 1) : f.thermo->equation().at(rho));
+        K = rho * c2(t, rho, 1e5);
+    }
+    if (!(K > 0 && rho > 0))
+    {
+        return {0, 0};
+    }
+    return {1e-6 * K / rho, std::sqrt(K / rho)};
+}
+
+inline void Foam::mpm::fluidMixture::tear(
+    const fluid& f, const scalar rho, const scalar e, scalar& p, scalar& c2, scalar& strength)
+{
+    if (f.least.tears(rho, p, strength) && rho > 0 && mag(e) < GREAT)
+    {
+        p = max(p, f.least.p(rho));
+        c2 = f.least.c2;
+        strength = rho * c2;
+    }
+}
+
+bool Foam::mpm::fluidMixture::anyVolumes(
+    const share* s, const scalar theta, scalar& P, scalar* thetas) const
+{
+    FixedList<touching, most> t;
+    scalar own = 0, full = 0, most = 0, largest = 0;
+    forAll(fluids_, k)
+    {
+        t[k] = {0, 0, 0};
+        if (s[k].m > 0 && !touch(k, s[k], s[k].A, t[k], own))
+        {
+            const torn& l = fluids_[k].least;
+            const scalar rho = s[k].m / s[k].A;
+            const scalar p = mag(own) < 0.1 * GREAT ? max(own, l.p(rho)) : l.p(rho);
+            const scalar stiff = max(rho * l.c2, p);
+            t[k] = {0, s[k].A * stiff, stiff - p};
+        }
+        full += t[k].least;
+        if (s[k].m > 0 && s[k].A > largest)
+        {
+            largest = s[k].A;
+            most = t[k].C / (s[k].A - t[k].least) - t[k].pInf;
+        }
+    }
+    const scalar shrink = min(0.9 * theta / max(full, VSMALL), 1.0);
+    forAll(fluids_, k)
+    {
+        t[k].least *= shrink;
+    }
+    if (!pressureOf(t.begin(), s, theta, P))
+    {
+        // Traces whose pressure the largest does not see
+        P = most;
+        forAll(fluids_, k)
+        {
+            thetas[k] = s[k].m > 0 ? s[k].A : 0;
+        }
+        return mag(P) < GREAT;
+    }
+    bool finite = true;
+    forAll(fluids_, k)
+    {
+        thetas[k] = s[k].m > 0 ? max(t[k].least + t[k].C / (P + t[k].pInf), 0.1 * s[k].A) : 0;
+        finite = finite && thetas[k] >= 0 && thetas[k] < GREAT;
+    }
+    return finite;
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordList& names)
@@ -203,7 +276,7 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(properties, name);
-        fluid f{name, gasThermo::New(dict), 0, 0, 0, nullptr};
+        fluid f{name, gasThermo::New(dict), 0, 0, 0, nullptr, {0, 0}};
         const gasThermo& thermo = *f.thermo;
         if (!thermo.hasEnergy())
         {
@@ -235,11 +308,22 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
             }
             f.law = detonation::New(law, thermo.equation());
         }
+        f.least = leastOf(f);
         fluids_.append(new fluid(std::move(f)));
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::mpm::fluidMixture::tears() const
+{
+    bool one = false;
+    for (const fluid& f : fluids_)
+    {
+        one = one || f.least.c2 > 0;
+    }
+    return one;
+}
 
 void Foam::mpm::fluidMixture::states(
     const label k, const label n, const scalar* rho, const scalar* p, scalar* K, scalar* rhoE,
@@ -273,11 +357,17 @@ void Foam::mpm::fluidMixture::pressures(
     const fluid& f = fluids_[k];
     if (f.gamma > 0)
     {
+        scalar least = GREAT;
         for (label i = 0; i < n; ++i)
         {
             p[i] = (f.gamma - 1) * rho[i] * e[i] - f.gamma * f.pInf;
             strength[i] = p[i] + f.pInf;
             c2[i] = f.gamma * strength[i] / rho[i];
+            least = min(least, p[i]);
+        }
+        for (label i = 0; f.least.c2 > 0 && !(least > 0) && i < n; ++i)
+        {
+            tear(f, rho[i], e[i], p[i], c2[i], strength[i]);
         }
         return;
     }
@@ -287,6 +377,10 @@ void Foam::mpm::fluidMixture::pressures(
         p[i] = t.A + t.B * e[i];
         c2[i] = t.dA + e[i] * t.dB + p[i] * t.B / sqr(rho[i]);
         strength[i] = rho[i] * c2[i] / (1 + t.B / rho[i]);
+        if (f.least.c2 > 0)
+        {
+            tear(f, rho[i], e[i], p[i], c2[i], strength[i]);
+        }
     }
 }
 
@@ -311,7 +405,7 @@ Foam::scalar Foam::mpm::fluidMixture::pressure(
 Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at(
     const scalar* theta, const scalar* m, const scalar p, const scalar* F) const
 {
-    moduli all{0, 0, 0, GREAT, 0, 0, 0};
+    moduli all{0, 0, 0, GREAT, 0, 0, 0, false};
     scalar volume = 0, soft = 0, mass = 0;
     forAll(fluids_, k)
     {
@@ -319,7 +413,13 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at(
         {
             const scalar rho = m[k] / theta[k];
             const terms t(F ? at(k, rho, F[k]) : at(k, rho));
-            const scalar c = c2(t, rho, p);
+            const scalar least = fluids_[k].least.c2;
+            scalar c = c2(t, rho, p);
+            if (!(c > 0) && least > 0)
+            {
+                c = least;
+                all.torn = true;
+            }
             all.frozen += m[k] * c;
             all.energy += theta[k] * energy(t, rho, p);
             all.strength = min(all.strength, rho * c / (1 + t.B / rho));
@@ -395,6 +495,15 @@ Foam::scalar Foam::mpm::fluidMixture::relax(
     if (!done || !found)
     {
         done = enclose(s, theta, P, thetas, evaluations);
+    }
+    bool finite = mag(P) < GREAT;
+    forAll(fluids_, k)
+    {
+        finite = finite && mag(thetas[k]) < GREAT;
+    }
+    if (!done || !finite)
+    {
+        done = anyVolumes(s, theta, P, thetas);
     }
     if (common)
     {
