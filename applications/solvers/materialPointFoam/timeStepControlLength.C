@@ -231,6 +231,22 @@ void Foam::mpm::timeStepControl::checkFirst(const scalar dt) const
     }
 }
 
+void Foam::mpm::timeStepControl::checkWrites() const
+{
+    const dictionary& dict = time_.controlDict();
+    const word control(dict.getOrDefault<word>("writeControl", "timeStep"));
+    const scalar interval = dict.getOrDefault<scalar>("writeInterval", 0);
+    const scalar run = time_.endTime().value() - time_.startTime().value();
+    const bool inTime =
+        control == "runTime" || control == "adjustableRunTime" || control == "adjustable";
+    if (inTime && !openEnd() && run > 0 && interval > 1.001 * time_.endTime().value())
+    {
+        IOWarningInFunction(dict) << "writeInterval " << interval << " s is beyond endTime "
+                                  << time_.endTime().value() << " s: nothing will be written."
+                                  << endl;
+    }
+}
+
 Foam::scalar Foam::mpm::timeStepControl::printDeltaT()
 {
     const scalar CoPoints = points() ? points()->courantRate() * sub_ : 0;
@@ -336,6 +352,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
     if (!nSteps_)
     {
         announceSteps();
+        checkWrites();
     }
     setSubSteps();
     watchDeltaT();

@@ -149,7 +149,8 @@ Foam::scalar Foam::mpm::eulerianFluids::ofGas(const label c) const
 Foam::scalar Foam::mpm::eulerianFluids::mostOfEmpty(const label c) const
 {
     // What a void had of energy stays when all mass has gone: without this
-    // bound c^2 = p/rho has none
+    // bound c^2 = p/rho has none (8e5 m/s in a cavity of 4e-10 kg/m3). No gas
+    // has p/rho of 30 times the liquid's c^2
     const scalar* mass = mass_.cdata() + n_ * c;
     scalar rho0 = 0, c2 = 0;
     for (label k = 0; k < n_; ++k)
@@ -160,8 +161,9 @@ Foam::scalar Foam::mpm::eulerianFluids::mostOfEmpty(const label c) const
             c2 = max(c2, sqr(mixture_.least(k).c));
         }
     }
-    const bool empty = c2 > 0 && rho_[c] < 1e-4 * rho0 * theta_[c] && ofGas(c) < 1e-6 * rho_[c];
-    return empty ? rho_[c] / theta_[c] * c2 : GREAT;
+    const bool empty = c2 > 0 && rho_[c] < 1e-4 * rho0 * theta_[c];
+    const scalar bound = ofGas(c) < 1e-6 * rho_[c] ? 1 : 30;
+    return empty ? bound * rho_[c] / theta_[c] * c2 : GREAT;
 }
 
 bool Foam::mpm::eulerianFluids::heatCell(

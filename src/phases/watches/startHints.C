@@ -273,6 +273,10 @@ void Foam::mpm::warnOfUnits(const materialPointPhase& phase, const dictionary& d
     }
     const dictionary& failure = dict.subOrEmptyDict("failureModel");
     warnOfStrength(phase, failure, "strength");
+    warnOfLeast(phase, failure, "ambientPressure", 100, "it is in Pa, 1e5 for 1 bar.");
+    warnOfLeast(
+        phase, law.subOrEmptyDict("equationOfState"), "C0", 50,
+        "it is in m/s, 5330 for 5.33 km/s.");
     if (law.get<word>("type") == "JohnsonCook")
     {
         warnOfLeast(phase, law, "G", 1e5, "it is in Pa, 77e9 for 77 GPa.");
