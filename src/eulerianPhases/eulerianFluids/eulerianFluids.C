@@ -291,6 +291,7 @@ Foam::mpm::eulerianFluids::eulerianFluids(
         reconstruction_.checkWeight();
     }
     start(states);
+    checkTorn();
     startBurning();
 
     Info << "Fluids with one velocity and one pressure, "

@@ -250,6 +250,35 @@ Foam::string Foam::mpm::eulerianFluids::aboutNuclei() const
     return os.str();
 }
 
+void Foam::mpm::eulerianFluids::checkTorn()
+{
+    if (restarted_ || !returnReduce(torn_.size() > 0, orOp<bool>()))
+    {
+        return;
+    }
+    if (torn_.size())
+    {
+        const label c = torn_[0];
+        label k = 0;
+        while (!(mass_[n_ * c + k] > 0))
+        {
+            ++k;
+        }
+        OStringStream os;
+        os << "Fluid " << mixture_.name(k) << " starts torn in cell " << c << " at "
+           << mesh_.cellCentres()[c] << ": with the density " << W_[c].rho
+           << " kg/m3 and the pressure of 0/p"
+           << " it has no speed of sound; rho c^2 must be positive." << nl
+           << "Look into 0/p, 0/rho." << mixture_.name(k) << " and constant/phaseProperties.";
+        if (!canTear())
+        {
+            os << nl << aboutNuclei().c_str();
+        }
+        whyBad_ = os.str();
+    }
+    stop(torn_.size() ? torn_[0] : -1);
+}
+
 void Foam::mpm::eulerianFluids::checkTension() const
 {
     if (tension_ || canTear())

@@ -164,8 +164,7 @@ int main(int argc, char* argv[])
         }
         raw = rawNew;
 
-        gas.faceFlux(dt, &pores);
-        gas.advance(dt, &pores);
+        gas.step(dt, &pores);
         runTime.setDeltaT(dt);
         ++runTime;
         gas.correct();
