@@ -31,6 +31,7 @@ def fluids(liquid=WATER, air=AIR, p="1e5", T="300", far=None, points=False, kind
                  "type zeroGradient;")):
             putField(case, name, kindOf, dimensions, value, outside)
         case.sub("system/controlDict", r"endTime +0\.2", "endTime 1e-3")
+        case.sub("system/controlDict", r"writeInterval +\S+;", "writeInterval 1e-3;")
         case.sub("system/controlDict", r"deltaT +5e-4", "deltaT 1e-6")
     return change
 
