@@ -121,8 +121,9 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
             os << ' ' << mixture_.name(k) << " volume " << share[k].A << ", mass " << share[k].m
                << ", energy " << share[k].e0 << (k + 1 < n_ ? ";" : ".");
         }
-        os << nl << "A smaller maxCoGas in system/controlDict or upwind for"
-           << " reconstruct(...) in system/fvSchemes often helps.";
+        os << nl << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.* and 0/rho.*. Later: a"
+           << " smaller maxCoGas in system/controlDict or upwind for reconstruct(...) in"
+           << " system/fvSchemes often helps.";
         whyBad_ = os.str();
     }
     scalar total = 0;
