@@ -151,7 +151,7 @@ Foam::scalar Foam::mpm::eulerianFluids::mostOfEmpty(const label c) const
 {
     // What a void had of energy stays when all mass has gone: without this
     // bound c^2 = p/rho has none (8e5 m/s in a cavity of 4e-10 kg/m3). No gas
-    // has p/rho of 30 times the liquid's c^2
+    // has p/rho of 1000 times the liquid's c^2
     const scalar* mass = mass_.cdata() + n_ * c;
     scalar rho0 = 0, c2 = 0;
     for (label k = 0; k < n_; ++k)
@@ -163,7 +163,7 @@ Foam::scalar Foam::mpm::eulerianFluids::mostOfEmpty(const label c) const
         }
     }
     const bool empty = c2 > 0 && rho_[c] < 1e-4 * rho0 * theta_[c];
-    const scalar bound = ofGas(c) < 1e-6 * rho_[c] ? 1 : 30;
+    const scalar bound = ofGas(c) < 1e-6 * rho_[c] ? 1 : 1000;
     return empty ? bound * rho_[c] / theta_[c] * c2 : GREAT;
 }
 
