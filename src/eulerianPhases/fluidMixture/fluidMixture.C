@@ -439,7 +439,8 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at(
 }
 
 Foam::scalar Foam::mpm::fluidMixture::relax(
-    const share* s, const scalar theta, scalar* thetas, label* looks, bool* common) const
+    const share* s, const scalar theta, scalar* thetas, label* looks, bool* common,
+    const bool any) const
 {
     label n = 0, first = -1, second = -1, others = 0, evaluations = 0;
     FixedList<touching, most> t;
@@ -501,7 +502,7 @@ Foam::scalar Foam::mpm::fluidMixture::relax(
     {
         finite = finite && mag(thetas[k]) < GREAT;
     }
-    if (!done || !finite)
+    if (any && (!done || !finite))
     {
         done = anyVolumes(s, theta, P, thetas);
     }

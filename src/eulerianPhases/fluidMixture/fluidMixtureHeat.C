@@ -24,7 +24,7 @@ Foam::scalar Foam::mpm::fluidMixture::relaxAgain(
         }
     }
     bool found = true;
-    const scalar next = relax(heated.cdata(), volume, volumes.begin(), nullptr, &found);
+    const scalar next = relax(heated.cdata(), volume, volumes.begin(), nullptr, &found, false);
     if (!found || !(next > 0))
     {
         return P;
