@@ -81,18 +81,10 @@ void Foam::mpm::eulerianFluids::primitives()
         List<DynamicList<label>> of(n_);
         forAll(theta_, c)
         {
-            label only = -1, several = 0;
-            for (label k = 0; k < n_; ++k)
+            const label k = only(c);
+            if (k >= 0)
             {
-                if (mass_[n_ * c + k] > 0)
-                {
-                    only = k;
-                    ++several;
-                }
-            }
-            if (several == 1)
-            {
-                of[only].append(c);
+                of[k].append(c);
             }
             else
             {
@@ -121,13 +113,7 @@ void Foam::mpm::eulerianFluids::primitives()
         for (const label c : torn_)
         {
             // What is torn may close
-            for (label k = 0; k < n_; ++k)
-            {
-                if (mass_[n_ * c + k] > 0)
-                {
-                    rate = max(rate, mixture_.least(k).c * faceRates_.all[c]);
-                }
-            }
+            rate = max(rate, mixture_.least(only(c)).c * faceRates_.all[c]);
         }
         for (const label k : burning_)
         {

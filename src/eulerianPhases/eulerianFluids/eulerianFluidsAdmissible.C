@@ -95,20 +95,12 @@ void Foam::mpm::eulerianFluids::spreadTears()
     coupled_.swap(behind);
     const auto tear = [&](const label c)
     {
-        label only = -1, several = 0;
-        for (label k = 0; k < n_; ++k)
-        {
-            if (mass_[n_ * c + k] > 0)
-            {
-                only = k;
-                ++several;
-            }
-        }
-        if (several == 1 && !torn[c] && W_[c].p < 0)
+        const label k = torn[c] || !(W_[c].p < 0) ? -1 : only(c);
+        if (k >= 0)
         {
             torn[c] = true;
             torn_.append(c);
-            const fluidMixture::torn& least = mixture_.least(only);
+            const fluidMixture::torn& least = mixture_.least(k);
             gasState& w = W_[c];
             w.p = least.p(w.rho);
             t_[c].K = t_[c].strength = least.c2 * w.rho;

@@ -258,12 +258,7 @@ void Foam::mpm::eulerianFluids::checkTorn()
     }
     if (torn_.size())
     {
-        const label c = torn_[0];
-        label k = 0;
-        while (!(mass_[n_ * c + k] > 0))
-        {
-            ++k;
-        }
+        const label c = torn_[0], k = only(c);
         OStringStream os;
         os << "Fluid " << mixture_.name(k) << " starts torn in cell " << c << " at "
            << mesh_.cellCentres()[c] << ": with the density " << W_[c].rho

@@ -65,6 +65,13 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
             replace(phases, r"E +1e6;", "E 70e9;"), replace(phases, "strength +1e5;",
                                                              "strength 400;")), None,
          {"has": "Entry strength of phase block is 400 Pa, "}),
+        ("allowed: ambientPressure in bar", dry,
+         replace(phases, "strength +1e5;", "strength 1e5; ambientPressure 1;"), None,
+         {"has": "Entry ambientPressure of phase block is 1 "}),
+        ("allowed: C0 in km/s", dry, withPoints(replace(
+            phases, r"\$base;", "velocityField body; constitutiveModel { type NewtonianFluid;"
+            " rho 2700; mu 0; equationOfState { type MieGrueneisen; C0 5.33; S 1.34; Gamma0 2; } }"
+        )), None, {"has": "Entry C0 of phase block is 5.33"}),
         ("allowed: yield in MPa", dry, several(
             replace(phases, r"E +1e6;", "E 70e9;"), plastic("200")), None,
          {"has": "Entry yield of phase block is 200 Pa"}),
