@@ -245,6 +245,7 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     bounds_(false),
     firstTry_(true),
     lastTry_(false),
+    anyTorn_(false),
     warned_(n_, false),
     tension_(false),
     nuclei_(n_, Zero)

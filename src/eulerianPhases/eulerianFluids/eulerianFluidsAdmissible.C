@@ -78,7 +78,8 @@ void Foam::mpm::eulerianFluids::spreadTears()
 {
     // Nothing holds a surface under tension
     const label nCells = mesh_.nCells(), nInternal = mesh_.nInternalFaces();
-    if (!mixture_.tears() || !returnReduce(torn_.size() > 0, orOp<bool>()))
+    anyTorn_ = mixture_.tears() && returnReduce(torn_.size() > 0, orOp<bool>());
+    if (!anyTorn_)
     {
         return;
     }

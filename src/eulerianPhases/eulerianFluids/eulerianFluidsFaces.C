@@ -466,7 +466,7 @@ void Foam::mpm::eulerianFluids::faceFlux(const scalar dt, const solidOnFaces* po
     {
         widenFirst();
     }
-    else if (!coupled_.empty())
+    else if (anyTorn_)
     {
         swapFirst();
     }

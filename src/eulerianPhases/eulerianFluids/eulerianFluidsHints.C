@@ -252,7 +252,7 @@ Foam::string Foam::mpm::eulerianFluids::aboutNuclei() const
 
 void Foam::mpm::eulerianFluids::checkTorn()
 {
-    if (restarted_ || !returnReduce(torn_.size() > 0, orOp<bool>()))
+    if (restarted_ || !anyTorn_)
     {
         return;
     }

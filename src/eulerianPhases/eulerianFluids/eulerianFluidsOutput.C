@@ -171,6 +171,7 @@ Foam::List<Foam::mpm::eulerianFlow::fluidSums> Foam::mpm::eulerianFluids::fluidC
             sizes += mag(e);
             most = m > mass_[n_ * c + most] ? k : most;
         }
+        // Less is rounding
         const scalar rest = V[c] * (rhoE_[c] - 0.5 * (rhoU_[c] & W_[c].u)) - sum;
         all[most].internal += mag(rest) > 1e-9 * sizes ? rest : scalar(0);
     }

@@ -83,9 +83,11 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
         }
         else
         {
-            // Gas that has left a void: less than any rounding, but more than
-            // what can't be squared
-            of.m = max(of.m, 1e-30 * rho_[c] * of.A);
+            // What has left a void: less than any rounding, but more than what
+            // can't be squared
+            const scalar trace = max(1e-30 * rho_[c] * of.A - of.m, scalar(0));
+            of.m += trace;
+            dropped_ -= trace * mesh_.V()[c];
             only = k;
             ++several;
             (isGas(k) ? gas : other) = true;

@@ -67,7 +67,7 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
          {"has": "Entry strength of phase block is 400 Pa, "}),
         ("allowed: ambientPressure in bar", dry,
          replace(phases, "strength +1e5;", "strength 1e5; ambientPressure 1;"), None,
-         {"has": "Entry ambientPressure of phase block is 1 "}),
+         {"has": "Entry ambientPressure of phase block is 1: it is in Pa"}),
         ("allowed: C0 in km/s", dry, withPoints(replace(
             phases, r"\$base;", "velocityField body; constitutiveModel { type NewtonianFluid;"
             " rho 2700; mu 0; equationOfState { type MieGrueneisen; C0 5.33; S 1.34; Gamma0 2; } }"
