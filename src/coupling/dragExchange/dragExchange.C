@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "dragExchange.H"
+#include "pointEnergy.H"
 #include "dictionaryTools.H"
 #include "syncTools.H"
 
@@ -246,6 +247,7 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
         if (body)
         {
             body->addLoad(-J, x);
+            toBodies_ -= J & U;
         }
         else
         {
@@ -300,6 +302,7 @@ Foam::mpm::dragExchange::dragExchange(
     inertia_(fraction.mesh().nFaces(), 0),
     levels_(dynamic_cast<const twoLevelShares*>(&points.gridTransfer())),
     work_(0),
+    toBodies_(0),
     further_(false),
     owed_(points.phases().size()),
     owes_(false)
@@ -318,7 +321,7 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
     clear();
     ahead_.setSize(fraction_.gasPush().size(), Zero);
     present_.clear();
-    work_ = 0;
+    work_ = toBodies_ = 0;
     if (normalOnly_)
     {
         fraction_.updateNormals();
@@ -344,6 +347,10 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
         {
             findPresent(phasei);
         }
+    }
+    if (points_.energy().active())
+    {
+        points_.energy().sums().step.drag += returnReduce(toBodies_, sumOp<scalar>());
     }
 }
 

@@ -115,6 +115,7 @@ void Foam::mpm::dragExchange::payBody(const label phasei)
         if (body)
         {
             body->addLoad(-V * J, x);
+            toBodies_ -= V * (J & U);
         }
         else
         {

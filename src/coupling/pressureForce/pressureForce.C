@@ -2,6 +2,7 @@
 
 #include "pressureForce.H"
 #include "granularForce.H"
+#include "pointEnergy.H"
 #include <algorithm>
 #include <numeric>
 
@@ -80,6 +81,7 @@ Foam::scalar Foam::mpm::pressureForce::grainWork(const label phasei, const scala
     nodeForce_ = 0;
     points_.gridTransfer().addBodyForce(
         points_.phases()[phasei].cloud(), grainPush_[phasei], nodeForce_.data());
+    const scalarList& u = points_.energy().meanVelocity(points_.fieldOf(phasei));
 
     // Of own points only: nodes that processors share need no sum
     scalar work = 0;
@@ -87,7 +89,7 @@ Foam::scalar Foam::mpm::pressureForce::grainWork(const label phasei, const scala
     {
         for (label i = stride * n; i < stride * n + D; ++i)
         {
-            work += nodeForce_[i] * (field.U()[i] + 0.5 * field.dU()[i]);
+            work += nodeForce_[i] * u[i];
         }
     }
     return dt * work;
@@ -194,29 +196,42 @@ void Foam::mpm::pressureForce::sumWork(const scalar dt)
         }
     }
     work_ = 0;
+    scalar toPoints = 0;
     for (materialPointPhase& phase : points_.phases())
     {
-        if (!phase.prescribed())
-        {
-            continue;
-        }
         materialPointCloud& cloud = phase.cloud();
+        scalar work = 0;
         for (int d = 0; d < points_.grid().nDim(); ++d)
         {
             const scalar* F = (*cloud.gasForce())[d];
             const scalar* dx = (*cloud.displacement())[d];
             for (label p = 0; p < cloud.size(); ++p)
             {
-                work_ -= F[p] * dx[p];
+                work += F[p] * dx[p];
             }
         }
+        work_ -= phase.prescribed() ? work : 0;
+        toPoints += phase.prescribed() ? 0 : work;
     }
+    points_.energy().sums().step.pressure += returnReduce(toPoints, sumOp<scalar>());
 }
 
 void Foam::mpm::pressureForce::addWork(gasBudget& sums)
 {
     sums.rigid += work_;
     sums.granular += grainWork_;
+    scalar compression = 0;
+    forAll(points_.phases(), phasei)
+    {
+        materialPointCloud& cloud = points_.phases()[phasei].cloud();
+        const scalar* P = (*cloud.gasPressure())[0];
+        const scalar* v = (*cloud.gasVolume())[0];
+        for (label p = 0; !points_.phases()[phasei].motion() && p < cloud.size(); ++p)
+        {
+            compression += P[p] * (v[p] - fraction_.oldVolume(phasei)[p]);
+        }
+    }
+    points_.energy().sums().compression += returnReduce(compression, sumOp<scalar>());
     forAll(points_.phases(), phasei)
     {
         materialPointCloud& cloud = points_.phases()[phasei].cloud();

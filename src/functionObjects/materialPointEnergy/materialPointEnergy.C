@@ -13,15 +13,18 @@ Description
                 + dissipation + remap + damping + contact + residual
 
     Columns erosion, damping and contact are there if the case has any. In a
-    gas the residual is that of points and gas, with remap in it. The energy of
-    the gas (gas, gasGained since the start) and its gain by boundaries,
-    gravity, prescribed bodies, dry points and fix-ups are further columns, and
-    half of what the stress of the last step does (lastStep):
+    gas the residual is that of points and gas. The energy of the gas (gas,
+    gasGained since the start) and its gain by boundaries, gravity, prescribed
+    bodies, dry points and fix-ups are further columns:
 
         K + W + E = (K + W + E)_0 + transfer + boundary + external + failure
                     + gasBoundary + gasExternal + gasRigid + gasDry
-                    + gasFixups + dissipation + contact + lastStep + heat
+                    + gasFixups + dissipation + remap + contact + lastStep + heat
                     + granular + residual
+
+    with half the work of stresses in the last step, lastStep (energyBudget),
+    and what the gas gives to the points by pressure and drag, and exchange, the
+    part of the residual by which that is more than the gas loses.
 
     heat, what the gas gains from that of the points, and granular, the work of
     granularPressure, are there where a phase has the model.
@@ -73,11 +76,7 @@ class materialPointEnergy : public materialPointOutput
         {
             header += "\terosion[J]";
         }
-        header += "\tdissipation[J]";
-        if (!points.coupling())
-        {
-            header += "\tremap[J]";
-        }
+        header += "\tdissipation[J]\tremap[J]";
         if (points.damps())
         {
             header += "\tdamping[J]";
@@ -88,7 +87,7 @@ class materialPointEnergy : public materialPointOutput
         }
         if (points.coupling())
         {
-            header += "\tlastStep[J]";
+            header += "\tlastStep[J]\tpressure[J]\tdrag[J]\texchange[J]";
             if (points.coupling()->exchangesHeat())
             {
                 header += "\theat[J]";
@@ -123,11 +122,7 @@ class materialPointEnergy : public materialPointOutput
             {
                 os << tab << b->erosion();
             }
-            os << tab << b->losses.dissipation;
-            if (!b->hasGas)
-            {
-                os << tab << b->remap();
-            }
+            os << tab << b->losses.dissipation << tab << b->remap();
             if (points.damps())
             {
                 os << tab << b->damping;
@@ -138,7 +133,8 @@ class materialPointEnergy : public materialPointOutput
             }
             if (b->hasGas)
             {
-                os << tab << b->lastStep();
+                os << tab << b->lastStep << tab << b->pressure() << tab << b->work.drag << tab
+                   << b->exchange();
                 if (points.coupling()->exchangesHeat())
                 {
                     os << tab << b->gas.heat;

@@ -260,7 +260,7 @@ Foam::scalar Foam::mpm::pointContact::work(scalar& driven) const
             {
                 const label i = field.stride() * m.node + d;
                 w += field.part(m.node) * (isA ? -m.J[d] : m.J[d])
-                    * (b >= 0 ? ub(grid_.direction(d)) : field.U()[i] + 0.5 * field.dU()[i]);
+                    * (b >= 0 ? ub(grid_.direction(d)) : points_.energy().meanVelocity(fieldi)[i]);
             }
             work += drives ? 0 : w;
             driven -= drives ? w : 0;
@@ -279,7 +279,7 @@ void Foam::mpm::pointContact::impulse(const scalar dt)
     }
 }
 
-void Foam::mpm::pointContact::exchange(const scalar)
+void Foam::mpm::pointContact::moving(const scalar)
 {
     pointEnergy& energy = points_.energy();
     if (energy.active())

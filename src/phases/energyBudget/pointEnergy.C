@@ -33,6 +33,9 @@ void forLaterTerms(Budget& b, const Function& f)
     f("damping", b.damping);
     f("driven", b.work.driven);
     f("exchanged", b.exchanged);
+    f("pressure", b.work.pressure);
+    f("drag", b.work.drag);
+    f("compression", b.compression);
 }
 
 }
@@ -42,8 +45,6 @@ void forLaterTerms(Budget& b, const Function& f)
 Foam::mpm::pointEnergy::pointEnergy(materialPointSystem& points) :
     stepPart("energy"),
     points_(points),
-    stored_(0),
-    stepped_(false),
     startEnergy_(0),
     largestEnergy_(0),
     largestRead_(0),
@@ -107,16 +108,6 @@ void Foam::mpm::pointEnergy::noteEnergy(
     }
 }
 
-Foam::scalar Foam::mpm::pointEnergy::storedEnergy() const
-{
-    scalar stored = -returnReduce(losses_.failure + losses_.dissipation, sumOp<scalar>());
-    for (const materialPointPhase& phase : points_.phases())
-    {
-        stored += phase.motion() ? 0 : phase.strainEnergy();
-    }
-    return stored;
-}
-
 void Foam::mpm::pointEnergy::update() const
 {
     const pointCoupling* gas = points_.coupling();
@@ -136,7 +127,10 @@ void Foam::mpm::pointEnergy::update() const
     if (gas)
     {
         sums_.gas = gas->balance();
-        sums_.strainStep = stepped_ ? storedEnergy() - stored_ : 0;
+        pointLosses before(lossesBefore_);
+        before.reduceAll();
+        sums_.lastStep =
+            0.5 * (sums_.losses.work - before.work + sums_.compression - compressionBefore_);
     }
 }
 
@@ -174,12 +168,13 @@ const Foam::mpm::energyBudget* Foam::mpm::pointEnergy::budget() const
 void Foam::mpm::pointEnergy::begin(const scalar)
 {
     lossesBefore_ = losses_;
+    compressionBefore_ = sums_.compression;
     sums_.all = 0;
     sums_.step = forceWork();
-    if (sums_.active && points_.coupling())
+    impulse_.setSize(points_.fields().size());
+    for (scalarList& J : impulse_)
     {
-        stored_ = storedEnergy();
-        stepped_ = true;
+        J.clear();
     }
 }
 
@@ -195,6 +190,57 @@ void Foam::mpm::pointEnergy::impulse(const scalar dt)
         boundary += field.boundaryWork(dt, points_.g());
     }
     sums_.step.boundary += returnReduce(boundary, sumOp<scalar>());
+}
+
+void Foam::mpm::pointEnergy::addImpulse(const label fieldi, const scalar* impulse)
+{
+    const velocityField& field = points_.fields()[fieldi];
+    scalarList& J = impulse_[fieldi];
+    J.setSize(field.stride() * points_.grid().nNodes(), 0);
+    for (const label node : field.active())
+    {
+        for (label i = field.stride() * node; i < field.stride() * node + field.nDim(); ++i)
+        {
+            J[i] += field.part(node) * impulse[i];
+        }
+    }
+}
+
+void Foam::mpm::pointEnergy::moving(const scalar)
+{
+    if (!sums_.active)
+    {
+        return;
+    }
+    mean_.setSize(points_.fields().size());
+    scalar drag = 0;
+    forAll(mean_, fieldi)
+    {
+        velocityField& field = points_.fields()[fieldi];
+        scalarList& mean = mean_[fieldi];
+        const int stride = field.stride(), D = points_.grid().nDim();
+        mean.setSize(stride * points_.grid().nNodes());
+        mean = 0;
+        forAll(points_.phases(), phasei)
+        {
+            if (points_.fieldOf(phasei) == fieldi && !points_.phases()[phasei].motion())
+            {
+                points_.gridTransfer().massTimes(
+                    points_.phases()[phasei].cloud(), false, field.dU(), mean.data());
+            }
+        }
+        field.sumColumn(mean.data());
+        for (const label node : field.active())
+        {
+            const scalar m = field.momentum()[stride * node + D];
+            for (label i = stride * node; i < stride * node + D; ++i)
+            {
+                mean[i] = field.U()[i] + (m > 0 ? 0.5 * mean[i] / m : 0);
+                drag += impulse_[fieldi].empty() ? 0 : impulse_[fieldi][i] * mean[i];
+            }
+        }
+    }
+    sums_.step.drag += returnReduce(drag, sumOp<scalar>());
 }
 
 void Foam::mpm::pointEnergy::addMove(
@@ -219,7 +265,7 @@ void Foam::mpm::pointEnergy::addMove(
 void Foam::mpm::pointEnergy::accepted(const scalar)
 {
     forceWork& step = sums_.step;
-    step.internal = sums_.all - step.external - step.boundary - step.contact;
+    step.internal = sums_.all - (step.sum() - step.internal);
     sums_.work += step;
     sums_.exchanged += mag(step.external) + mag(step.boundary) + mag(step.driven);
 }
@@ -258,11 +304,11 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
     }
     sums_.active = true;
     const dictionary& energy = requiredDict(state, "energy");
-    checkKeywords(
-        energy,
-        {"kinetic0", "strain0", "internal", "external", "boundary", "failure", "dissipation",
-         "stressWork", "erodedKinetic", "erodedStored", "gas", "contact", "damping", "driven",
-         "exchanged", "largest", "leastUnexplained"});
+    checkKeywords(energy, {"kinetic0",      "strain0",      "internal",    "external",
+                           "boundary",      "failure",      "dissipation", "stressWork",
+                           "erodedKinetic", "erodedStored", "gas",         "contact",
+                           "damping",       "driven",       "exchanged",   "pressure",
+                           "drag",          "compression",  "largest",     "leastUnexplained"});
     forTerms(
         sums_, [&](const char* name, scalar& value) { value = required<scalar>(energy, name); });
     forLaterTerms(
@@ -275,6 +321,8 @@ void Foam::mpm::pointEnergy::setState(const dictionary& state)
         losses_.dissipation = energy.getOrDefault<scalar>("dissipation", 0);
         losses_.work = energy.getOrDefault<scalar>("stressWork", -sums_.work.internal);
     }
+    lossesBefore_ = losses_;
+    compressionBefore_ = sums_.compression;
     if (pointCoupling* gas = points_.coupling())
     {
         gas->startBudget();
@@ -315,6 +363,7 @@ void Foam::mpm::pointEnergy::report() const
         {
             Info << ", contact " << b->work.contact;
         }
+        Info << ", remap " << b->remap();
         if (points_.erosion().erodes())
         {
             Info << ", erosion " << b->erosion();
@@ -337,13 +386,11 @@ void Foam::mpm::pointEnergy::report() const
             {
                 Info << ", granular " << g.granular;
             }
-            Info << nl << "    last step " << b->lastStep() << ", all";
+            Info << nl << "    to points: pressure " << b->pressure() << ", drag " << b->work.drag
+                 << nl << "    last step " << b->lastStep << ", laws " << b->laws() << ", exchange "
+                 << b->exchange();
         }
-        else
-        {
-            Info << ", remap " << b->remap() << ',';
-        }
-        Info << " residual " << b->residual() << nl;
+        Info << ", residual " << b->residual() << nl;
     }
     points_.reportSteps();
 }

@@ -104,6 +104,10 @@ void Foam::mpm::materialPointSystem::addImpulse(const label fieldi, scalar* impu
 {
     velocityField& field = fields_[fieldi];
     field.sumColumn(impulse);
+    if (energy_->active())
+    {
+        energy_->addImpulse(fieldi, impulse);
+    }
     const scalar work = field.addImpulse(impulse, energy_->active());
     if (energy_->active())
     {

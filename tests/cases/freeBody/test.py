@@ -425,7 +425,8 @@ def piston(table):
         mixture = case.series("balance", "mixture.dat")
         table.row(f"piston, {drag}: momentum of gas and piston that is missing / m V", 0,
                   np.abs(mixture[:, -3]).max()/(m[0]*speed), 1e-12)
-        residual = np.array(re.findall(r"all residual (\S+)", case.log()), float)
+        residual = sum(np.array(re.findall(rf"{name} ([^\s,]+)", case.log()), float)
+                       for name in ("remap", "residual"))
         table.row(f"piston, {drag}: energy residual / kinetic energy", 0,
                   np.abs(residual).max()/K[0], 0.005)
         last = t > t[-1] - period

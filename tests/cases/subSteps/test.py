@@ -152,7 +152,7 @@ def velocityOf(case):
 def residual(case):
     """All energy without a source, over what the gas has gained beside its boundary."""
     log = case.log()
-    wrong = float(re.findall(r"all residual (\S+)", log)[-1])
+    wrong = sum(float(re.findall(rf"{name} ([^\s,]+)", log)[-1]) for name in ("remap", "residual"))
     gained, boundary = map(float, re.findall(r"gained (\S+), boundary (\S+),", log)[-1])
     return abs(wrong/(gained - boundary))
 
