@@ -263,7 +263,8 @@ void Foam::mpm::eulerianFlow::limitOutflow(const scalar dt, const solidOnFaces* 
     }
     coupled_.swap(behind);
 
-    phiLimited_.setSize(phi_.size());
+    // 0 on faces of empty patches and wedges, which the loops below leave out
+    phiLimited_.setSize(phi_.size(), 0);
     for (label f = 0; f < nInternal; ++f)
     {
         const label donor = phi_[f] > 0 ? own[f] : nei[f];
