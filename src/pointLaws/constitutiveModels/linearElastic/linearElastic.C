@@ -173,9 +173,7 @@ public:
 
             if (!kirchhoff_)
             {
-                // 2 (exp(a) (a - 1) + 1)/a^2, by its series where a is small
-                w *= mag(a) < 1e-3 ? 1 + a * (2.0 / 3 + a * (0.25 + a / 15))
-                                   : 2 * (std::exp(a) * (a - 1) + 1) / sqr(a);
+                w *= cauchyEnergy(a);
             }
             sum += b.mass[p] / rho() * w;
         }
