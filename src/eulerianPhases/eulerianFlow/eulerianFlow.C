@@ -290,12 +290,22 @@ void Foam::mpm::eulerianFlow::addSources(
 {
     for (const label c : cells)
     {
-        rhoU_[c] += momentum[c];
-        rhoE_[c] += energy[c];
-        W_[c].u = (ahead.size() ? vector(rhoU_[c] + ahead[c]) : rhoU_[c]) / rho_[c];
-        U_[c] = W_[c].u;
+        sources_.append(source{c, momentum[c], ahead.size() ? ahead[c] : vector(Zero), energy[c]});
     }
+    addSources(sources_.size() - cells.size(), 1);
     velocityChanged();
+}
+
+void Foam::mpm::eulerianFlow::addSources(const label first, const scalar share)
+{
+    for (label i = first; i < sources_.size(); ++i)
+    {
+        const source& s = sources_[i];
+        rhoU_[s.c] += share * s.momentum;
+        rhoE_[s.c] += share * s.energy;
+        W_[s.c].u = (rhoU_[s.c] + mag(share) * s.ahead) / rho_[s.c];
+        U_[s.c] = W_[s.c].u;
+    }
 }
 
 void Foam::mpm::eulerianFlow::addHeat(const UList<label>& cells, const UList<scalar>& energy)
@@ -306,7 +316,8 @@ void Foam::mpm::eulerianFlow::addHeat(const UList<label>& cells, const UList<sca
     }
 }
 
-void Foam::mpm::eulerianFlow::step(const scalar dt, const solidOnFaces* pores, const label halves)
+void Foam::mpm::eulerianFlow::step(
+    const scalar dt, const solidOnFaces* pores, const label halves, const scalar share)
 {
     faceFlux(dt, pores);
     if (advance(dt, pores, halves == mostHalves))
@@ -325,16 +336,20 @@ void Foam::mpm::eulerianFlow::step(const scalar dt, const solidOnFaces* pores, c
         }
         half.dilation = dilation.cdata();
     }
-    step(0.5 * dt, pores ? &half : nullptr, halves + 1);
+    addSources(0, -0.5 * share);
+    velocityChanged();
+    step(0.5 * dt, pores ? &half : nullptr, halves + 1, 0.5 * share);
     primitives();
+    addSources(0, 0.5 * share);
     updateFields();
     updateBoundaryStates();
-    step(0.5 * dt, pores ? &half : nullptr, halves + 1);
+    step(0.5 * dt, pores ? &half : nullptr, halves + 1, 0.5 * share);
 }
 
 void Foam::mpm::eulerianFlow::step(const scalar dt, const solidOnFaces* pores)
 {
-    step(dt, pores, 0);
+    step(dt, pores, 0, 1);
+    sources_.clear();
 }
 
 void Foam::mpm::eulerianFlow::correct()

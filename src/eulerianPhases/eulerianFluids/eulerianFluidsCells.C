@@ -341,9 +341,9 @@ void Foam::mpm::eulerianFluids::sumBoundary(const scalar dt, const solidOnFaces*
     addWedgeSides(&first_);
 }
 
-void Foam::mpm::eulerianFluids::keepIsentrope(const label c, const scalar rho, const scalar p)
+void Foam::mpm::eulerianFluids::keepIsentrope(
+    const label c, const label k, const scalar rho, const scalar p)
 {
-    const label k = interfaces_->single()[c];
     const scalar gamma = mixture_.thermo(k).gamma();
     const scalar kinetic = 0.5 * magSqr(rhoU_[c]) / rho_[c];
     const scalar pNew = (gamma - 1) * (rhoE_[c] - kinetic) / theta_[c];
@@ -389,7 +389,7 @@ bool Foam::mpm::eulerianFluids::newStates(const scalar dt, const solidOnFaces* p
             part_[n_ * c + k] = theta_[c];
             if (pores && near_[c] && isGas(k))
             {
-                keepIsentrope(c, rho, W_[c].p);
+                keepIsentrope(c, k, rho, W_[c].p);
             }
 
             // Sure without a division

@@ -102,6 +102,10 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
             mass[k] = share[k].m;
         }
         rho_[c] = only < 0 ? 0 : mass[only];
+        if (beside_ && near_[c] && only >= 0 && isGas(only))
+        {
+            keepIsentrope(c, only, W_[c].rho, W_[c].p);
+        }
         return only >= 0 && isState(only, c);
     }
     bool common = true;
