@@ -88,13 +88,18 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         }
     }
 
+    const scalar inCell = shares_ ? shares_->share(celli) : scalar(1);
+    if (inCell <= 0)
+    {
+        return;
+    }
     const label nBefore = points_.size();
     scalarField part;
     for (label sub = 0; sub < nSub_; ++sub)
     {
         cutPoint c;
         scalar share = 1;
-        const int found = cutSubCell(celli, map, sub, c, share);
+        const int found = shares_ && inCell == 1 ? 1 : cutSubCell(celli, map, sub, c, share);
         if (found == 0)
         {
             continue;
@@ -131,6 +136,10 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         sub_.append(sub);
         points_.append(p);
     }
+    if (inCell < 1)
+    {
+        scaleTo(inCell, celli, nBefore, rho);
+    }
     if (points_.size() > nBefore)
     {
         cells_.append(celli);
@@ -147,25 +156,24 @@ Foam::mpm::pointRegion::pointRegion(
     name_(dict.dictName()),
     phase_(oneOf(dict, "phase", phases)),
     shape_(pointRegionShape::New(grid, dict)),
-    rows_(
-        inGas && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
-        && standsInRows(grid, *shape_)),
-    inGas_(inGas || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "sampled"),
-    byElements_(
-        isA<meshShape>(*shape_) && !(inGas && grid.hasLattice())
-        && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"),
+    sampled_(oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "sampled"),
+    whole_(true),
+    rows_(inGas && !sampled_ && standsInRows(grid, *shape_)),
+    inGas_(inGas),
+    byElements_(isA<meshShape>(*shape_) && !(inGas && grid.hasLattice()) && !sampled_),
     byCorners_(!grid.hasHexes()),
     emptyFaces_(gridNodes::emptyFaces(grid.mesh())),
-    m_(boundedLabelOrDefault(dict, "samples", inGas_ && !rows_ ? 1 : 4, 1, 8)),
+    m_(boundedLabelOrDefault(dict, "samples", sampled_ ? 1 : 4, 1, 8)),
     volumeFraction_(boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)),
     T_(dict.found("temperature") ? positive(dict, "temperature") : 0),
     mayOverlap_(oneOfOrDefault(dict, "overlap", "forbid", {"allow", "forbid"}) == "allow"),
     mass_(0),
-    volume_(0)
+    volume_(0),
+    lost_(0)
 {
     checkEntries();
     readPointsPerCell();
-    if (grid_.hasLattice() && !inGas_ && !byElements_)
+    if (grid_.hasLattice() && !sampled_ && !byElements_)
     {
         formula_.reset(new shapeFormula);
         if (!shape_->formula(*formula_))
@@ -176,6 +184,11 @@ Foam::mpm::pointRegion::pointRegion(
                 cutter_.reset(new facetCutter(grid_, n_, *s));
             }
         }
+    }
+    if (!sampled_ && !byElements_ && !formula_ && !cutter_)
+    {
+        shape_->formula(whole_);
+        shares_.reset(new cellCutter(grid_, whole_, columns_));
     }
     readVelocity();
     readStress();
@@ -330,11 +343,26 @@ void Foam::mpm::pointRegion::create(const scalar rho)
             byCorners_ ? fillCorners(celli, density) : fill(celli, density);
         }
     }
-    if (!inGas_)
+    if (!sampled_)
     {
         joinSmallParts();
+        joinSmallCells();
+        correct();
     }
-    placeCutPoints();
+    if (!grid_.hasLattice() && !sampled_)
+    {
+        fitParts();
+    }
+    else if (inGas_ && !sampled_)
+    {
+        placeInGas();
+    }
+    else
+    {
+        placeCutPoints();
+    }
+    cut_.clearStorage();
+    cutOf_.clear();
 
     if (points_.empty())
     {
