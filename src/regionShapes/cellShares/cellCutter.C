@@ -255,8 +255,7 @@ Foam::scalar Foam::mpm::cellCutter::share(const label celli) const
     return share < rounding ? scalar(0) : share > 1 - rounding ? scalar(1) : share;
 }
 
-Foam::mpm::volumeMoment
-Foam::mpm::cellCutter::part(const label celli, const polytope& p) const
+Foam::mpm::volumeMoment Foam::mpm::cellCutter::part(const label celli, const polytope& p) const
 {
     moments_ = true;
     const volumeMoment m(cut(celli, p, states(atoms_.size(), 2), 0));

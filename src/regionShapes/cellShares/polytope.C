@@ -69,8 +69,7 @@ Foam::mpm::polytope::polytope(const point& min, const point& max) : polytope()
 {
     for (const auto& s : sidesOfBox)
     {
-        const auto at = [&](const int i)
-        {
+        const auto at = [&](const int i) {
             return point(
                 i & 1 ? max.x() : min.x(), i & 2 ? max.y() : min.y(), i & 4 ? max.z() : min.z());
         };

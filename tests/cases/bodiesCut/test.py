@@ -13,9 +13,10 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+sys.path[:0] = [os.path.join(os.path.dirname(__file__), p) for p in ("../../lib", "../anyMesh")]
 from cellMesh import boxOfCells
 from foamCase import FoamCase, boxMesh, controlDict, noSchemes, runParts
+from meshes import refine
 from surfaces import prisms, surfaceRegion, writeTriangles
 from wedge import SECTOR, wedgeMesh
 
@@ -49,11 +50,7 @@ def scene(name, kind, D, regions, gas, ppc=2, n=N):
         case.write("system/blockMeshDict", boxMesh((0, 0, 0), high, cells, patches))
         case.run("blockMesh")
         if kind == "refined":
-            case.write("system/topoSetDict", {"actions": [{
-                "name": "c", "type": "cellSet", "action": "new", "source": "boxToCell",
-                "box": f"(0 0 0) (0.5 1 1)"}]})
-            case.run("topoSet")
-            case.run("refineHexMesh", "c", "-overwrite")
+            refine(case, (0, 0, 0), (0.5, 1, 1))
     else:
         boxOfCells(case, "tets" if kind == "polyhedra" else kind, (0, 0, 0), high, cells, patches)
         if kind == "polyhedra":

@@ -169,6 +169,8 @@ Foam::mpm::pointRegion::pointRegion(
     mayOverlap_(oneOfOrDefault(dict, "overlap", "forbid", {"allow", "forbid"}) == "allow"),
     mass_(0),
     volume_(0),
+    density_(0),
+    asked_(0),
     lost_(0)
 {
     checkEntries();
@@ -326,6 +328,7 @@ void Foam::mpm::pointRegion::checkRoom() const
 void Foam::mpm::pointRegion::create(const scalar rho)
 {
     const scalar density = dict_.found("density") ? positive(dict_, "density") : rho;
+    density_ = density;
     checkScale();
 
     if (rows_)
@@ -388,6 +391,56 @@ void Foam::mpm::pointRegion::create(const scalar rho)
 Foam::scalar Foam::mpm::pointRegion::exactVolume() const
 {
     return shape_->insideMesh() ? wholeVolume() : -1;
+}
+
+Foam::scalar Foam::mpm::pointRegion::askedVolume() const
+{
+    if (asked_ != 0)
+    {
+        return asked_;
+    }
+    asked_ = exactVolume();
+    shapeFormula formula(true);
+    shape_->formula(formula);
+    bool tells = !byElements_;
+    for (const pointRegionShape* body : formula.bodies())
+    {
+        tells = tells && body->facets();
+    }
+    if (asked_ > 0 || !tells)
+    {
+        return asked_;
+    }
+    cellCutter::columns columns;
+    const cellCutter cutter(grid_, formula, columns);
+    const scalarField& V = grid_.mesh().cellVolumes();
+    const boundBox& mesh = grid_.mesh().bounds();
+    const int r = grid_.radial() < 0 ? 0 : grid_.direction(grid_.radial());
+    scalar box = shape_->section();
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        box *= mesh.span()[grid_.direction(d)];
+    }
+    box *= grid_.radial() < 0 ? scalar(1) : grid_.sector() * mesh.midpoint()[r];
+    if (!formula.hasCells() && mag(sum(V) - box) < 1e-10 * box)
+    {
+        asked_ = volumeFraction_ * cutter.volumeInBounds();
+        return asked_;
+    }
+    asked_ = 0;
+    forAll(V, celli)
+    {
+        const boundBox cell(grid_.mesh().points(), grid_.mesh().cellPoints()[celli], false);
+        bool apart = false;
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            const int c = grid_.direction(d);
+            apart = apart || cell.min()[c] > shape_->bounds().max()[c]
+                || cell.max()[c] < shape_->bounds().min()[c];
+        }
+        asked_ += apart ? 0 : volumeFraction_ * V[celli] * cutter.share(celli);
+    }
+    return asked_;
 }
 
 Foam::scalar Foam::mpm::pointRegion::wholeVolume() const

@@ -164,7 +164,7 @@ void Foam::mpm::pointRegion::addParts(
             cutPoint c;
             c.point = points_.size();
             c.mean = p.x;
-            c.surfaces = identity(whole_.nSurfaces());
+            c.addSurfaces(whole_.nSurfaces());
             cutOf_.insert(c.point, cut_.size());
             cut_.append(c);
         }

@@ -16,8 +16,8 @@ constexpr Foam::scalar beyond = 1e-3;
 //- Half-sizes at a surface, over those of the sub-cell, are this at least
 constexpr Foam::scalar least = 0.2;
 
-//- Of parts of cells of any kind they are no larger than this
-constexpr Foam::scalar most = 2;
+//- Of parts of cells of any kind they are between these
+constexpr Foam::scalar thinnest = 1e-6, most = 2;
 
 }
 
@@ -295,14 +295,47 @@ void Foam::mpm::pointRegion::placeInGas()
 
 void Foam::mpm::pointRegion::fitParts()
 {
+    constexpr scalar largest = 4;
+
+    // Cells that are cut, those beside them and beside cells without points
+    labelHashSet near;
+    const labelHashSet filled(cells_);
+    for (const label celli : cells_)
+    {
+        for (const label other : grid_.mesh().cellCells()[celli])
+        {
+            if (!filled.found(other))
+            {
+                near.insert(celli);
+            }
+        }
+    }
+    boolList isCut(points_.size(), false);
     for (const cutPoint& c : cut_)
     {
-        if (c.point >= 0)
+        if (c.point < 0)
         {
-            materialPointCloud::newPoint& p = points_[c.point];
-            p.x = c.mean;
-            const scalar r = 2 * most * room(cellOf(c.point), c, p.x, 2 * most * p.halfSize);
-            p.halfSize *= r < 2 * most ? min(max(r, least), most) : 1;
+            continue;
+        }
+        isCut[c.point] = true;
+        const label k = cellOf(c.point);
+        materialPointCloud::newPoint& p = points_[c.point];
+        const scalar r = largest * room(k, c, p.x, largest * p.halfSize);
+        p.halfSize *= r < largest ? min(max(r, thinnest), most) : 1;
+        near.insert(cells_[k]);
+        near.insert(grid_.mesh().cellCells()[cells_[k]]);
+    }
+    cutPoint whole;
+    whole.addSurfaces(whole_.nSurfaces());
+    forAll(cells_, k)
+    {
+        for (label p = start_[k]; near.found(cells_[k]) && p < start_[k + 1]; ++p)
+        {
+            if (!isCut[p])
+            {
+                vector& l = points_[p].halfSize;
+                l *= max(room(k, whole, points_[p].x, l), thinnest);
+            }
         }
     }
 }

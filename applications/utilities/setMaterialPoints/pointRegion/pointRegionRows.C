@@ -80,8 +80,7 @@ void Foam::mpm::pointRegion::unequalRow(
     }
 }
 
-Foam::DynamicList<Foam::mpm::pointRegion::rowPoint>
-Foam::mpm::pointRegion::row(const int d) const
+Foam::DynamicList<Foam::mpm::pointRegion::rowPoint> Foam::mpm::pointRegion::row(const int d) const
 {
     constexpr scalar tolerance = 1e-9;
 

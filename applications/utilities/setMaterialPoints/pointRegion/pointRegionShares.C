@@ -56,7 +56,7 @@ int Foam::mpm::pointRegion::shareSubCell(
         c.variance[grid_.direction(d)] =
             sqr(mag(map.tangent(xi, d)) / (2 * n_[d])) / 3 * std::pow(part, 2.0 / grid_.nDim());
     }
-    c.surfaces = identity(whole_.nSurfaces());
+    c.addSurfaces(whole_.nSurfaces());
     if (grid_.radial() >= 0)
     {
         const int r = grid_.direction(grid_.radial());
@@ -84,7 +84,8 @@ Foam::mpm::pointRegion::inShape(const label celli, const cellParts::simplex& s) 
     vector up(1, 1, 1);
     up[grid_.direction(0)] = up[grid_.direction(1)] = 0;
     const bool turned = (((x[1] - x[0]) ^ (x[2] - x[0])) & up) < 0;
-    const point a(x[0] - 0.5 * up), b(x[turned ? 2 : 1] - 0.5 * up), c(x[turned ? 1 : 2] - 0.5 * up);
+    const point a(x[0] - 0.5 * up), b(x[turned ? 2 : 1] - 0.5 * up),
+        c(x[turned ? 1 : 2] - 0.5 * up);
     p.addFace({a, c, b});
     p.addFace({a + up, b + up, c + up});
     p.addFace({a, b, b + up, a + up});
@@ -115,6 +116,13 @@ void Foam::mpm::pointRegion::joinSmallCells()
     if (grid_.hasLattice())
     {
         return;
+    }
+    for (const cutPoint& c : cut_)
+    {
+        if (c.point >= 0)
+        {
+            points_[c.point].x = c.mean;
+        }
     }
     Map<label> placeOf;
     scalarField filled(cells_.size(), Zero);
