@@ -12,8 +12,9 @@ namespace
 //- Halvings in each direction: of several curved surfaces, of other shapes
 constexpr int mostCurved = 6, mostOther = 4;
 
-//- Planes tried for one with a given volume below it
+//- Planes tried for one with a given volume below it, as near as this
 constexpr int nPlanes = 16;
+constexpr Foam::scalar nearEnough = 1e-4;
 
 //- From these on a part that has all of its corners on one side lies there
 constexpr int fewest = 2;
@@ -140,14 +141,25 @@ Foam::mpm::cellCutter::inside(const atom& a, const polytope& p, const volumeMome
         low = min(low, n & x);
         high = max(high, n & x);
     }
+    // Regula falsi, halved on the side that stays (Illinois)
     polytope in, out;
     volumeMoment below(m);
-    for (int i = 0; i < nPlanes && high > low; ++i)
+    scalar vLow = -sum.V, vHigh = m.V - sum.V;
+    for (int i = 0, side = 0; i < nPlanes && high > low; ++i)
     {
-        const scalar middle = 0.5 * (low + high);
-        p.split({n, middle}, in, out);
+        const scalar at = (low * vHigh - high * vLow) / (vHigh - vLow);
+        p.split({n, at}, in, out);
         below = in.moment();
-        (below.V > sum.V ? high : low) = middle;
+        const scalar over = below.V - sum.V;
+        if (mag(over) < nearEnough * m.V)
+        {
+            break;
+        }
+        const int now = over > 0 ? 1 : -1;
+        (over > 0 ? high : low) = at;
+        (over > 0 ? vHigh : vLow) = over;
+        (over > 0 ? vLow : vHigh) *= side == now ? 0.5 : 1;
+        side = now;
     }
     sum.X = sum.V * (below.V > 0 ? below.X / below.V : m.X / m.V);
     return sum;

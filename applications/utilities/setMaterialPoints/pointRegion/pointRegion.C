@@ -113,6 +113,12 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         centre(sub, xi);
         materialPointCloud::newPoint p;
         p.x = map.position(xi);
+        if (rings_.size())
+        {
+            const int r = grid_.radial();
+            const label j = r == 0 ? sub % n_[0] : sub / n_[0];
+            p.x[grid_.direction(r)] = rings_[grid_.lattice().ijk(celli, r) * n_[r] + j];
+        }
         p.U = Zero;
         p.sigma = sigma_;
         p.T = T_;
@@ -175,6 +181,7 @@ Foam::mpm::pointRegion::pointRegion(
 {
     checkEntries();
     readPointsPerCell();
+    setRings();
     if (grid_.hasLattice() && !sampled_ && !byElements_)
     {
         formula_.reset(new shapeFormula);

@@ -19,6 +19,53 @@ bool Foam::mpm::pointRegion::standsInRows(const pointGrid& grid, const pointRegi
     return r < 0 || shape.bounds().min()[grid.direction(r)] >= grid.lattice().planes(r)[2];
 }
 
+void Foam::mpm::pointRegion::setRings()
+{
+    const int d = grid_.radial();
+    if (d < 0 || !inGas_ || !grid_.hasLattice())
+    {
+        return;
+    }
+    // What the points of a cell give to the cells beside (pointKernels) is as
+    // much as they get: the first one of each cell is where that holds
+    const scalarList& r = grid_.lattice().planes(d);
+    const label n = n_[d];
+    rings_.setSize((r.size() - 1) * n, Zero);
+    scalar given = 0;
+    for (label i = 1; i < r.size() - 2; ++i)
+    {
+        const scalar s = (r[i + 1] - r[i]) / n;
+        const scalar below = sqr(r[i]) - sqr(max(r[i - 1], scalar(0)));
+        const scalar above = sqr(r[i + 1]) - sqr(max(r[i], scalar(0)));
+        for (label j = 0; j < n; ++j)
+        {
+            rings_[i * n + j] = r[i] + (j + 0.5) * s;
+        }
+        scalar& first = rings_[i * n];
+        if (i > 1 && below > 0)
+        {
+            const scalar volume = first * s;
+            scalar missing = given;
+            for (label j = 1; j < n; ++j)
+            {
+                const scalar x = rings_[i * n + j];
+                const scalar c = max(1 - (sqr(x) - sqr(r[i])) / below, scalar(0));
+                missing -= 0.5 * sqr(c) * x * s;
+            }
+            const scalar c = std::sqrt(2 * max(missing, scalar(0)) / volume);
+            const scalar x = std::sqrt(sqr(r[i]) + below * max(1 - c, scalar(0)));
+            first = mag(x - first) < 0.25 * s ? x : first;
+        }
+        given = 0;
+        for (label j = 0; j < n; ++j)
+        {
+            const scalar c =
+                max(1 - (sqr(r[i + 1]) - sqr(rings_[i * n + j])) / above, scalar(0));
+            given += 0.5 * sqr(c) * (r[i] + (j + 0.5) * s) * s;
+        }
+    }
+}
+
 void Foam::mpm::pointRegion::unequalRow(
     const int d, const scalar low, const scalar high, DynamicList<rowPoint>& row) const
 {
@@ -45,7 +92,7 @@ void Foam::mpm::pointRegion::unequalRow(
                 row.size() ? row.last().length += length : lost = length;
                 continue;
             }
-            row.append(rowPoint{x, 0.5 * s, length + lost});
+            row.append(rowPoint{rings ? rings_[i * n_[d] + j] : x, 0.5 * s, length + lost});
             lost = 0;
         }
     }
@@ -61,7 +108,8 @@ void Foam::mpm::pointRegion::unequalRow(
         const scalar depth = upper ? high - p.x : p.x - low;
         if (depth >= least * p.l)
         {
-            p.l = min(p.l, depth);
+            // Also where the point is not in the middle
+            p.l = depth < 1.1 * p.l ? depth : p.l;
         }
         else if (last == 0)
         {
