@@ -310,14 +310,12 @@ void Foam::mpm::pointRegion::fitParts()
             }
         }
     }
-    boolList isCut(points_.size(), false);
     for (const cutPoint& c : cut_)
     {
         if (c.point < 0)
         {
             continue;
         }
-        isCut[c.point] = true;
         const label k = cellOf(c.point);
         materialPointCloud::newPoint& p = points_[c.point];
         const scalar r = largest * room(k, c, p.x, largest * p.halfSize);
@@ -331,7 +329,7 @@ void Foam::mpm::pointRegion::fitParts()
     {
         for (label p = start_[k]; near.found(cells_[k]) && p < start_[k + 1]; ++p)
         {
-            if (!isCut[p])
+            if (!cutOf_.found(p))
             {
                 vector& l = points_[p].halfSize;
                 l *= max(room(k, whole, points_[p].x, l), thinnest);

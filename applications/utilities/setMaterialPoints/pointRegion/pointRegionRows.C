@@ -7,6 +7,35 @@
 #include "cornerRegions.H"
 #include "meshShape.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The largest fraction of cells between points in a row without an end, less 1;
+//  s: their distance in cells
+Foam::scalar excess(const Foam::scalar s)
+{
+    constexpr int nPlaces = 32;
+
+    Foam::scalar most = 0;
+    for (int k = 0; k < nPlaces; ++k)
+    {
+        Foam::scalar sum = 0;
+        for (Foam::scalar x = s * k / nPlaces - s * std::ceil(1.5 / s + 1); x < 1.5; x += s)
+        {
+            const Foam::scalar r = std::abs(x);
+            sum += r < 0.5 ? s * (0.75 - r * r)
+                : r < 1.5  ? s * 0.5 * (1.5 - r) * (1.5 - r)
+                           : 0;
+        }
+        most = std::max(most, sum);
+    }
+    return most - 1;
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::mpm::pointRegion::standsInRows(const pointGrid& grid, const pointRegionShape& shape)
@@ -130,7 +159,7 @@ void Foam::mpm::pointRegion::unequalRow(
 
 Foam::DynamicList<Foam::mpm::pointRegion::rowPoint> Foam::mpm::pointRegion::row(const int d) const
 {
-    constexpr scalar tolerance = 1e-9;
+    constexpr scalar tolerance = 1e-9, most = 1e-3;
 
     // Cells of the mesh; planes have one more at each end
     const scalarList& planes = grid_.lattice().planes(d);
@@ -146,12 +175,15 @@ Foam::DynamicList<Foam::mpm::pointRegion::rowPoint> Foam::mpm::pointRegion::row(
         equal = equal && mag(planes[i + 1] - planes[i] - h) < tolerance * h;
     }
 
+    // No point is wider than a cell, and in all directions together no cell that
+    // the box covers gets much too much
     DynamicList<rowPoint> row;
-    if (low < high && equal)
+    const label n = max(
+        label((high - low) / h * n_[d] + 0.5), label(std::ceil((high - low) / h - tolerance)));
+    const bool tooMuch =
+        high - low > 3 * h && grid_.nDim() * excess((high - low) / n / h) > most;
+    if (low < high && equal && !tooMuch)
     {
-        // No point is wider than a cell
-        const label n = max(
-            label((high - low) / h * n_[d] + 0.5), label(std::ceil((high - low) / h - tolerance)));
         for (label i = 0; i < n; ++i)
         {
             const scalar x = low + (i + 0.5) / n * (high - low), s = (high - low) / n;
