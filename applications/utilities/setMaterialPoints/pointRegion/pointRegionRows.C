@@ -25,9 +25,7 @@ Foam::scalar excess(const Foam::scalar s)
         for (Foam::scalar x = s * k / nPlaces - s * std::ceil(1.5 / s + 1); x < 1.5; x += s)
         {
             const Foam::scalar r = std::abs(x);
-            sum += r < 0.5 ? s * (0.75 - r * r)
-                : r < 1.5  ? s * 0.5 * (1.5 - r) * (1.5 - r)
-                           : 0;
+            sum += r < 0.5 ? s * (0.75 - r * r) : r < 1.5 ? s * 0.5 * (1.5 - r) * (1.5 - r) : 0;
         }
         most = std::max(most, sum);
     }
@@ -88,8 +86,7 @@ void Foam::mpm::pointRegion::setRings()
         given = 0;
         for (label j = 0; j < n; ++j)
         {
-            const scalar c =
-                max(1 - (sqr(r[i + 1]) - sqr(rings_[i * n + j])) / above, scalar(0));
+            const scalar c = max(1 - (sqr(r[i + 1]) - sqr(rings_[i * n + j])) / above, scalar(0));
             given += 0.5 * sqr(c) * (r[i] + (j + 0.5) * s) * s;
         }
     }
@@ -178,10 +175,9 @@ Foam::DynamicList<Foam::mpm::pointRegion::rowPoint> Foam::mpm::pointRegion::row(
     // No point is wider than a cell, and in all directions together no cell that
     // the box covers gets much too much
     DynamicList<rowPoint> row;
-    const label n = max(
-        label((high - low) / h * n_[d] + 0.5), label(std::ceil((high - low) / h - tolerance)));
-    const bool tooMuch =
-        high - low > 3 * h && grid_.nDim() * excess((high - low) / n / h) > most;
+    const label n =
+        max(label((high - low) / h * n_[d] + 0.5), label(std::ceil((high - low) / h - tolerance)));
+    const bool tooMuch = high - low > 3 * h && grid_.nDim() * excess((high - low) / n / h) > most;
     if (low < high && equal && !tooMuch)
     {
         for (label i = 0; i < n; ++i)
