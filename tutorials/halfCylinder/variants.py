@@ -28,7 +28,7 @@ AIR = [("constant/phaseProperties", r"^phases .*?;", "phases (air body);\n\nair 
         "thermo perfectGas; molWeight 28.9; gamma 1.4; }\n"),
        ("constant/phaseProperties", r"(Gf .*?;)", r"\1 ambientPressure 1e5;"),
        ("system/setMaterialPointsDict", r"(pointsPerCell .*?;)",
-        r"\1 samples 4; stress ambient; pressure 1e5;"),
+        r"\1 stress ambient; pressure 1e5;"),
        ("system/fvSolution", r"USAVG", "MUSL"),
        ("system/controlDict", r"^(maxCo .*?;)", r"\1\nmaxCoGas 0.4;"),
        ("system/fvSchemes", r"(?s)^(ddtSchemes|laplacianSchemes|snGradSchemes|"

@@ -54,7 +54,7 @@ Usage
         type           | shape, see below               | yes      |
         pointsPerCell  | per direction, 1 to 16         | yes      |
         parts          | exact or sampled               | no       | exact
-        samples        | per direction, 1 to 8          | no       | 4
+        samples        | of parts sampled, 1 to 8       | no       | 1
         velocity       | [m/s], or a dictionary         | no       | (0 0 0)
         stress         | (xx xy xz yy yz zz) [Pa] or ambient | no  | 0
         pressure       | only with stress ambient [Pa]  | no       |
@@ -74,11 +74,9 @@ Usage
     a triangle (n - 1)^2 and a tetrahedron (n - 1)^3 equal parts, other cells
     simplices of (n/2)^nDim each (simplexParts.H).
 
-    samples only counts where the parts are not known exactly: on meshes without
-    a lattice, and for surfaces inside other shapes. There they are those of
-    samples^nDim positions in each sub-cell. In a gas (but for boxes, which have
-    equal points from face to face) and with parts sampled its default is 1:
-    whole sub-cells whose centres lie in the shape (pointRegion.H).
+    Mass and outline of all shapes are exact on all meshes, in a gas too
+    (pointRegion.H). With parts sampled sub-cells are whole: those whose centre,
+    or any of samples^nDim positions, lies in the shape.
 
     Entries of the dictionary velocity, which are added up:
     \verbatim

@@ -165,7 +165,7 @@ bool Foam::mpm::cellCutter::isConvex(const label celli) const
 
 Foam::mpm::cellCutter::cellCutter(
     const pointGrid& grid, const shapeFormula& formula, columns& shared) :
-    grid_(grid), formula_(formula)
+    grid_(grid), formula_(formula), moments_(false)
 {
     for (label i = 0; i < formula.nSurfaces(); ++i)
     {
@@ -208,7 +208,7 @@ Foam::scalar Foam::mpm::cellCutter::share(const label celli) const
             p.addFace(cornersOf(f));
         }
         V = p.volume();
-        in = cut(celli, p, unknown, 0);
+        in = cut(celli, p, unknown, 0).V;
     }
     else
     {
@@ -230,10 +230,10 @@ Foam::scalar Foam::mpm::cellCutter::share(const label celli) const
                 turned.addFace({a, b, apex});
                 turned.addFace({b, c, apex});
                 turned.addFace({c, a, apex});
-                in -= cut(celli, turned, unknown, 0);
+                in -= cut(celli, turned, unknown, 0).V;
                 return;
             }
-            in += cut(celli, p, unknown, 0);
+            in += cut(celli, p, unknown, 0).V;
         };
         for (const label f : mesh.cells()[celli])
         {
@@ -253,6 +253,14 @@ Foam::scalar Foam::mpm::cellCutter::share(const label celli) const
     }
     const scalar share = in / V;
     return share < rounding ? scalar(0) : share > 1 - rounding ? scalar(1) : share;
+}
+
+Foam::mpm::volumeMoment Foam::mpm::cellCutter::part(const label celli, const polytope& p) const
+{
+    moments_ = true;
+    const volumeMoment m(cut(celli, p, states(atoms_.size(), 2), 0));
+    moments_ = false;
+    return m;
 }
 
 Foam::scalar Foam::mpm::cellCutter::volumeInBounds() const
@@ -278,5 +286,5 @@ Foam::scalar Foam::mpm::cellCutter::volumeInBounds() const
             std::swap(p, in);
         }
     }
-    return cut(0, p, states(atoms_.size(), 2), 0);
+    return cut(0, p, states(atoms_.size(), 2), 0).V;
 }

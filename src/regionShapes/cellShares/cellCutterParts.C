@@ -12,6 +12,10 @@ namespace
 //- Halvings in each direction: of several curved surfaces, of other shapes
 constexpr int mostCurved = 6, mostOther = 4;
 
+//- Planes tried for one with a given volume below it, as near as this
+constexpr int nPlanes = 16;
+constexpr Foam::scalar nearEnough = 1e-4;
+
 //- From these on a part that has all of its corners on one side lies there
 constexpr int fewest = 2;
 
@@ -114,11 +118,67 @@ int Foam::mpm::cellCutter::stateOf(
     return away >= a.R ? 0 : 2;
 }
 
-Foam::scalar Foam::mpm::cellCutter::inside(const atom& a, const polytope& p)
+Foam::mpm::volumeMoment
+Foam::mpm::cellCutter::inside(const atom& a, const polytope& p, const volumeMoment& m) const
 {
-    return a.kind == atom::ball ? p.inBall(a.centre, a.R)
-        : a.kind == atom::tube  ? p.inTube(a.centre, a.axis, a.R)
-                                : a.columns->inside(p);
+    if (a.kind == atom::facets)
+    {
+        return a.columns->inside(p);
+    }
+    volumeMoment sum;
+    sum.V = a.kind == atom::ball ? p.inBall(a.centre, a.R) : p.inTube(a.centre, a.axis, a.R);
+    if (!moments_ || !(sum.V > 0) || !(m.V > 0))
+    {
+        return sum;
+    }
+    // Below the plane with as much of the body below it
+    vector n(m.X / m.V - a.centre);
+    n -= a.kind == atom::tube ? (n & a.axis) * a.axis : vector(Zero);
+    n /= max(mag(n), VSMALL);
+    scalar low = VGREAT, high = -VGREAT;
+    for (const point& x : p.corners())
+    {
+        low = min(low, n & x);
+        high = max(high, n & x);
+    }
+    // Regula falsi, halved on the side that stays (Illinois)
+    polytope in, out;
+    volumeMoment below(m);
+    scalar vLow = -sum.V, vHigh = m.V - sum.V;
+    for (int i = 0, side = 0; i < nPlanes && high > low; ++i)
+    {
+        const scalar at = (low * vHigh - high * vLow) / (vHigh - vLow);
+        p.split({n, at}, in, out);
+        below = in.moment();
+        const scalar over = below.V - sum.V;
+        if (mag(over) < nearEnough * m.V)
+        {
+            break;
+        }
+        const int now = over > 0 ? 1 : -1;
+        (over > 0 ? high : low) = at;
+        (over > 0 ? vHigh : vLow) = over;
+        (over > 0 ? vLow : vHigh) *= side == now ? 0.5 : 1;
+        side = now;
+    }
+    sum.X = sum.V * (below.V > 0 ? below.X / below.V : m.X / m.V);
+    return sum;
+}
+
+bool Foam::mpm::cellCutter::tooRound(const atom& a, const polytope& p) const
+{
+    if (!moments_ || a.kind == atom::facets)
+    {
+        return false;
+    }
+    point low, high;
+    p.bounds(low, high);
+    scalar size = 0;
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        size = max(size, (high - low)[grid_.direction(d)]);
+    }
+    return size > 0.5 * a.R;
 }
 
 bool Foam::mpm::cellCutter::concentric(const atom& a, const atom& b)
@@ -133,8 +193,8 @@ bool Foam::mpm::cellCutter::concentric(const atom& a, const atom& b)
                                 : mag(r ^ a.axis) < tol && mag(a.axis ^ b.axis) < 1e-12;
 }
 
-Foam::scalar Foam::mpm::cellCutter::cutShells(
-    const label celli, const polytope& p, states s, std::vector<label> some, const scalar V) const
+Foam::mpm::volumeMoment Foam::mpm::cellCutter::cutShells(
+    const label celli, const polytope& p, states s, std::vector<label> some) const
 {
     std::sort(
         some.begin(), some.end(),
@@ -144,18 +204,29 @@ Foam::scalar Foam::mpm::cellCutter::cutShells(
     {
         s[i] = 1;
     }
-    scalar before = 0, sum = 0;
+    const volumeMoment all(p.moment());
+    volumeMoment before, sum;
     for (const label i : some)
     {
-        const scalar in = min(max(inside(atoms_[i], p), before), V);
-        sum += evaluate(celli, s) * (in - before);
+        volumeMoment in(inside(atoms_[i], p, all));
+        in = in.V < before.V ? before : in.V > all.V ? all : in;
+        if (evaluate(celli, s) == 1)
+        {
+            sum.add(1, in);
+            sum.add(-1, before);
+        }
         s[i] = 0;
         before = in;
     }
-    return sum + evaluate(celli, s) * (V - before);
+    if (evaluate(celli, s) == 1)
+    {
+        sum.add(1, all);
+        sum.add(-1, before);
+    }
+    return sum;
 }
 
-Foam::scalar Foam::mpm::cellCutter::cutLast(
+Foam::mpm::volumeMoment Foam::mpm::cellCutter::cutLast(
     const label celli, const polytope& p, states s, const std::vector<label>& some) const
 {
     const point middle(p.middle());
@@ -177,21 +248,21 @@ Foam::scalar Foam::mpm::cellCutter::cutLast(
             std::copy_if(
                 some.begin(), some.end(), std::back_inserter(rest),
                 [&](const label j) { return j != i; });
-            scalar sum = 0;
+            volumeMoment sum;
             for (const bool inner : {true, false})
             {
                 const polytope& part = inner ? in : out;
                 s[i] = inner;
-                sum += part.empty() ? 0 : cutLast(celli, part, s, rest);
+                sum.add(1, part.empty() ? volumeMoment() : cutLast(celli, part, s, rest));
             }
             return sum;
         }
         s[i] = contains(celli, a, middle);
     }
-    return evaluate(celli, s) == 1 ? p.volume() : scalar(0);
+    return evaluate(celli, s) == 1 ? p.moment() : volumeMoment();
 }
 
-Foam::scalar
+Foam::mpm::volumeMoment
 Foam::mpm::cellCutter::cut(const label celli, const polytope& p, states s, const int depth) const
 {
     const int nDim = grid_.nDim();
@@ -212,32 +283,31 @@ Foam::mpm::cellCutter::cut(const label celli, const polytope& p, states s, const
     const int known = evaluate(celli, s);
     if (known < 2)
     {
-        return known * p.volume();
+        return known ? p.moment() : volumeMoment();
     }
     polytope in, out;
     if (plane >= 0)
     {
         p.split(atoms_[plane].h, in, out);
-        scalar sum = 0;
+        volumeMoment sum;
         for (const bool inner : {true, false})
         {
             s[plane] = inner;
             const polytope& part = inner ? in : out;
-            sum += part.empty() ? 0 : cut(celli, part, s, depth);
+            sum.add(1, part.empty() ? volumeMoment() : cut(celli, part, s, depth));
         }
         return sum;
     }
 
-    const scalar V = p.volume();
     bool together = tells(atoms_[some[0]]), other = false;
     for (const label i : some)
     {
         together = together && (i == some[0] || concentric(atoms_[i], atoms_[some[0]]));
         other = other || !tells(atoms_[i]);
     }
-    if (together)
+    if (together && (depth >= nDim * mostOther || !tooRound(atoms_[some[0]], p)))
     {
-        return cutShells(celli, p, s, some, V);
+        return cutShells(celli, p, s, some);
     }
     if (depth >= nDim * (other ? mostOther : mostCurved))
     {
@@ -254,5 +324,8 @@ Foam::mpm::cellCutter::cut(const label celli, const polytope& p, states s, const
     vector n(Zero);
     n[longest] = 1;
     p.split({n, 0.5 * (low[longest] + high[longest])}, in, out);
-    return cut(celli, in, s, depth + 1) + cut(celli, out, s, depth + 1);
+    volumeMoment sum;
+    sum.add(1, cut(celli, in, s, depth + 1));
+    sum.add(1, cut(celli, out, s, depth + 1));
+    return sum;
 }

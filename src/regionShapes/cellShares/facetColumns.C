@@ -253,7 +253,7 @@ bool Foam::mpm::facetColumns::cuts(const polytope& p) const
     return false;
 }
 
-Foam::scalar Foam::mpm::facetColumns::inside(const polytope& p) const
+Foam::mpm::volumeMoment Foam::mpm::facetColumns::inside(const polytope& p) const
 {
     point low, high;
     p.bounds(low, high);
@@ -277,7 +277,7 @@ Foam::scalar Foam::mpm::facetColumns::inside(const polytope& p) const
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
 
-    scalar V = 0;
+    volumeMoment sum;
     for (const label i : found)
     {
         const column& c = columns_[i];
@@ -292,7 +292,7 @@ Foam::scalar Foam::mpm::facetColumns::inside(const polytope& p) const
             part.split(c.sides[s], in, out);
             std::swap(part, in);
         }
-        V += c.sign * part.volume();
+        sum.add(c.sign, part.moment());
     }
-    return V;
+    return sum;
 }

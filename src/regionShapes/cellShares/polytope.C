@@ -12,6 +12,10 @@ namespace
 //- Corners as near to a plane, over the size, lie in it
 constexpr Foam::scalar flat = 1e-14;
 
+//- Sides of a box; corner i: bit d set where coordinate d is the larger
+constexpr int sidesOfBox[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                  {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -63,17 +67,67 @@ Foam::vector Foam::mpm::polytope::area(const label f) const
 
 Foam::mpm::polytope::polytope(const point& min, const point& max) : polytope()
 {
-    // Corner i: bit d set where coordinate d is the larger
-    const auto at = [&](const int i) {
-        return point(
-            i & 1 ? max.x() : min.x(), i & 2 ? max.y() : min.y(), i & 4 ? max.z() : min.z());
-    };
-    const int sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                             {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-    for (const auto& s : sides)
+    for (const auto& s : sidesOfBox)
     {
+        const auto at = [&](const int i) {
+            return point(
+                i & 1 ? max.x() : min.x(), i & 2 ? max.y() : min.y(), i & 4 ? max.z() : min.z());
+        };
         addFace({at(s[0]), at(s[1]), at(s[2]), at(s[3])});
     }
+}
+
+std::vector<Foam::mpm::polytope> Foam::mpm::polytope::ofHexahedron(const point (&x)[8])
+{
+    // In the order of axes that do not turn right the sides look inwards
+    const bool turned = (((x[1] - x[0]) ^ (x[2] - x[0])) & (x[4] - x[0])) < 0;
+    const auto corner = [&](const int side, const int i)
+    { return x[sidesOfBox[side][turned ? 3 - i : i]]; };
+
+    point middle(Zero);
+    scalar size = 0;
+    for (const point& y : x)
+    {
+        middle += y / 8;
+        size = max(size, mag(y - x[0]));
+    }
+    bool convex = true;
+    polytope whole;
+    std::vector<polytope> parts;
+    for (int s = 0; s < 6; ++s)
+    {
+        const point a(corner(s, 0)), b(corner(s, 1)), c(corner(s, 2)), d(corner(s, 3));
+        const vector S(0.5 * ((c - a) ^ (d - b)));
+        const scalar tol = 1e-13 * size * mag(S);
+        for (const point& y : {a, b, c, d})
+        {
+            convex = convex && mag((y - a) & S) <= tol;
+        }
+        for (const point& y : x)
+        {
+            convex = convex && ((y - a) & S) <= tol;
+        }
+        whole.addFace({a, b, c, d});
+    }
+    if (convex)
+    {
+        return {whole};
+    }
+    for (int s = 0; s < 6; ++s)
+    {
+        const point centre(0.25 * (corner(s, 0) + corner(s, 1) + corner(s, 2) + corner(s, 3)));
+        for (int i = 0; i < 4; ++i)
+        {
+            const point a(corner(s, i)), b(corner(s, (i + 1) % 4));
+            polytope tet;
+            tet.addFace({a, b, centre});
+            tet.addFace({b, a, middle});
+            tet.addFace({centre, b, middle});
+            tet.addFace({a, centre, middle});
+            parts.push_back(tet);
+        }
+    }
+    return parts;
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -107,23 +161,28 @@ Foam::point Foam::mpm::polytope::middle() const
     return sum / scalar(x_.size());
 }
 
-Foam::scalar Foam::mpm::polytope::volume() const
+Foam::mpm::volumeMoment Foam::mpm::polytope::moment() const
 {
+    volumeMoment sum;
     if (empty())
     {
-        return 0;
+        return sum;
     }
     const point middle(this->middle());
-    scalar V = 0;
     for (label f = 0; f + 1 < label(start_.size()); ++f)
     {
-        const point& x0 = x_[start_[f]];
+        const vector a(x_[start_[f]] - middle);
         for (label i = start_[f] + 1; i + 1 < start_[f + 1]; ++i)
         {
-            V += (x0 - middle) & ((x_[i] - x0) ^ (x_[i + 1] - x0));
+            const vector b(x_[i] - middle), c(x_[i + 1] - middle);
+            const scalar V = a & (b ^ c);
+            sum.V += V;
+            sum.X += V * (a + b + c);
         }
     }
-    return V / 6;
+    sum.V /= 6;
+    sum.X = sum.X / 24 + sum.V * middle;
+    return sum;
 }
 
 void Foam::mpm::polytope::split(const halfSpace& h, polytope& in, polytope& out) const

@@ -6,8 +6,7 @@ Class
 
 Description
     Shapes made of shapes: what lies in one of them, in all of them, or in the
-    first but in none of the others. They may be nested. With a surface among
-    them parts of sub-cells are those of samples^nDim positions.
+    first but in none of the others. They may be nested.
 
 Usage
     \verbatim

@@ -141,6 +141,14 @@ public:
             : nullptr;
     }
 
+    bool nearest(const point& x, point& foot) const override
+    {
+        List<pointIndexHit> hit;
+        surface_->findNearest(pointField(1, x), scalarField(1, magSqr(bounds().span())), hit);
+        foot = hit[0].rawPoint();
+        return hit[0].hit();
+    }
+
     scalar volume() const override { return volume_; }
 };
 

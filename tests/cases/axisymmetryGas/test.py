@@ -170,7 +170,7 @@ def together(table):
                           ("ring", cylinderRegion(5.2, 15.2, 4.3, 9.3)),
                           ("full width", cylinderRegion(5.2, 15.2, -1, 20)),
                           ("ball", {"type": "sphere", "centre": (0.01, 0, 0),
-                                    "radius": 6.2e-3, "samples": 4})):
+                                    "radius": 6.2e-3})):
         name = label.replace(" ", "-")
         case = inGas("gas-moving-" + name, region, velocity=500.0, steps=1500)
         case.run("materialPointFoam", limit=300)

@@ -526,7 +526,7 @@ def messages(table):
                     ("in its cells has 100000 Pa. They are not in equilibrium" in said)
                     == (pressure == 1))
         check("failure in a gas, round body", said, "has no ambientPressure",
-              "fill (0.07", "from (0.015 0.015 0)")
+              "mass asked 0.0342119 kg, put 0.0342119 kg")
     check("no stress in a gas", text("gas", {"a": box}, phases={
         "air": {"type": "gas", "thermo": "perfectGas", "R": 287, "gamma": 1.4},
         "a": soft()}), "lies in the gas air", "stress ambient;")

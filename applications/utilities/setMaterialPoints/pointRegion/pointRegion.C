@@ -88,13 +88,18 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         }
     }
 
+    const scalar inCell = shares_ ? shares_->share(celli) : scalar(1);
+    if (inCell <= 0)
+    {
+        return;
+    }
     const label nBefore = points_.size();
     scalarField part;
     for (label sub = 0; sub < nSub_; ++sub)
     {
         cutPoint c;
         scalar share = 1;
-        const int found = cutSubCell(celli, map, sub, c, share);
+        const int found = shares_ && inCell == 1 ? 1 : cutSubCell(celli, map, sub, c, share);
         if (found == 0)
         {
             continue;
@@ -108,6 +113,12 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         centre(sub, xi);
         materialPointCloud::newPoint p;
         p.x = map.position(xi);
+        if (rings_.size())
+        {
+            const int r = grid_.radial();
+            const label j = r == 0 ? sub % n_[0] : sub / n_[0];
+            p.x[grid_.direction(r)] = rings_[grid_.lattice().ijk(celli, r) * n_[r] + j];
+        }
         p.U = Zero;
         p.sigma = sigma_;
         p.T = T_;
@@ -131,6 +142,10 @@ void Foam::mpm::pointRegion::fill(const label celli, const scalar rho)
         sub_.append(sub);
         points_.append(p);
     }
+    if (inCell < 1)
+    {
+        scaleTo(inCell, celli, nBefore, rho);
+    }
     if (points_.size() > nBefore)
     {
         cells_.append(celli);
@@ -147,25 +162,27 @@ Foam::mpm::pointRegion::pointRegion(
     name_(dict.dictName()),
     phase_(oneOf(dict, "phase", phases)),
     shape_(pointRegionShape::New(grid, dict)),
-    rows_(
-        inGas && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"
-        && standsInRows(grid, *shape_)),
-    inGas_(inGas || oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "sampled"),
-    byElements_(
-        isA<meshShape>(*shape_) && !(inGas && grid.hasLattice())
-        && oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "exact"),
+    sampled_(oneOfOrDefault(dict, "parts", "exact", {"exact", "sampled"}) == "sampled"),
+    whole_(true),
+    rows_(inGas && !sampled_ && standsInRows(grid, *shape_)),
+    inGas_(inGas),
+    byElements_(isA<meshShape>(*shape_) && !(inGas && grid.hasLattice()) && !sampled_),
     byCorners_(!grid.hasHexes()),
     emptyFaces_(gridNodes::emptyFaces(grid.mesh())),
-    m_(boundedLabelOrDefault(dict, "samples", inGas_ && !rows_ ? 1 : 4, 1, 8)),
+    m_(boundedLabelOrDefault(dict, "samples", sampled_ ? 1 : 4, 1, 8)),
     volumeFraction_(boundedOrDefault(dict, "volumeFraction", 1, SMALL, 1)),
     T_(dict.found("temperature") ? positive(dict, "temperature") : 0),
     mayOverlap_(oneOfOrDefault(dict, "overlap", "forbid", {"allow", "forbid"}) == "allow"),
     mass_(0),
-    volume_(0)
+    volume_(0),
+    density_(0),
+    asked_(0),
+    lost_(0)
 {
     checkEntries();
     readPointsPerCell();
-    if (grid_.hasLattice() && !inGas_ && !byElements_)
+    setRings();
+    if (grid_.hasLattice() && !sampled_ && !byElements_)
     {
         formula_.reset(new shapeFormula);
         if (!shape_->formula(*formula_))
@@ -176,6 +193,11 @@ Foam::mpm::pointRegion::pointRegion(
                 cutter_.reset(new facetCutter(grid_, n_, *s));
             }
         }
+    }
+    if (!sampled_ && !byElements_ && !formula_ && !cutter_)
+    {
+        shape_->formula(whole_);
+        shares_.reset(new cellCutter(grid_, whole_, columns_));
     }
     readVelocity();
     readStress();
@@ -313,6 +335,7 @@ void Foam::mpm::pointRegion::checkRoom() const
 void Foam::mpm::pointRegion::create(const scalar rho)
 {
     const scalar density = dict_.found("density") ? positive(dict_, "density") : rho;
+    density_ = density;
     checkScale();
 
     if (rows_)
@@ -330,11 +353,26 @@ void Foam::mpm::pointRegion::create(const scalar rho)
             byCorners_ ? fillCorners(celli, density) : fill(celli, density);
         }
     }
-    if (!inGas_)
+    if (!sampled_)
     {
         joinSmallParts();
+        joinSmallCells();
+        correct();
     }
-    placeCutPoints();
+    if (!grid_.hasLattice() && !sampled_)
+    {
+        fitParts();
+    }
+    else if (inGas_ && !sampled_)
+    {
+        placeInGas();
+    }
+    else
+    {
+        placeCutPoints();
+    }
+    cut_.clearStorage();
+    cutOf_.clear();
 
     if (points_.empty())
     {
@@ -360,6 +398,56 @@ void Foam::mpm::pointRegion::create(const scalar rho)
 Foam::scalar Foam::mpm::pointRegion::exactVolume() const
 {
     return shape_->insideMesh() ? wholeVolume() : -1;
+}
+
+Foam::scalar Foam::mpm::pointRegion::askedVolume() const
+{
+    if (asked_ != 0)
+    {
+        return asked_;
+    }
+    asked_ = exactVolume();
+    shapeFormula formula(true);
+    shape_->formula(formula);
+    bool tells = !byElements_;
+    for (const pointRegionShape* body : formula.bodies())
+    {
+        tells = tells && body->facets();
+    }
+    if (asked_ > 0 || !tells)
+    {
+        return asked_;
+    }
+    cellCutter::columns columns;
+    const cellCutter cutter(grid_, formula, columns);
+    const scalarField& V = grid_.mesh().cellVolumes();
+    const boundBox& mesh = grid_.mesh().bounds();
+    const int r = grid_.radial() < 0 ? 0 : grid_.direction(grid_.radial());
+    scalar box = shape_->section();
+    for (int d = 0; d < grid_.nDim(); ++d)
+    {
+        box *= mesh.span()[grid_.direction(d)];
+    }
+    box *= grid_.radial() < 0 ? scalar(1) : grid_.sector() * mesh.midpoint()[r];
+    if (!formula.hasCells() && mag(sum(V) - box) < 1e-10 * box)
+    {
+        asked_ = volumeFraction_ * cutter.volumeInBounds();
+        return asked_;
+    }
+    asked_ = 0;
+    forAll(V, celli)
+    {
+        const boundBox cell(grid_.mesh().points(), grid_.mesh().cellPoints()[celli], false);
+        bool apart = false;
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            const int c = grid_.direction(d);
+            apart = apart || cell.min()[c] > shape_->bounds().max()[c]
+                || cell.max()[c] < shape_->bounds().min()[c];
+        }
+        asked_ += apart ? 0 : volumeFraction_ * V[celli] * cutter.share(celli);
+    }
+    return asked_;
 }
 
 Foam::scalar Foam::mpm::pointRegion::wholeVolume() const

@@ -3,6 +3,7 @@
 #include "pointRegion.H"
 #include "cornerRegions.H"
 #include "simplexParts.H"
+
 #include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -10,71 +11,35 @@
 void Foam::mpm::pointRegion::cutRegions(
     const label celli, const cellParts& c, scalarField& part, pointField& x) const
 {
-    // Just inside their vertices first
-    constexpr scalar inwards = 1e-6;
-
-    const UList<cellParts::simplex>& simplices = c.simplices();
-    DynamicList<point> near;
-    for (const cellParts::simplex& s : simplices)
+    List<volumeMoment> in(c.size());
+    for (const cellParts::simplex& s : c.simplices())
     {
-        for (int k = 0; k < s.n; ++k)
+        in[s.part].add(1, inShape(celli, s));
+    }
+    label fullest = 0;
+    forAll(in, i)
+    {
+        part[i] = in[i].V / c.volume()[i];
+        fullest = part[i] > part[fullest] ? i : fullest;
+    }
+    forAll(in, i)
+    {
+        if (i != fullest && part[i] < smallPart)
         {
-            near.append(s.x[k] + inwards * (c.centre(s.part) - s.x[k]));
+            in[fullest].add(1, in[i]);
+            part[i] = 0;
         }
     }
-    const boolList nearIn(shape_->contains(celli, pointField(near)));
-    labelList n(c.size(), Zero), nIn(c.size(), Zero);
-    label j = 0;
-    for (const cellParts::simplex& s : simplices)
+    part[fullest] = in[fullest].V / c.volume()[fullest];
+    forAll(in, i)
     {
-        for (int k = 0; k < s.n; ++k)
-        {
-            ++n[s.part];
-            nIn[s.part] += nearIn[j++];
-        }
-    }
-
-    part = 0;
-    forAll(n, i)
-    {
-        part[i] = nIn[i] == n[i];
-    }
-    scalarField volume(c.size(), Zero);
-    vectorField moment(c.size(), Zero);
-    for (const cellParts::simplex& s : simplices)
-    {
-        if (nIn[s.part] == 0 || nIn[s.part] == n[s.part])
-        {
-            continue;
-        }
-        pointField at(s.n == 3 ? m_ * m_ : m_ * m_ * m_);
-        scalarField weight(at.size());
-        forAll(at, i)
-        {
-            at[i] = s.sample(m_, i, weight[i]);
-        }
-        weight *= s.volume / sum(weight);
-        const boolList inside(shape_->contains(celli, at));
-        forAll(at, i)
-        {
-            if (inside[i])
-            {
-                volume[s.part] += weight[i];
-                moment[s.part] += weight[i] * at[i];
-            }
-        }
-    }
-    forAll(volume, i)
-    {
-        const scalar share = volume[i] / c.volume()[i];
-        if (share > 1 - SMALL * 100)
+        if (mag(part[i] - 1) < tolerance)
         {
             part[i] = 1;
         }
-        else if (share > 0)
+        else if (part[i] > 0)
         {
-            part[i] = share;
-            x[i] = moment[i] / volume[i];
+            x[i] = in[i].X / in[i].V;
         }
     }
 }
@@ -112,6 +77,11 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
         }
     }
 
+    const scalar share = shares_ ? shares_->share(celli) : scalar(1);
+    if (share <= 0)
+    {
+        return;
+    }
     const autoPtr<cellParts> parts(partsOf(celli));
     const cellParts& c = *parts;
 
@@ -129,7 +99,7 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
         bySimplices_ && grid_.nDim() == 3 ? mesh.cellVolumes()[celli] : sum(rings(c.volume(), x));
 
     scalarField inside(c.size(), scalar(1));
-    if (!inGas_)
+    if (share < 1)
     {
         cutRegions(celli, c, inside, x);
     }
@@ -146,7 +116,7 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
     {
         part = 1;
     }
-    if (inGas_)
+    if (sampled_)
     {
         // Whole points
         const boolList has(shape_->contains(celli, x));
@@ -155,11 +125,12 @@ void Foam::mpm::pointRegion::fillCorners(const label celli, const scalar rho)
             part[i] *= has[i];
         }
     }
-    addParts(celli, rho, part, x);
+    addParts(celli, rho, share, part, x);
 }
 
 void Foam::mpm::pointRegion::addParts(
-    const label celli, const scalar rho, const scalarField& part, const pointField& x)
+    const label celli, const scalar rho, const scalar share, const scalarField& part,
+    const pointField& x)
 {
     const scalar whole = grid_.mesh().cellVolumes()[celli];
     const label nBefore = points_.size();
@@ -188,8 +159,21 @@ void Foam::mpm::pointRegion::addParts(
         {
             p.halfSize[grid_.direction(d)] = 0.5 * std::pow(size, 1.0 / grid_.nDim());
         }
+        if (share < 1)
+        {
+            cutPoint c;
+            c.point = points_.size();
+            c.mean = p.x;
+            c.addSurfaces(whole_.nSurfaces());
+            cutOf_.insert(c.point, cut_.size());
+            cut_.append(c);
+        }
         sub_.append(i);
         points_.append(p);
+    }
+    if (share < 1)
+    {
+        scaleTo(share, celli, nBefore, rho);
     }
     if (points_.size() > nBefore)
     {

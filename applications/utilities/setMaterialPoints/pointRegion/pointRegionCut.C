@@ -1,7 +1,6 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointRegion.H"
-#include "triPointRef.H"
 
 #include <algorithm>
 
@@ -10,15 +9,9 @@
 namespace
 {
 
-//- Parts of a sub-cell below this count as nothing, above one minus this as all
-constexpr Foam::scalar tolerance = 1e-10;
-
-//- A part below this goes to a point beside: boxes at faces along the axes keep
-//  their size, which then is small, others are drawn in
-constexpr Foam::scalar smallBox = 0.1, smallPart = 1e-3;
-
-//- As far beyond a surface another region may begin, in half-sizes
-constexpr Foam::scalar beyond = 1e-3;
+//- A box below this goes to a point beside: at faces along the axes it keeps
+//  its size, which then is small; others are drawn in
+constexpr Foam::scalar smallBox = 0.1;
 
 }
 
@@ -29,7 +22,8 @@ int Foam::mpm::pointRegion::cutSubCell(
 {
     if (!formula_ && !cutter_)
     {
-        return sampleSubCell(celli, map, sub, c, part);
+        return shares_ ? shareSubCell(celli, map, sub, c, part)
+                       : sampleSubCell(celli, map, sub, c, part);
     }
 
     const int nDim = grid_.nDim();
@@ -121,11 +115,8 @@ int Foam::mpm::pointRegion::sampleSubCell(
         c.variance[grid_.direction(d)] = sqr(half) / 3 * std::pow(part, 2.0 / grid_.nDim());
     }
     c.area = part * c.whole;
-    if (inGas_)
-    {
-        c.mean = map.position(xi);
-        c.variance *= std::pow(part, -2.0 / grid_.nDim());
-    }
+    c.mean = map.position(xi);
+    c.variance *= std::pow(part, -2.0 / grid_.nDim());
     return 2;
 }
 
@@ -177,7 +168,7 @@ bool Foam::mpm::pointRegion::isBox(const label celli, const cutPoint& c) const
     // It reaches the surfaces and not beyond
     const vector l(boxOf(c));
     vector way;
-    return (!formula_ && !cutter_)
+    return sampled_
         || (fit(celli, c, c.mean, l, false, way) == 1
             && fit(celli, c, c.mean, (1 + 1e-6) * l, false, way) < 1);
 }
@@ -247,6 +238,10 @@ void Foam::mpm::pointRegion::join(const label p, const label best)
 
 void Foam::mpm::pointRegion::joinSmallParts()
 {
+    if (byCorners_)
+    {
+        return;
+    }
     boolList gone(points_.size(), false);
     bool any = false;
 
@@ -261,7 +256,7 @@ void Foam::mpm::pointRegion::joinSmallParts()
             }
             const cutPoint& c = cut_[*small];
             const scalar part = c.area / c.whole;
-            if (part >= (isBox(cells_[k], c) ? smallBox : smallPart))
+            if (part >= (!inGas_ && isBox(cells_[k], c) ? smallBox : smallPart))
             {
                 continue;
             }
@@ -308,160 +303,14 @@ void Foam::mpm::pointRegion::remove(const boolList& gone)
     sub_.resize(n);
     cells_.resize(nCells);
     start_.resize(nCells + 1);
-    for (cutPoint& c : cut_)
-    {
-        c.point = now[c.point];
-    }
-}
-
-bool Foam::mpm::pointRegion::goesOn(const label celli, const point& x) const
-{
-    for (const pointRegionShape* shape : joined_)
-    {
-        if (shape->contains(celli, x))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-Foam::scalar Foam::mpm::pointRegion::fit(
-    const label celli, const cutPoint& c, const point& x, const vector& l, const bool inBody,
-    vector& way) const
-{
-    const int nDim = grid_.nDim();
-    scalar factor = 1, least = GREAT;
-    for (int d = 0; d < nDim; ++d)
-    {
-        least = min(least, l[grid_.direction(d)]);
-    }
-    way = Zero;
-    const auto touch = [&](const scalar distance, const vector& n)
-    {
-        const scalar R = mag(cmptMultiply(l, n));
-        if (distance < factor * R
-            && !(inBody && goesOn(celli, x + (distance + beyond * least) * n)))
-        {
-            factor = distance / R;
-            way = (distance - R) * n;
-        }
-    };
-
-    if (formula_)
-    {
-        scalar at[3] = {0, 0, 0}, g[3], along[3], foot[3], t[2];
-        for (int d = 0; d < nDim; ++d)
-        {
-            at[d] = x[grid_.direction(d)];
-        }
-        for (const label i : c.surfaces)
-        {
-            const quadratic& f = formula_->surfaceAt(i);
-            f.gradient(at, g);
-            vector n(Zero);
-            for (int d = 0; d < nDim; ++d)
-            {
-                n[grid_.direction(d)] = g[d];
-            }
-            if (!(mag(n) > 0))
-            {
-                continue;
-            }
-            n /= mag(n);
-            for (int d = 0; d < 3; ++d)
-            {
-                along[d] = d < nDim ? n[grid_.direction(d)] : 0;
-            }
-            // Along the normal and beyond: does the shape end there?
-            const int nRoots = f.rootsAlong(at, along, t);
-            for (int r = 0; r < nRoots; ++r)
-            {
-                const scalar side = t[r] < 0 ? -1 : 1;
-                bool inside[2];
-                for (int s = 0; s < 2; ++s)
-                {
-                    const scalar eps = 1e-6 * least * side;
-                    for (int d = 0; d < 3; ++d)
-                    {
-                        foot[d] = at[d] + along[d] * (t[r] + (s ? eps : -eps));
-                    }
-                    inside[s] = formula_->contains(celli, foot);
-                }
-                if (inside[0] && !inside[1])
-                {
-                    touch(mag(t[r]), side * n);
-                }
-            }
-        }
-    }
-    else if (cutter_)
-    {
-        const triSurface& s = *shape_->facets();
-        for (const label i : c.surfaces)
-        {
-            const triPointRef facet(s.points()[s[i][0]], s.points()[s[i][1]], s.points()[s[i][2]]);
-            const vector n(shape_->computed(facet.nearestPoint(x).rawPoint() - x));
-            if (mag(n) > 0)
-            {
-                touch(mag(n), n / mag(n));
-            }
-        }
-    }
-    return factor > 1 - 1e-9 ? 1 : factor;
-}
-
-void Foam::mpm::pointRegion::placeCutPoints()
-{
-    constexpr label nTries = 30;
-    constexpr scalar least = 0.2;
-
-    for (const cutPoint& c : cut_)
-    {
-        if (c.point < 0)
-        {
-            continue;
-        }
-        materialPointCloud::newPoint& p = points_[c.point];
-        const label k =
-            std::upper_bound(start_.begin(), start_.end(), c.point) - start_.begin() - 1;
-
-        const vector l(boxOf(c));
-        p.x = c.mean;
-        if (isBox(cells_[k], c))
-        {
-            p.halfSize = l;
-            continue;
-        }
-
-        // The box need not be full where another region goes on
-        vector way;
-        if (joined_.size() && fit(cells_[k], c, p.x, p.halfSize, true, way) == 1)
-        {
-            p.halfSize = l;
-            continue;
-        }
-
-        // A full box is drawn in, surface by surface
-        bool fits = false;
-        for (label i = 0; i < nTries && !fits; ++i)
-        {
-            fits = fit(cells_[k], c, p.x, p.halfSize, true, way) == 1;
-            p.x += fits ? vector(Zero) : way;
-        }
-        scalar x[3];
-        for (int d = 0; d < grid_.nDim(); ++d)
-        {
-            x[d] = p.x[grid_.direction(d)];
-        }
-        if (!fits || !shape_->contains(cells_[k], p.x)
-            || (grid_.locate(cells_[k], x) < 0 && grid_.find(x) < 0))
-        {
-            // Too thin for it, or the mesh ends here
-            p.x = c.mean;
-            p.halfSize = max(fit(cells_[k], c, p.x, l, true, way), least) * l;
-        }
-    }
-    cut_.clearStorage();
     cutOf_.clear();
+    forAll(cut_, i)
+    {
+        cutPoint& c = cut_[i];
+        c.point = c.point < 0 ? c.point : now[c.point];
+        if (c.point >= 0)
+        {
+            cutOf_.insert(c.point, i);
+        }
+    }
 }

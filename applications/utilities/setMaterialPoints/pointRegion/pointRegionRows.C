@@ -7,6 +7,33 @@
 #include "cornerRegions.H"
 #include "meshShape.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The largest fraction of cells between points in a row without an end, less 1;
+//  s: their distance in cells
+Foam::scalar excess(const Foam::scalar s)
+{
+    constexpr int nPlaces = 32;
+
+    Foam::scalar most = 0;
+    for (int k = 0; k < nPlaces; ++k)
+    {
+        Foam::scalar sum = 0;
+        for (Foam::scalar x = s * k / nPlaces - s * std::ceil(1.5 / s + 1); x < 1.5; x += s)
+        {
+            const Foam::scalar r = std::abs(x);
+            sum += r < 0.5 ? s * (0.75 - r * r) : r < 1.5 ? s * 0.5 * (1.5 - r) * (1.5 - r) : 0;
+        }
+        most = std::max(most, sum);
+    }
+    return most - 1;
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::mpm::pointRegion::standsInRows(const pointGrid& grid, const pointRegionShape& shape)
@@ -19,9 +46,117 @@ bool Foam::mpm::pointRegion::standsInRows(const pointGrid& grid, const pointRegi
     return r < 0 || shape.bounds().min()[grid.direction(r)] >= grid.lattice().planes(r)[2];
 }
 
-void Foam::mpm::pointRegion::row(const int d, scalarList& centre, scalarList& size) const
+void Foam::mpm::pointRegion::setRings()
 {
-    constexpr scalar tolerance = 1e-9;
+    const int d = grid_.radial();
+    if (d < 0 || !inGas_ || !grid_.hasLattice())
+    {
+        return;
+    }
+    // What the points of a cell give to the cells beside (pointKernels) is as
+    // much as they get: the first one of each cell is where that holds
+    const scalarList& r = grid_.lattice().planes(d);
+    const label n = n_[d];
+    rings_.setSize((r.size() - 1) * n, Zero);
+    scalar given = 0;
+    for (label i = 1; i < r.size() - 2; ++i)
+    {
+        const scalar s = (r[i + 1] - r[i]) / n;
+        const scalar below = sqr(r[i]) - sqr(max(r[i - 1], scalar(0)));
+        const scalar above = sqr(r[i + 1]) - sqr(max(r[i], scalar(0)));
+        for (label j = 0; j < n; ++j)
+        {
+            rings_[i * n + j] = r[i] + (j + 0.5) * s;
+        }
+        scalar& first = rings_[i * n];
+        if (i > 1 && below > 0)
+        {
+            const scalar volume = first * s;
+            scalar missing = given;
+            for (label j = 1; j < n; ++j)
+            {
+                const scalar x = rings_[i * n + j];
+                const scalar c = max(1 - (sqr(x) - sqr(r[i])) / below, scalar(0));
+                missing -= 0.5 * sqr(c) * x * s;
+            }
+            const scalar c = std::sqrt(2 * max(missing, scalar(0)) / volume);
+            const scalar x = std::sqrt(sqr(r[i]) + below * max(1 - c, scalar(0)));
+            first = mag(x - first) < 0.25 * s ? x : first;
+        }
+        given = 0;
+        for (label j = 0; j < n; ++j)
+        {
+            const scalar c = max(1 - (sqr(r[i + 1]) - sqr(rings_[i * n + j])) / above, scalar(0));
+            given += 0.5 * sqr(c) * (r[i] + (j + 0.5) * s) * s;
+        }
+    }
+}
+
+void Foam::mpm::pointRegion::unequalRow(
+    const int d, const scalar low, const scalar high, DynamicList<rowPoint>& row) const
+{
+    // Half-sizes at the sides over those of the sub-cell
+    constexpr scalar least = 0.2;
+
+    const scalarList& planes = grid_.lattice().planes(d);
+    const bool rings = d == grid_.radial();
+    scalar lost = 0;
+    for (label i = 1; i < planes.size() - 2; ++i)
+    {
+        const scalar s = (planes[i + 1] - planes[i]) / n_[d];
+        for (label j = 0; j < n_[d]; ++j)
+        {
+            const scalar x = planes[i] + (j + 0.5) * s;
+            const scalar a = max(low, x - 0.5 * s), b = min(high, x + 0.5 * s);
+            if (!(a < b))
+            {
+                continue;
+            }
+            const scalar length = (b - a) * (rings ? 0.5 * (a + b) : 1);
+            if (b - a < smallPart * s && high - low > s)
+            {
+                row.size() ? row.last().length += length : lost = length;
+                continue;
+            }
+            row.append(rowPoint{rings ? rings_[i * n_[d] + j] : x, 0.5 * s, length + lost});
+            lost = 0;
+        }
+    }
+    // The ends: with mass and centre of mass of the centres of sub-cells
+    const label last = row.size() - 1;
+    for (const bool upper : {false, true})
+    {
+        if (last < 0)
+        {
+            break;
+        }
+        rowPoint& p = row[upper ? last : 0];
+        const scalar depth = upper ? high - p.x : p.x - low;
+        if (depth >= least * p.l)
+        {
+            // Also where the point is not in the middle
+            p.l = depth < 1.1 * p.l ? depth : p.l;
+        }
+        else if (last == 0)
+        {
+            p = {0.5 * (low + high), 0.5 * (high - low), p.length};
+        }
+        else
+        {
+            rowPoint& q = row[upper ? last - 1 : 1];
+            p.l *= least;
+            const scalar x = upper ? high - p.l : low + p.l;
+            const scalar t = (x - p.x) / (q.x - p.x), more = t / (1 - t) * p.length;
+            p.x = x;
+            p.length += more;
+            q.length -= more;
+        }
+    }
+}
+
+Foam::DynamicList<Foam::mpm::pointRegion::rowPoint> Foam::mpm::pointRegion::row(const int d) const
+{
+    constexpr scalar tolerance = 1e-9, most = 1e-3;
 
     // Cells of the mesh; planes have one more at each end
     const scalarList& planes = grid_.lattice().planes(d);
@@ -37,39 +172,25 @@ void Foam::mpm::pointRegion::row(const int d, scalarList& centre, scalarList& si
         equal = equal && mag(planes[i + 1] - planes[i] - h) < tolerance * h;
     }
 
-    DynamicList<scalar> x, w;
-    if (!(low < high))
+    // No point is wider than a cell, and in all directions together no cell that
+    // the box covers gets much too much
+    DynamicList<rowPoint> row;
+    const label n =
+        max(label((high - low) / h * n_[d] + 0.5), label(std::ceil((high - low) / h - tolerance)));
+    const bool tooMuch = high - low > 3 * h && grid_.nDim() * excess((high - low) / n / h) > most;
+    if (low < high && equal && !tooMuch)
     {
-    }
-    else if (equal)
-    {
-        // No point is wider than a cell
-        const label n = max(
-            label((high - low) / h * n_[d] + 0.5), label(std::ceil((high - low) / h - tolerance)));
         for (label i = 0; i < n; ++i)
         {
-            x.append(low + (i + 0.5) / n * (high - low));
-            w.append((high - low) / n);
+            const scalar x = low + (i + 0.5) / n * (high - low), s = (high - low) / n;
+            row.append(rowPoint{x, 0.5 * s, s});
         }
     }
-    else
+    else if (low < high)
     {
-        for (label i = 1; i <= nCells; ++i)
-        {
-            const scalar s = (planes[i + 1] - planes[i]) / n_[d];
-            for (label j = 0; j < n_[d]; ++j)
-            {
-                const scalar at = planes[i] + (j + 0.5) * s;
-                if (at >= low && at < high)
-                {
-                    x.append(at);
-                    w.append(s);
-                }
-            }
-        }
+        unequalRow(d, low, high, row);
     }
-    centre.transfer(x);
-    size.transfer(w);
+    return row;
 }
 
 void Foam::mpm::pointRegion::fillRows(const scalar rho)
@@ -77,12 +198,12 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
     const int nDim = grid_.nDim();
     const int radial = grid_.radial();
 
-    scalarList centre[3], size[3];
+    DynamicList<rowPoint> rows[3];
     label n = 1;
     for (int d = 0; d < nDim; ++d)
     {
-        row(d, centre[d], size[d]);
-        n *= centre[d].size();
+        rows[d] = row(d);
+        n *= rows[d].size();
     }
 
     DynamicList<materialPointCloud::newPoint> points(n);
@@ -99,11 +220,11 @@ void Foam::mpm::pointRegion::fillRows(const scalar rho)
         for (int d = 0; d < nDim; ++d)
         {
             const int c = grid_.direction(d);
-            const label j = rest % centre[d].size();
-            rest /= centre[d].size();
-            x[d] = p.x[c] = centre[d][j];
-            p.halfSize[c] = 0.5 * size[d][j];
-            p.volume *= size[d][j] * (d == radial ? x[d] : 1);
+            const rowPoint& at = rows[d][rest % rows[d].size()];
+            rest /= rows[d].size();
+            x[d] = p.x[c] = at.x;
+            p.halfSize[c] = at.l;
+            p.volume *= at.length;
         }
         p.mass = rho * p.volume;
         cellOf[i] = grid_.find(x);

@@ -75,6 +75,15 @@ void printBodies(const PtrList<mpm::pointRegion>& regions)
              << (r.byElements() ? "element" : "cell")
              << (r.samplesUnused() ? "; samples is not used, parts of sub-cells are exact" : "")
              << outside(r).c_str() << nl;
+        const scalar asked = r.askedMass();
+        if (asked > 0)
+        {
+            OStringStream line;
+            line.precision(6);
+            line << "        mass asked " << asked << " kg, put " << r.mass() << " kg, difference "
+                 << 100 * (r.mass() / asked - 1) << " %";
+            Info << line.str().c_str() << nl;
+        }
         if (r.wholeSubCells())
         {
             const boundBox filled(r.pointBounds());
@@ -146,6 +155,26 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
                << "xyz"[across] << " have type empty, of a sector wedge.";
         }
         os << endl;
+    }
+}
+
+//- Warn of a body of another mass than that of its shape in the mesh
+void checkMass(const mpm::pointRegion& r)
+{
+    constexpr scalar most = 1e-3;
+
+    const scalar asked = r.askedMass();
+    if (asked > 0 && mag(r.mass() - asked) > most * asked)
+    {
+        WarningInFunction << "Region " << r.name() << " has the mass " << r.mass()
+                          << " kg; that of its shape in the mesh is " << asked << " kg, "
+                          << 100 * (r.mass() / asked - 1) << " % off. "
+                          << (r.sampled() ? "Remove  parts sampled;  or write  samples 8;"
+                                  : r.shape().facets()
+                                  ? "Look with surfaceCheck whether the surface is closed and"
+                                    " does not cut itself."
+                                  : "Use smaller cells or a larger pointsPerCell.")
+                          << endl;
     }
 }
 
@@ -333,7 +362,7 @@ void Foam::mpm::printTable(const wordList& phases, const PtrList<pointRegion>& r
     forAll(regions, i)
     {
         const pointRegion& r = regions[i];
-        printLine(r.name(), r.phase(), r.points().size(), r.mass(), r.volume(), r.exactVolume());
+        printLine(r.name(), r.phase(), r.points().size(), r.mass(), r.volume(), r.askedVolume());
     }
     Info << nl;
 
@@ -349,7 +378,7 @@ void Foam::mpm::printTable(const wordList& phases, const PtrList<pointRegion>& r
                 n += r.points().size();
                 mass += r.mass();
                 volume += r.volume();
-                const scalar v = r.exactVolume();
+                const scalar v = r.askedVolume();
                 exact = v < 0 || exact < 0 ? -1 : exact + v;
             }
         }
@@ -397,6 +426,7 @@ void Foam::mpm::printStart(
             checkAmbient(r, p);
         }
         checkOutside(phase.cloud().grid(), r);
+        checkMass(r);
         boundBox body(r.bounds());
         for (const pointRegion& other : regions)
         {
