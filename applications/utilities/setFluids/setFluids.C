@@ -61,6 +61,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "cloud.H"
 #include "fvMesh.H"
 #include "Time.H"
 #include "IOdictionary.H"
@@ -97,6 +98,26 @@ void checkTime(const Time& time)
     {
         WarningInFunction << "The case is decomposed: the fields of processor0 and others"
                           << " stay as they are. decomposePar -force takes the new ones." << endl;
+    }
+}
+
+//- Warn of points that have been made before
+void checkPoints(const Time& time, const dictionary& phaseProperties)
+{
+    DynamicList<word> there;
+    for (const word& name : phaseNames(phaseProperties, {"materialPoints"}))
+    {
+        if (isDir(time.timePath() / cloud::prefix / name))
+        {
+            there.append(name);
+        }
+    }
+    if (there.size())
+    {
+        WarningInFunction << "The points of " << flatOutput(there) << " at time " << time.timeName()
+                          << " were made before these fluids: they have not"
+                          << " been compared with their pressure. Run setMaterialPoints"
+                          << " after setFluids." << endl;
     }
 }
 
@@ -176,6 +197,10 @@ int main(int argc, char* argv[])
     Info << "Reading " << dictIO.objectPath() << nl << endl;
     const IOdictionary dict(read(dictIO));
 
+    if (!args.found("count"))
+    {
+        checkPoints(runTime, phaseProperties);
+    }
     const fluidStart start(mesh, phaseProperties, names, dict, gravity(mesh));
     start.printTable();
     if (!args.found("count"))

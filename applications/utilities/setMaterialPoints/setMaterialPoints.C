@@ -219,6 +219,7 @@ void readRegions(
                 }
             }
         }
+        region.setReferencePressure(phase.referencePressure());
         region.checkTemperature(phase.cloud().temperature());
         for (label j = 0; j < i; ++j)
         {

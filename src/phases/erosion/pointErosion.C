@@ -212,6 +212,14 @@ void Foam::mpm::pointErosion::connectDebris()
                     << exit(FatalIOError);
             }
         }
+        if (phases_[to].referencePressure() != phases_[phasei].referencePressure())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The eroded points of " << names[phasei] << " go to " << debris
+                << ", whose referencePressure differs: give " << debris << " that of "
+                << names[phasei] << ", " << phases_[phasei].referencePressure() << " Pa."
+                << exit(FatalIOError);
+        }
         debris_[phasei] = to;
     }
 }

@@ -6,6 +6,7 @@
 #include "noTraps.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -17,6 +18,7 @@ Foam::mpm::materialPointPhase::materialPointPhase(
     failedTime_(-1),
     rho_(0),
     largestMass_(0),
+    referencePressure_(0),
     grains_(false),
     Cv_(0),
     cloud_(grid, name),
@@ -75,8 +77,8 @@ void Foam::mpm::materialPointPhase::readMaterial(const dictionary& dict)
         checkKeywords(
             dict,
             {"type", "constitutiveModel", "failureModel", "bodyForce", "surfaceLoads", "damping",
-             "erosion", "velocityField", "volumeModel", "drag", "granularPressure", "heatTransfer",
-             "Cv"});
+             "erosion", "velocityField", "volumeModel", "referencePressure", "drag",
+             "granularPressure", "heatTransfer", "Cv"});
         law_ = constitutiveModel::New(requiredDict(dict, "constitutiveModel"));
         readVolumeModel(dict);
         waveSpeed_ = law_->waveSpeed();
@@ -85,6 +87,54 @@ void Foam::mpm::materialPointPhase::readMaterial(const dictionary& dict)
     {
         failure_ = failureModel::New(requiredDict(dict, "failureModel"));
     }
+    if (law_)
+    {
+        readReferencePressure(dict);
+    }
+}
+
+void Foam::mpm::materialPointPhase::readReferencePressure(const dictionary& dict)
+{
+    referencePressure_ = boundedOrDefault(dict, "referencePressure", 0, 0, GREAT);
+    if (referencePressure_ <= 0)
+    {
+        return;
+    }
+    if (grains_ || !law_->hasStress() || law_->startPressure() != 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry referencePressure of phase " << name_ << ": "
+            << (grains_ || !law_->hasStress()
+                    ? "the stress of grains is that on each other, without the pressure around"
+                      " them"
+                    : "its law has a pressure of its own where it is unstrained")
+            << "; leave it out." << exit(FatalIOError);
+    }
+    if (failure_ && failure_->ambient() > 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Phase " << name_ << " has a referencePressure and its failureModel an"
+            << " ambientPressure. Failure sees the stress above referencePressure, and the"
+            << " gas enters the cracks: leave ambientPressure out." << exit(FatalIOError);
+    }
+}
+
+Foam::mpm::pointBlock
+Foam::mpm::materialPointPhase::lawBlock(const pointBlock& b, scalarList& room) const
+{
+    pointBlock law(b);
+    if (referencePressure_ > 0)
+    {
+        room.setSize(3 * b.n);
+        for (int i = 0; i < 3; ++i)
+        {
+            law.stress[i] = room.begin() + i * b.n;
+            std::transform(
+                b.stress[i], b.stress[i] + b.n, law.stress[i],
+                [&](const scalar s) { return s + referencePressure_; });
+        }
+    }
+    return law;
 }
 
 void Foam::mpm::materialPointPhase::readLoads(const dictionary& dict)
@@ -257,7 +307,8 @@ void Foam::mpm::materialPointPhase::read(
 
     // Points that start without the law's history, perhaps with a stress
     bool history = false;
-    pointBlock b(block());
+    scalarList room;
+    pointBlock b(lawBlock(block(), room));
     int h = 0;
     for (const column& c : cloud_.history())
     {
@@ -273,20 +324,19 @@ void Foam::mpm::materialPointPhase::read(
     if (!history && (cloud_.history().size() || !law_->hasStress()))
     {
         law_->start(b);
-        if (stressed())
+        if (stressed(b))
         {
             law_->initialise(b);
         }
     }
 }
 
-bool Foam::mpm::materialPointPhase::stressed()
+bool Foam::mpm::materialPointPhase::stressed(const pointBlock& b)
 {
     bool found = false;
-    const pointBlock b(block());
     for (int i = 0; i < nStress(b.nDim); ++i)
     {
-        for (label p = 0; p < cloud_.size(); ++p)
+        for (label p = 0; p < b.n; ++p)
         {
             found = found || b.stress[i][p] != 0;
         }
@@ -296,9 +346,10 @@ bool Foam::mpm::materialPointPhase::stressed()
 
 void Foam::mpm::materialPointPhase::startHistory()
 {
-    if (law_ && !stressed())
+    scalarList room;
+    pointBlock b(lawBlock(block(), room));
+    if (law_ && !stressed(b))
     {
-        pointBlock b(block());
         law_->start(b);
     }
 }
@@ -337,7 +388,14 @@ void Foam::mpm::materialPointPhase::restoreStress()
 
 Foam::scalar Foam::mpm::materialPointPhase::storedEnergy(const pointBlock& b) const
 {
-    return failure_ ? failure_->storedEnergy(b) : law_->strainEnergy(b);
+    scalarList room;
+    const pointBlock law(lawBlock(b, room));
+    scalar sum = failure_ ? failure_->storedEnergy(law) : law_->strainEnergy(law);
+    for (label p = 0; referencePressure_ > 0 && p < b.n; ++p)
+    {
+        sum -= referencePressure_ * (b.volume[p] - b.mass[p] / rho());
+    }
+    return sum;
 }
 
 void Foam::mpm::materialPointPhase::scaleVelocity(const scalar factor)

@@ -2,6 +2,7 @@
 
 #include "materialPointSystem.H"
 #include "pointEnergy.H"
+#include "aboveReference.H"
 #include "bookedLosses.H"
 #include "noTraps.H"
 #include "Time.H"
@@ -156,14 +157,22 @@ void Foam::mpm::materialPointSystem::correctStress(
         {
             continue;
         }
+        const failureModel* failure = phase.failure();
+        const scalar pressure = phase.referencePressure();
         autoPtr<bookedLosses> booked;
         if (energy_->active())
         {
-            booked.reset(new bookedLosses(phase.failure(), phase.law(), grid_.nDim()));
+            booked.reset(new bookedLosses(failure, phase.law(), grid_.nDim(), pressure));
+            failure = booked.get();
+        }
+        const aboveReference above(failure, pressure);
+        if (pressure > 0)
+        {
+            failure = &above;
         }
         const pointGridTransfer::stressResult result(gridTransfer_->correctStress(
-            phase.cloud(), phase.law(), booked ? booked.get() : phase.failure(), dt,
-            meanMove() ? 0 : stressUpdate_->square(), fields_[fieldOf_[phasei]].Ustrain(),
+            phase.cloud(), phase.law(), failure, dt, meanMove() ? 0 : stressUpdate_->square(),
+            fields_[fieldOf_[phasei]].Ustrain(),
             makesForce ? fields_[fieldOf_[phasei]].force() : nullptr));
         if (result.badPoint >= 0)
         {

@@ -126,6 +126,7 @@ Foam::dictionary Foam::mpm::phaseWatches::material(const materialPointPhase& pha
     dictionary now;
     now.add("rho", phase.rho());
     now.add("modulus", phase.rho() * sqr(phase.law().waveSpeed()));
+    now.add("referencePressure", phase.referencePressure());
     now.add("failureModel", phase.failure() ? phase.failure()->type() : "none");
     return now;
 }
@@ -144,10 +145,12 @@ void Foam::mpm::phaseWatches::warnOfChange(
          " setMaterialPoints again."},
         {"modulus",
          " Pa (rho c^2): the strains of the points come from the"
-         " old one."}};
+         " old one."},
+        {"referencePressure", " Pa: the strains of the points come from the old one."}};
     for (const auto& n : numbers)
     {
-        const scalar before = bounded(old, n.key, 0, GREAT);
+        // States of older versions have no referencePressure
+        const scalar before = boundedOrDefault(old, n.key, 0, 0, GREAT);
         const scalar after = now.get<scalar>(n.key);
         if (mag(after - before) > 1e-6 * before)
         {
@@ -195,7 +198,7 @@ void Foam::mpm::phaseWatches::setState(const dictionary& state)
         if (!phase.motion())
         {
             const dictionary& before = requiredDict(materials, phase.name());
-            checkKeywords(before, {"rho", "modulus", "failureModel"});
+            checkKeywords(before, {"rho", "modulus", "referencePressure", "failureModel"});
             warnOfChange(phase.name(), before, material(phase));
             names.append(phase.name());
         }

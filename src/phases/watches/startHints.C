@@ -70,18 +70,22 @@ centreOfMass(const PtrList<mpm::materialPointPhase>& phases, const word& field, 
     return mass;
 }
 
-//- The first modulus of a law: "E 70", or "its moduli"
-std::string modulus(const dictionary& law)
+//- The first modulus of a law: "E 70 Pa.", or "its moduli."; with a power "E 70 Pa;
+//  E is in Pa: is 70e9 meant?"
+std::string modulus(const dictionary& law, const char* power = nullptr)
 {
     for (const word key : {"E", "K", "G", "mu", "K0", "Ks"})
     {
         scalar value;
         if (law.readIfPresent(key, value))
         {
-            return key + ' ' + Foam::name(value) + " Pa";
+            const std::string found(key + ' ' + Foam::name(value) + " Pa");
+            return power
+                ? found + "; " + key + " is in Pa: is " + Foam::name(value) + power + " meant?"
+                : found + '.';
         }
     }
-    return "its moduli";
+    return "its moduli.";
 }
 
 //- Warn of a strength that is probably one in MPa: below 1e-6 of the modulus
@@ -248,17 +252,17 @@ void Foam::mpm::warnOfUnits(const materialPointPhase& phase, const dictionary& d
     else if (c > 2e4)
     {
         os << "No matter is that fast (diamond 18 km/s): rho is " << rho << " kg/m3, "
-           << modulus(law).c_str() << '.';
+           << modulus(law).c_str();
     }
     else if (solid && c < 0.57)
     {
-        os << "No solid is that slow: " << modulus(law).c_str()
-           << ". A modulus in GPa needs e9: 70e9 for 70 GPa.";
+        os << "No solid is that slow: " << modulus(law, "e9").c_str()
+           << " A modulus in GPa needs e9: 70e9 for 70 GPa.";
     }
     else if (solid && c < 20 && rho > 3000)
     {
-        os << "Matter of rho " << rho << " kg/m3 is not that slow: " << modulus(law).c_str()
-           << ". A modulus in MPa needs e6: 70000e6"
+        os << "Matter of rho " << rho << " kg/m3 is not that slow: " << modulus(law, "e6").c_str()
+           << " A modulus in MPa needs e6: 70000e6"
            << " for 70000 MPa.";
     }
     if (os.str().size())

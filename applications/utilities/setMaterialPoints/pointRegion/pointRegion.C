@@ -456,10 +456,17 @@ Foam::scalar Foam::mpm::pointRegion::wholeVolume() const
     return v < 0 ? -1 : v * volumeFraction_;
 }
 
-Foam::scalar Foam::mpm::pointRegion::ambientPressure() const
+bool Foam::mpm::pointRegion::isAmbient() const
 {
-    const bool ambient = hasStress() && token(dict_.lookup("stress")).isWord();
-    return ambient ? dict_.get<scalar>("pressure") : -1;
+    return !hasStress() || token(dict_.lookup("stress")).isWord();
+}
+
+void Foam::mpm::pointRegion::setReferencePressure(const scalar p)
+{
+    if (!hasStress() && p > 0)
+    {
+        sigma_ = symmTensor(-p, 0, 0, -p, 0, -p);
+    }
 }
 
 Foam::scalar Foam::mpm::pointRegion::widestCell() const

@@ -275,12 +275,12 @@ scalarField startPressure(const polyMesh& mesh)
 //  of grains the stress is not that of the gas
 void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
 {
-    const bool given = r.hasStress() && r.ambientPressure() < 0;
-    if (!r.hasStress() || (given && r.granular()) || p.empty())
+    const bool given = !r.isAmbient();
+    const scalar ambient = -tr(r.stress()) / 3;
+    if ((!r.hasStress() && ambient <= 0) || (given && r.granular()) || p.empty())
     {
         return;
     }
-    const scalar ambient = given ? -tr(r.stress()) / 3 : r.ambientPressure();
     scalar low = GREAT, high = -GREAT;
     for (const label celli : r.cells())
     {
@@ -296,6 +296,36 @@ void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
                           << "; the gas in its cells has " << low
                           << (high > low ? " to " + Foam::name(high) : std::string()).c_str()
                           << " Pa. They are not in equilibrium." << endl;
+    }
+}
+
+//- Warn of a law that is far from its unstressed state in the gas
+void checkSoft(const mpm::materialPointPhase& phase, const mpm::pointRegion& r)
+{
+    constexpr scalar most = 0.2;
+
+    const scalar E = phase.law().elasticModulus();
+    const scalar above = -tr(r.stress()) / 3 - phase.referencePressure();
+    if (r.isAmbient() && phase.law().holdsTogether() && above > most * E)
+    {
+        WarningInFunction << "Region " << r.name() << " starts " << above << " Pa above the"
+                          << " pressure at which phase " << phase.name()
+                          << " is unstressed; its modulus is " << E
+                          << " Pa. If that and rho are those of the material in the gas, write"
+                          << "  referencePressure " << -tr(r.stress()) / 3 << ";  in the phase."
+                          << endl;
+    }
+}
+
+//- Warn of fluids that are still to be made
+void checkFluids(const Time& time, const wordList& fluids, const scalarField& p)
+{
+    if (fluids.size() && p.empty() && isFile(time.path() / "system/setFluidsDict"))
+    {
+        WarningInFunction << "The fluids " << flatOutput(fluids) << " have no p at time "
+                          << time.timeName() << ": the pressure that points start with cannot be"
+                          << " compared with theirs. Run setFluids first, then"
+                          << " setMaterialPoints." << endl;
     }
 }
 
@@ -405,9 +435,17 @@ void Foam::mpm::printStart(
     printBodies(regions);
     const scalarField p(
         gases.size() ? startPressure(phases[0].cloud().grid().mesh()) : scalarField());
+    checkFluids(phases[0].cloud().time(), phaseNames(phaseProperties, {"fluid"}), p);
     for (const materialPointPhase& phase : phases)
     {
-        if (gases.size() && phase.failure() && phase.failure()->ambient() <= 0)
+        if (phase.referencePressure() > 0 && gases.empty() && phase.surfaceLoads().empty())
+        {
+            WarningInFunction << "Phase " << phase.name() << " has the referencePressure "
+                              << phase.referencePressure() << " Pa, and there is neither gas nor"
+                              << " surface load: it expands as in a vacuum." << endl;
+        }
+        if (gases.size() && phase.failure() && phase.failure()->ambient() <= 0
+            && phase.referencePressure() <= 0)
         {
             WarningInFunction << "Phase " << phase.name() << " may fail in the gas " << gases[0]
                               << " and its failureModel has no ambientPressure:"
@@ -424,6 +462,7 @@ void Foam::mpm::printStart(
         if (!phase.motion())
         {
             checkAmbient(r, p);
+            checkSoft(phase, r);
         }
         checkOutside(phase.cloud().grid(), r);
         checkMass(r);
@@ -445,7 +484,7 @@ void Foam::mpm::printStart(
             WarningInFunction << "Region " << r.name() << ":" << hint.c_str() << endl;
         }
         if (gases.size() && !phase.motion() && !r.hasStress() && !r.granular()
-            && !pressesBack(phase, r, p))
+            && phase.referencePressure() <= 0 && !pressesBack(phase, r, p))
         {
             WarningInFunction << "Region " << r.name() << " lies in the gas " << gases[0]
                               << " and starts without stress: the gas will press it"
