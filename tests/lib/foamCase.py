@@ -16,6 +16,7 @@ import sys
 
 import numpy as np
 
+from launcher import launch
 from report import Report
 
 TESTS = os.path.abspath(os.path.join(os.path.dirname(__file__), ".."))
@@ -54,6 +55,10 @@ class FoamCase(Case):
         if command == ("blockMesh",) and not options:
             return self._mesh(limit)
         return super().run(*command, limit=PATIENCE*(limit or self.limit), **options)
+
+    def _execute(self, command, log, limit):
+        open(log, "w").close()
+        return launch(command, self.path, log, limit)
 
     #: Files of the meshes that blockMesh has made for this script, with its log
     _meshes = {}
