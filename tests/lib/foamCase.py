@@ -120,8 +120,10 @@ class FoamCase(Case):
 
 
 def mpirun(nProcs):
-    """Start of a command on so many processors, also as root and on fewer cores."""
-    return ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(nProcs))
+    """Start of a command on so many processors, also as root and on fewer cores, which
+    those that wait leave to others."""
+    return ("mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none",
+            "--mca", "mpi_yield_when_idle", "1", "-np", str(nProcs))
 
 
 _SIDES = {"x-": (0, 4, 7, 3), "x+": (1, 2, 6, 5), "y-": (0, 1, 5, 4),
