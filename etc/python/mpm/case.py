@@ -73,6 +73,16 @@ class Case:
         Returns the seconds of one core that it took."""
         limit = limit or self.limit
         log = self.file("log." + os.path.basename(command[0]))
+        code, seconds = self._execute(command, log, limit)
+        if code is None:
+            raise RunFailed(f"{command[0]} did not end in {limit} s: {log}")
+        if bool(code) != fails:
+            raise RunFailed(f"{' '.join(command)}: exit status {code}: "
+                            + self.reason(log))
+        return seconds
+
+    def _execute(self, command, log, limit):
+        """Exit status (None: stopped at the limit) and seconds of one core."""
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         with open(log, "w") as out:
             try:
@@ -81,13 +91,10 @@ class Case:
                     stdin=subprocess.DEVNULL, timeout=limit,
                     env={**os.environ, "PWD": self.path}).returncode
             except subprocess.TimeoutExpired:
-                raise RunFailed(f"{command[0]} did not end in {limit} s: {log}")
+                code = None
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        if bool(code) != fails:
-            raise RunFailed(f"{' '.join(command)}: exit status {code}: "
-                            + self.reason(log))
-        return (after.ru_utime + after.ru_stime
-                - before.ru_utime - before.ru_stime)
+        return code, (after.ru_utime + after.ru_stime
+                      - before.ru_utime - before.ru_stime)
 
     @staticmethod
     def reason(log):

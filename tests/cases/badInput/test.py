@@ -17,9 +17,7 @@ import glob
 import os
 import re
 import shutil
-import signal
 import struct
-import subprocess
 import sys
 import time
 
@@ -31,6 +29,7 @@ CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
     r"|Assertion|terminate called"
 
 sys.path.insert(0, os.path.join(PROJECT, "tests", "lib"))
+from launcher import launch  # noqa: E402
 from report import Report  # noqa: E402
 from fluidRows import fluidRows  # noqa: E402
 from gasRows import air, gasRows  # noqa: E402
@@ -101,16 +100,8 @@ class Case:
         start = time.monotonic()
         with open(self.file("log." + command[0]), "ab+") as log:
             begin = log.tell()
-            process = subprocess.Popen(
-                command, cwd=self.path, stdout=log, stderr=subprocess.STDOUT,
-                stdin=subprocess.DEVNULL, start_new_session=True,
-                env={**os.environ, "PWD": self.path, **(environment or {})})
-            try:
-                status = process.wait(limit)
-            except subprocess.TimeoutExpired:
-                os.killpg(process.pid, signal.SIGKILL)
-                process.wait()
-                status = None
+            status, _ = launch(command, self.path, log.name, limit, session=True,
+                               environment=environment)
             seconds = time.monotonic() - start
             log.seek(begin)
             text = log.read(2_000_000).decode("latin-1")

@@ -88,14 +88,16 @@ def bar(table):
 
 
 def quarter(table):
-    """The bar in 3D, cells of 0.381 mm, against the wedge."""
+    """The bar in 3D, cells of 0.476 mm, against the wedge."""
     variants, shape = tutorial("taylorBar", "variants", "shape")
-    flat = shape.Bar(os.path.join(HERE, "../../run/impact/bar10"))
-    case = barCase("quarter", variants, 10)
-    R, n = 3.81e-3, 10
+    R, n = 3.81e-3, 8
+    wedge = barCase("quarterWedge", variants, n)
+    solve(wedge)
+    flat = shape.Bar(wedge.path)
+    case = barCase("quarter", variants, n)
     h = R/n
     case.write("system/blockMeshDict", boxMesh(
-        (0, 0, 0), (25.4e-3*72/66, 2.2*R, 2.2*R), (72, 22, 22),
+        (0, 0, 0), (25.4e-3*58/52, 2.25*R, 2.25*R), (58, 18, 18),
         {"anvil": ("symmetryPlane", ("x-",)), "left": ("symmetryPlane", ("y-",)),
          "below": ("symmetryPlane", ("z-",)), "outside": ("patch", ("x+", "y+", "z+"))}))
     velocityFile(case, "bar", {"anvil": "symmetryPlane", "left": "symmetryPlane",

@@ -23,8 +23,6 @@ Beside tutorials: cases of several fluids (fluidSeeds.py), a spread of their own
 import os
 import re
 import shutil
-import signal
-import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -40,6 +38,7 @@ N_SPREAD, N_FLUIDS = 250, 120
 sys.path.insert(0, os.path.join(PROJECT, "tests", "lib"))
 import fluidSeeds  # noqa: E402
 from changes import Folder, allChanges, spread  # noqa: E402
+from launcher import launch  # noqa: E402
 from report import Report  # noqa: E402
 
 # --- the tutorials with coarse meshes and few steps --------------------------
@@ -184,17 +183,8 @@ CRASH = r"printStack|[Ss]egmentation fault|AddressSanitizer|runtime error:" \
 def run(command, path):
     """Exit status (None: stopped at the limit) and output."""
     log = os.path.join(path, "log." + command)
-    with open(log, "wb") as out:
-        process = subprocess.Popen(
-            [command], cwd=path, stdout=out, stderr=subprocess.STDOUT,
-            stdin=subprocess.DEVNULL, start_new_session=True,
-            env={**os.environ, "PWD": path})
-        try:
-            status = process.wait(LIMIT)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-            status = None
+    open(log, "w").close()
+    status, _ = launch([command], path, log, LIMIT, session=True)
     with open(log, "rb") as f:
         return status, f.read(2_000_000).decode("latin-1")
 

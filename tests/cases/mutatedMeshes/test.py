@@ -20,10 +20,7 @@ no hang (30 s on two processors, which may share a core).
 import os
 import random
 import re
-import resource
 import shutil
-import signal
-import subprocess
 import sys
 
 import numpy as np
@@ -33,6 +30,7 @@ from blockInGas import P0, gasFields, gasSchemes
 from cellMesh import boxOfCells
 from foamCase import (PATIENCE, FoamCase, controlDict, mpirun, noSchemes, readInternal,
                       velocityFile)
+from launcher import launch
 from mutations import (EITHER, MUTATIONS, ON_PROCESSORS, REFUSED, SAME, VALID)
 from polyMesh import PolyMesh
 from report import Report
@@ -104,18 +102,10 @@ def base(name):
 def run(case, *command):
     """Exit status (None: stopped at the limit) and output."""
     log = case.file("log." + command[-1 - (command[-1] == "-parallel")])
-    with open(log, "wb") as out:
-        process = subprocess.Popen(
-            command, cwd=case.path, stdout=out, stderr=subprocess.STDOUT,
-            stdin=subprocess.DEVNULL, start_new_session=True,
-            env={**os.environ, "PWD": case.path})
-        try:
-            # Two processes that wait for each other may have one core
-            status = process.wait(LIMIT*(3 if "-parallel" in command else 1))
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-            status = None
+    open(log, "w").close()
+    # Two processes that wait for each other may have one core
+    status, _ = launch(command, case.path, log,
+                       LIMIT*(3 if "-parallel" in command else 1), session=True)
     with open(log, "rb") as f:
         return status, f.read(2_000_000).decode("latin-1")
 
@@ -308,8 +298,6 @@ def main():
         table.row("changes of meshes tried", 100, len(chosen), 100, "atLeast")
         table.row("changes with a message", 0, counts["refused"], 140, "atLeast")
         table.row("changes with a right result", 0, counts["runs"], 40, "atLeast")
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    print(f"{used.ru_utime + used.ru_stime:.0f} s of one core")
     return table.finish()
 
 
