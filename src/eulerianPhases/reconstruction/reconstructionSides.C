@@ -331,7 +331,7 @@ void Foam::mpm::reconstruction::measureRest(const vector& g)
     coupled_.swap(behind);
     for (const label f : boundary_)
     {
-        behind[f - nInternal].p -= foot_[f - nInternal];
+        behind[f - nInternal].p += foot_[f - nInternal];
     }
     slopes_->update(cells, behind);
     rest_.setSize(cells.size());

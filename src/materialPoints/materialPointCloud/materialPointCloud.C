@@ -123,7 +123,7 @@ void Foam::mpm::materialPointCloud::add(const UList<newPoint>& points)
 
         for (int d = 0; d < D; ++d)
         {
-            x_[0][p] = x[d];
+            x_[d][p] = x[d];
             U_[d][p] = from.U[grid_.direction(d)];
             if (halfSize_)
             {

@@ -431,7 +431,7 @@ void Foam::mpm::freeBody::finish(const scalar dt, const scalar a)
     vector w(part(meanNodes, 3));
     for (int i = 0; i < 50 && grid_.nDim() == 3; ++i)
     {
-        quaternion half(turn(dt * w) * now_.q);
+        quaternion half(turn(0.5 * dt * w) * now_.q);
         half.normalize();
         const vector wNew(spin(half, L));
         const scalar moved = mag(wNew - w);

@@ -81,7 +81,7 @@ void Foam::mpm::gridLattice::placeGhosts(gridNodes& nodes, ghostCells& ghosts)
                 {
                     own[d] = (at[d] - 1 + nCells_[d]) % nCells_[d] + 1;
                 }
-                inWindow = inWindow && own[d] >= 1 && own[0] <= nCells_[d];
+                inWindow = inWindow && own[d] >= 1 && own[d] <= nCells_[d];
             }
             if (latticeCell_[latticeIndex(at, 2)] >= 0)
             {
