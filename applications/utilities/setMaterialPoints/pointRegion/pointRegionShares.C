@@ -169,6 +169,40 @@ void Foam::mpm::pointRegion::joinSmallCells()
             gone[p] = any = true;
         }
     }
+    forAll(cells_, k)
+    {
+        // Slivers; correct() gives the volume of what has no other in its cell
+        const scalar least = smallPart * volumeFraction_ * grid_.mesh().cellVolumes()[cells_[k]]
+            / max(start_[k + 1] - start_[k], 1);
+        for (label p = start_[k]; p < start_[k + 1]; ++p)
+        {
+            if (gone[p] || points_[p].volume >= least)
+            {
+                continue;
+            }
+            label nearest = -1;
+            for (label q = start_[k]; q < start_[k + 1]; ++q)
+            {
+                if (!gone[q] && points_[q].volume >= least
+                    && (nearest < 0
+                        || mag(points_[q].x - points_[p].x)
+                            < mag(points_[nearest].x - points_[p].x)))
+                {
+                    nearest = q;
+                }
+            }
+            if (nearest >= 0)
+            {
+                points_[nearest].volume += points_[p].volume;
+                points_[nearest].mass += points_[p].mass;
+            }
+            else
+            {
+                lost_ += points_[p].volume;
+            }
+            gone[p] = any = true;
+        }
+    }
     if (any)
     {
         remove(gone);
