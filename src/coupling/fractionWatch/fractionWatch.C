@@ -3,7 +3,6 @@
 #include "fractionWatch.H"
 #include "cellSums.H"
 #include "volFields.H"
-#include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -143,11 +142,10 @@ void Foam::mpm::fractionWatch::check()
     {
         at = gas_.fixedCell();
         OStringStream os;
-        os << "Fix-ups have added "
-           << (std::isfinite(fixed) ? Foam::name(fixed) + " J" : word("endless energy")).c_str()
-           << " to gas " << gas_.name() << "; without them it and the motion of the points had "
-           << energy_ << " J. The largest was in cell " << at << " at " << mesh.cellCentres()[at]
-           << ", theta " << gas_.theta()[at] << ", all fractions " << Theta(at) << "; time "
+        os << "Fix-ups have added " << fixed << " J to gas " << gas_.name()
+           << "; without them it and the motion of the points had " << energy_
+           << " J. The largest was in cell " << at << " at " << mesh.cellCentres()[at] << ", theta "
+           << gas_.theta()[at] << ", all fractions " << Theta(at) << "; time "
            << mesh.time().value() << ". " << advice(at).c_str();
         gas_.condemn(at, os.str());
     }

@@ -5,6 +5,7 @@
 #include "fullPrecision.H"
 #include "noTraps.H"
 #include "Time.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -150,6 +151,11 @@ Foam::scalar Foam::mpm::eulerianFlow::newTheta(const scalar A, const scalar D, c
 
 void Foam::mpm::eulerianFlow::bookFixup(const label celli, const scalar energy)
 {
+    // Without mass there is no end of it: the message is that of the state
+    if (!std::isfinite(energy))
+    {
+        return;
+    }
     fixups_.energy += energy;
     if (mag(energy) > fixedMost_)
     {

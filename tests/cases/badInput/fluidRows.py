@@ -36,6 +36,17 @@ def fluids(liquid=WATER, air=AIR, p="1e5", T="300", far=None, points=False, kind
     return change
 
 
+def withDict(*missing):
+    """Points and fluids with a setFluidsDict; without these files of the start."""
+    def change(case):
+        fluids(points=True)(case)
+        for name in missing:
+            case.remove("0/" + name)
+        case.write("system/setFluidsDict", HEAD.format("dictionary", "setFluidsDict")
+                   + "default { fluid air; p 1e5; T 300; }\n")
+    return change
+
+
 def fluidRows(solve, line):
     """The rows, made with the helpers of test.py."""
     dry = solve + ["-dry-run"]
@@ -77,6 +88,16 @@ def fluidRows(solve, line):
          {"warnings": 1, "has": "nuclei 1e-6;"}),
         ("allowed: water in tension, with nuclei", solve,
          fluids(p="2e5", share="1", air=AIR + " nuclei 1e-6;"), None, {"warnings": 0}),
+        ("misspelt nuclei", dry, fluids(air=AIR + " nuclie 1e-6;"),
+         [line("phaseProperties"), "Unknown keyword nuclie in .*; is nuclei meant",
+          "[Vv]alid keywords are: .*nuclei"]),
+        ("allowed: setMaterialPoints before setFluids", ["setMaterialPoints"],
+         withDict("p", "T.air", "U", "alpha.liquid", "lagrangian"), None,
+         {"has": "Run setFluids first, then setMaterialPoints"}),
+        ("allowed: setFluids after setMaterialPoints", ["setFluids"], withDict(), None,
+         {"warnings": 1, "has": "were made before these fluids"}),
+        ("allowed: setFluids before setMaterialPoints", ["setFluids"], withDict("lagrangian"),
+         None, {"warnings": 0}),
         ("water torn apart", solve, fluids(p="-7e8", share="1"),
          ["rho c.2 must be positive", "nuclei 1e-6", "in air of constant/phaseProperties"]),
         ("gas among fluids", solve, fluids(kind="gas"),

@@ -197,6 +197,36 @@ def gasRows(solve, replace, remove, several, withPoints, line):
                        " executeInterval 2; } }\nmaxCo")),
          ["executeControl"]),
     ]
+    # Soft bodies
+    def soft(entries, E="1e6", strength="strength +1e5;", failure="strength 1e5;"):
+        return several(replace(phases, r"(base\s*\{)", r"\1 " + entries),
+                       replace(phases, r"E +1e6;", f"E {E};"),
+                       replace(phases, strength, failure))
+
+    bare = 2*[replace("system/setMaterialPointsDict", r"stress ambient; pressure 1e5;", "")]
+    rows += [
+        ("allowed: soft bodies in air", solve + ["-dry-run"],
+         inAir(soft("referencePressure 1e5;", "1e3"), *bare), None, {"warnings": 0}),
+        ("allowed: soft bodies with the pressure of the air", ["setMaterialPoints"],
+         several(air, soft("", "1e5")), None,
+         {"has": "starts 100000 Pa above the pressure at which phase block is unstressed"}),
+        ("soft bodies cannot bear the air", solve,
+         inAir(soft("", "1e5"), *2*[replace(phases, "type +linearElastic", "type neoHookean")]),
+         ["cannot start with the stress", r"referencePressure <of the gas>;"]),
+        ("allowed: referencePressure in bar", ["setMaterialPoints"],
+         several(air, soft("referencePressure 1;", "1e3"), *bare), None,
+         {"has": "starts with the pressure 1 Pa"}),
+        ("allowed: referencePressure without a gas", ["setMaterialPoints"],
+         soft("referencePressure 1e5;"), None, {"warnings": 2, "has": "as in a vacuum"}),
+        ("referencePressure and ambientPressure", solve,
+         inAir(soft("referencePressure 1e5;", failure="strength 1e5; ambientPressure 1e5;")),
+         inPhases + ["leave ambientPressure out"]),
+        ("referencePressure of grains", solve,
+         several(air, soft("referencePressure 1e5; volumeModel grains;")),
+         inPhases + ["stress of grains"]),
+        ("referencePressure negative", solve, several(air, soft("referencePressure -1;")),
+         inPhases + ["referencePressure is -1"]),
+    ]
     # Two warnings are of failure without ambientPressure
     given = r"stress ambient; pressure 1e5;"
     rows += [

@@ -79,13 +79,14 @@ def runRows(solve, replace, remove, several, withPoints, meshOf, line):
         for name, rho, E, said in (
             ("density in g/cm3", "7.8", "210e9", "7.8 g/cm3 are 7800 kg/m3"),
             ("E in kPa for Pa", "2700", "70e12", "rho is 2700 kg/m3, E 7e+13 Pa"),
-            ("E in GPa", "2700", "70", "E 70 Pa. A modulus in GPa needs e9"),
-            ("E in MPa", "7800", "210000", "E 210000 Pa. A modulus in MPa needs e6"))]
+            ("E in GPa", "7850", "200", "E 200 Pa; E is in Pa: is 200e9 meant? A modulus in GPa"),
+            ("E in MPa", "7800", "210000", "E 210000 Pa; E is in Pa: is 210000e6 meant?"))]
     rows += [
         (f"allowed: {name}", dry, withPoints(solid(rho, E)), None, {"warnings": 0})
         for name, rho, E in (
             ("steel", "7800", "210e9"), ("beryllium", "1850", "303e9"),
-            ("diamond", "3515", "1050e9"), ("foam", "20", "5e6"), ("jelly", "1000", "1e3"))]
+            ("diamond", "3515", "1050e9"), ("foam", "20", "5e6"), ("jelly", "1000", "1e3"),
+            ("brain", "1040", "500"))]
     rows += [
         ("allowed: endTime of 4e8 steps", solve,
          several(replace(control, r"endTime +0\.2", "endTime 5e6"),

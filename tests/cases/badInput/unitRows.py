@@ -110,6 +110,11 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
         ("allowed: explosive in air", places, inAir(JWL, ""), None, {"warnings": 1}),
         ("allowed: liquid without pressure in air", places,
          inAir("type Tait; p0 1e4; K 2e9; n 7;", ""), None, {"has": "Region block lies in the gas air and starts without stress"}),
+        ("explosive with a referencePressure", places, several(
+            inAir(JWL, ""), replace(phases, "velocityField body; constitutiveModel",
+                                    "referencePressure 1e5; velocityField body;"
+                                    " constitutiveModel")),
+         inPhases + ["a pressure of its own where it is unstrained"]),
         ("explosive with the pressure of the air", solve, withPoints(
             inAir(JWL, "stress ambient; pressure 1e5;")),
          ["gives it the energy e -", r"E0/rho, is 4294478\.\d+ J/kg",

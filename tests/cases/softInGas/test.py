@@ -36,7 +36,7 @@ for name in ("FMPM", "XPIC", "APIC"):
 def law(E, kind="neoHookean", nu=NU):
     if kind == "MooneyRivlin":
         mu = E/(2*(1 + nu))
-        return {"type": kind, "rho": RHO, "C10": 0.4*mu, "C01": 0.1*mu, "K": E/(3*(1 - 2*nu))}
+        return {"type": kind, "rho": RHO, "c10": 0.4*mu, "c01": 0.1*mu, "K": E/(3*(1 - 2*nu))}
     return {"type": kind, "rho": RHO, "E": E, "nu": nu}
 
 
@@ -67,13 +67,13 @@ def inGas(name, nDim, n, phase, region, endTime, p=P0, rhoGas=1.2, h=1e-2, cells
 
 
 def rest(table):
-    laws = ("neoHookean", "MooneyRivlin", "linearElastic", "J2Plasticity", "DruckerPrager")
+    laws = ("neoHookean", "MooneyRivlin", "linearElastic")
     scenes = [(d, E, laws[0], "FLIP") for d in (1, 2, 3) for E in (1e3, 1e6)]
-    scenes += [(2, 1e3, kind, "FLIP") for kind in laws[1:3]]
+    scenes += [(2, 1e3, kind, "FLIP") for kind in laws[1:]]
     scenes += [(2, 1e3, laws[0], t) for t in TRANSFERS if t != "FLIP"]
     if VERIFY:
         scenes = [(d, E, kind, t) for d in (1, 2, 3) for E in (1e3, 1e4, 1e5, 1e6)
-                  for kind in laws[:3] for t in TRANSFERS]
+                  for kind in laws for t in TRANSFERS]
     for nDim, E, kind, transfer in scenes:
         n = {1: 40, 2: 16, 3: 8}[nDim]
         steps = 2000 if VERIFY else 200
@@ -88,39 +88,39 @@ def rest(table):
                   np.max(abs(case.points(end, "body")["U"])), 1e-11, "atMost")
 
 
-def pulse(name, nDim, n, E, distance):
-    """Centre of the right half of a pulse of velocity, and time."""
-    h, amplitude = 1/n, 1e-3
+def pulse(nDim, n, E):
+    """Speed of a pulse of velocity over that of the law, and the latter [m/s]."""
+    length, width, distance = (1, 0.05, 0.3) if nDim == 1 else (2, 0.1, 0.5)
     lam, mu = lame(E)
     c = np.sqrt((lam + 2*mu)/RHO if nDim == 1 else E/(1 - NU**2)/RHO)
-    x = np.linspace(0, 1, 401)
-    u = amplitude*c*np.exp(-((x - 0.5)/0.05)**2)
-    velocity = {"x": "table (" + " ".join(f"({a!r} ({b!r} 0 0))" for a, b in zip(x, u)) + ")"}
-    # In 2D a bar of 0.05 in a channel of 0.15
-    cells = (n, 1, 1) if nDim == 1 else (n, round(0.15*n), 1)
+    x = np.linspace(0, length, 401)
+    u = 1e-3*c*np.exp(-((x - length/2)/width)**2)
+    table = " ".join(f"({float(a)!r} ({float(b)!r} 0 0))" for a, b in zip(x, u))
+    # In 2D a plate of 0.05 in gas of 0.15
+    cells = (n, 1, 1) if nDim == 1 else (n, round(0.15*n/length), 1)
     low, high = (-1, 1) if nDim == 1 else (0.05, 0.1)
-    case = inGas(name, nDim, n, soft(E),
-                 {"type": "box", "min": (0.05, low, -1), "max": (0.95, high, 1),
-                  "velocity": velocity}, distance/c, h=h, cells=cells,
-                 numerics={"shapeFunction": "GIMP", "transfer": "FLIP"},
-                 control={"maxGasSubSteps": 10})
+    case = inGas(f"wave-{nDim}-{n}", nDim, n, soft(E),
+                 {"type": "box", "min": (0.05*length, low, -1), "max": (0.95*length, high, 1),
+                  "velocity": {"x": f"table ({table})"}}, distance/c, rhoGas=6, h=length/n,
+                 cells=cells, numerics={"shapeFunction": "GIMP", "transfer": "FLIP"},
+                 control={"maxGasSubSteps": 10, "reportInterval": 1000})
     case.run("materialPointFoam", limit=600)
     p = case.points(case.times()[-1], "body")
-    x, u = p["x"][:, 0], p["U"][:, 0]
-    right = (x > 0.5) & (u > 0.25*np.max(u))
-    return np.sum(x[right]*u[right])/np.sum(u[right]) - 0.5, c
+    x, u = p["x"][:, 0] - length/2, p["U"][:, 0]
+    right = (x > 0) & (u > 0.25*np.max(u))
+    return np.sum(x[right]*u[right])/np.sum(u[right])/distance, c
 
 
 def waves(table):
     E = 1e4
-    for nDim, meshes in ((1, (50, 100, 200)), (2, (40, 80, 160) if VERIFY else (40, 80))):
-        errors = []
-        for n in meshes:
-            found, c = pulse(f"wave-{nDim}-{n}", nDim, n, E, 0.3)
-            errors.append(found/0.3 - 1)
-        print(nDim, meshes, errors)
-        table.row(f"wave in a bar, {nDim}D, {meshes[-1]} cells, E {E:g} Pa: speed over"
-                  f" {c:.4g} m/s", 1, 1 + errors[-1], 5e-3)
+    for nDim, meshes in ((1, (50, 100, 200)), (2, (80, 160, 320) if VERIFY else (40, 80, 160))):
+        found, c = zip(*(pulse(nDim, n, E) for n in meshes))
+        print(f"{nDim}D, cells {meshes}: speed over {c[0]:.5g} m/s {found}", flush=True)
+        table.row(f"wave in a {('bar', 'plate')[nDim - 1]}, E {E:g} Pa, {meshes[-1]} cells:"
+                  f" speed over {c[0]:.4g} m/s", 1, found[-1], 1e-2)
+        table.check(f"{nDim}D: the error falls on finer meshes",
+                    abs(found[-1] - 1) < abs(found[0] - 1),
+                    ", ".join(f"{n}: {f - 1:.2e}" for n, f in zip(meshes, found)))
 
 
 def equilibrium(E, nDim, dp):
@@ -136,19 +136,95 @@ def equilibrium(E, nDim, dp):
 
 def squeezed(table):
     E, dp = 1e4, 2000.0
-    for nDim, n in ((1, 40), (2, 20), (3, 10)):
+    for nDim, n in ((1, 40), (2, 20), (3, 12)):
         case = inGas(f"squeezed-{nDim}", nDim, n,
-                     soft(E, damping={"type": "viscous", "rate": 60}),
-                     body(nDim, 0.503*n*1e-2, 0.27*n*1e-2), 0.4, p=P0 + dp, rhoGas=20,
-                     ends=("fixedValue", "zeroGradient", "zeroGradient"),
+                     soft(E, damping={"type": "viscous", "rate": 200}),
+                     body(nDim, 0.503*n*1e-2, 0.27*n*1e-2), 0.15, p=P0 + dp, rhoGas=20,
+                     ends=({"type": "fixedValue", "value": f"uniform {P0 + dp}"},
+                           "zeroGradient", "zeroGradient"),
                      control={"reportInterval": 1000, "maxGasSubSteps": 10})
         case.run("materialPointFoam", limit=600)
         a, b = (case.points(t, "body") for t in (case.times()[0], case.times()[-1]))
         J = np.sum(b["V"])/np.sum(a["V"])
-        table.row(f"{('slab', 'disc', 'ball')[nDim - 1]}, E {E:g} Pa, gas {dp:g} Pa above"
-                  " p_0: change of volume", equilibrium(E, nDim, dp) - 1, J - 1, 1e-2, "relative")
-        table.row(f"{nDim}D: speed left", 0, np.max(abs(b["U"])), 1e-3, "atMost")
+        label = f"{('slab', 'disc', 'ball')[nDim - 1]}, E {E:g} Pa, gas {dp:g} Pa above p_0"
+        table.row(f"{label}: change of volume", equilibrium(E, nDim, dp) - 1, J - 1, 1e-2,
+                  "relative")
+        table.row(f"{label}: speed left [m/s]", 0, np.max(abs(b["U"])), 1e-4, "atMost")
+
+
+def struck(name, Co, steps=None, **more):
+    """A block that flies in gas of which a part has more pressure."""
+    h, E = 1e-3, 2e4
+    return coupledCase(
+        "softInGas", name, (40, 40, 1), (40*h, 40*h, h),
+        lambda x, y, z: (1.2 + 0*x, 0*x, P0 + 4000.0*(x < 8*h)), 4e-3, {"body": soft(E)},
+        {"body": {"type": "box", "min": (12.2*h, 6.2*h, -1), "max": (22.3*h, 16.3*h, 1),
+                  "velocity": (0.5, -0.3, 0)}},
+        ends=WALL, maxCo=Co, maxCoGas=Co, numerics={"energyBudget": True},
+        control={"reportInterval": 1000, "functions": {"energy": {
+            "type": "materialPointEnergy", "libs": "(mpmFunctionObjects)",
+            "writeControl": "timeStep", "writeInterval": 1}}, **more})
+
+
+def energy(table):
+    worst = {}
+    for Co in (0.4, 0.2):
+        case = struck(f"energy-{Co}", Co)
+        case.run("materialPointFoam", limit=300)
+        e = case.series("energy", "energy.dat")
+        # Kinetic, stored, gained by the gas; residual and remap
+        size = max(np.max(abs(e[:, i] - e[0, i])) for i in (1, 2, 10))
+        worst[Co] = np.max(abs(e[:, 7] + e[:, 17]))/size
+        print(f"Courant number {Co}: exchanged {size:.4g} J, kinetic, stored, gas",
+              (e[-1, [1, 2, 10]] - e[0, [1, 2, 10]])/size, "residual, remap",
+              np.max(abs(e[:, [7, 17]]), axis=0)/size, flush=True)
+    table.row("soft block in a wave: remap and residual over exchanged", 0, worst[0.4], 1e-2,
+              "atMost")
+    table.check("it falls with the time step", worst[0.2] < 0.75*worst[0.4],
+                ", ".join(f"{c}: {w:.2e}" for c, w in worst.items()))
+
+
+def failure(table):
+    E, strength, rate = 1e4, 500.0, 10.0
+    lam, mu = lame(E)
+    low, high = 1.0, 2.0
+    for _ in range(100):
+        J = 0.5*(low + high)
+        low, high = (J, high) if (lam*np.log(J) + mu*(J*J - 1))/J < strength else (low, J)
+    at = (J - 1)/rate
+    case = inGas("failure", 1, 100, soft(E, failureModel={
+        "type": "maxPrincipalStress", "strength": strength}),
+        {"type": "box", "min": (0.1, -1, -1), "max": (0.9, 1, 1), "velocity": {
+            "x": f"table ((0 ({-0.5*rate} 0 0)) (1 ({0.5*rate} 0 0)))"}}, 1.2*at,
+        writeInterval=0.1*at, control={"reportInterval": 1000})
+    case.run("materialPointFoam", limit=300)
+    share = []
+    for t in (0.9*at, 1.1*at):
+        p = case.points(case.timeName(t), "body")
+        inside = abs(p["x"][:, 0] - 0.5) < 0.2
+        share.append(np.mean(p["damage"][inside]))
+    table.row(f"bar in gas, strength {strength:g} Pa: failed at 0.9 of the time of its law", 0,
+              share[0], 0)
+    table.row("at 1.1", 1, share[1], 0)
+    table.row("failed points bear the pressure of the gas: largest sigma + p_0 over p_0", 0,
+              np.max(abs(p["sigma"][inside][:, [0, 3, 5]] + P0))/P0, 1e-12, "atMost")
+
+
+def restart(table):
+    straight, again, two = (struck(name, 0.4, stopAt="endTime", endTime=4e-4,
+                                   writeInterval=2e-4) for name in ("straight", "again", "two"))
+    straight.run("materialPointFoam")
+    half, end = straight.times()[1:3]
+    again.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+    shutil.copytree(straight.file(half), again.file(half))
+    again.run("materialPointFoam")
+    table.row("restart at half time: points", 0, straight.largestDifference(
+        again, end, ["body"], ("x", "U", "sigma", "V", "leftStretch")), 0, "atMost")
+    two.decompose((2, 1, 1))
+    two.runParallel()
+    table.row("two processors against one: points", 0, straight.largestDifference(
+        two, end, ["body"], ("x", "U", "sigma", "V")), 1e-10, "atMost")
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("softInGas", rest, waves, squeezed))
+    sys.exit(runParts("softInGas", rest, waves, squeezed, energy, failure, restart))
