@@ -30,7 +30,7 @@ public:
         return c;
     }
 
-    bool meanInGas() const override
+    bool meanInGas(const bool) const override
     {
         return false;
     }
