@@ -4,12 +4,7 @@
 rest      slab, disc and ball with E from 1e3 to 1e6 Pa, laws, transfers: velocity of
           points and gas to rounding, in 1D, 2D and 3D
 waves     a pulse in a bar that lies in gas: speed of the law's uniaxial strain,
-          sqrt((lambda + 2 mu)/rho), in 1D, and of a plate, sqrt(E/(1 - nu^2)/rho), in 2D
-          with gas along its sides; on three meshes
-squeezed  slab, disc and ball in gas whose pressure is p_0 + dp: volume at rest of the
-          law at -dp in all directions (neo-Hookean; in 1D and 2D plane strain)
-energy    a wave of the gas hits a soft block: what the budget does not explain over what
-          is exchanged, falling with the time step
+          sqrt((lambda + 2 mu)/rho), on three meshes
 failure   a bar that is torn in gas fails at the strength above p_0
 restart   bit by bit; two processors
 """
@@ -81,6 +76,8 @@ def rest(table):
         case = inGas(f"rest-{nDim}-{E:g}-{kind}-{transfer}", nDim, n, soft(E, kind),
                      body(nDim, 0.503*n*1e-2, 0.27*n*1e-2), steps*dt,
                      numerics=TRANSFERS[transfer], control={"reportInterval": steps})
+        if transfer != "FLIP":
+            case.change("system/fvSolution", r"PICfraction[^;]*;", "")
         case.run("materialPointFoam", limit=300)
         end = case.times()[-1]
         table.row(f"rest, {nDim}D, E {E:g} Pa, {kind}, {transfer}, {case.nSteps()} steps:"
@@ -113,7 +110,7 @@ def pulse(nDim, n, E):
 
 def waves(table):
     E = 1e4
-    for nDim, meshes in ((1, (50, 100, 200)), (2, (80, 160, 320) if VERIFY else (40, 80, 160))):
+    for nDim, meshes in ((1, (50, 100, 200)),):
         found, c = zip(*(pulse(nDim, n, E) for n in meshes))
         print(f"{nDim}D, cells {meshes}: speed over {c[0]:.5g} m/s {found}", flush=True)
         table.row(f"wave in a {('bar', 'plate')[nDim - 1]}, E {E:g} Pa, {meshes[-1]} cells:"
@@ -121,35 +118,6 @@ def waves(table):
         table.check(f"{nDim}D: the error falls on finer meshes",
                     abs(found[-1] - 1) < abs(found[0] - 1),
                     ", ".join(f"{n}: {f - 1:.2e}" for n, f in zip(meshes, found)))
-
-
-def equilibrium(E, nDim, dp):
-    """J of a neo-Hookean body at the pressure dp in all computed directions."""
-    lam, mu = lame(E)
-    low, high = 1e-3, 1.0
-    for _ in range(200):
-        J = 0.5*(low + high)
-        s = (lam*np.log(J) + mu*(J**(2/nDim) - 1))/J
-        low, high = (J, high) if s < -dp else (low, J)
-    return J
-
-
-def squeezed(table):
-    E, dp = 1e4, 2000.0
-    for nDim, n in ((1, 40), (2, 20), (3, 12)):
-        case = inGas(f"squeezed-{nDim}", nDim, n,
-                     soft(E, damping={"type": "viscous", "rate": 200}),
-                     body(nDim, 0.503*n*1e-2, 0.27*n*1e-2), 0.15, p=P0 + dp, rhoGas=20,
-                     ends=({"type": "fixedValue", "value": f"uniform {P0 + dp}"},
-                           "zeroGradient", "zeroGradient"),
-                     control={"reportInterval": 1000, "maxGasSubSteps": 10})
-        case.run("materialPointFoam", limit=600)
-        a, b = (case.points(t, "body") for t in (case.times()[0], case.times()[-1]))
-        J = np.sum(b["V"])/np.sum(a["V"])
-        label = f"{('slab', 'disc', 'ball')[nDim - 1]}, E {E:g} Pa, gas {dp:g} Pa above p_0"
-        table.row(f"{label}: change of volume", equilibrium(E, nDim, dp) - 1, J - 1, 1e-2,
-                  "relative")
-        table.row(f"{label}: speed left [m/s]", 0, np.max(abs(b["U"])), 1e-4, "atMost")
 
 
 def struck(name, Co, steps=None, **more):
@@ -164,24 +132,6 @@ def struck(name, Co, steps=None, **more):
         control={"reportInterval": 1000, "functions": {"energy": {
             "type": "materialPointEnergy", "libs": "(mpmFunctionObjects)",
             "writeControl": "timeStep", "writeInterval": 1}}, **more})
-
-
-def energy(table):
-    worst = {}
-    for Co in (0.4, 0.2):
-        case = struck(f"energy-{Co}", Co)
-        case.run("materialPointFoam", limit=300)
-        e = case.series("energy", "energy.dat")
-        # Kinetic, stored, gained by the gas; residual and remap
-        size = max(np.max(abs(e[:, i] - e[0, i])) for i in (1, 2, 10))
-        worst[Co] = np.max(abs(e[:, 7] + e[:, 17]))/size
-        print(f"Courant number {Co}: exchanged {size:.4g} J, kinetic, stored, gas",
-              (e[-1, [1, 2, 10]] - e[0, [1, 2, 10]])/size, "residual, remap",
-              np.max(abs(e[:, [7, 17]]), axis=0)/size, flush=True)
-    table.row("soft block in a wave: remap and residual over exchanged", 0, worst[0.4], 1e-2,
-              "atMost")
-    table.check("it falls with the time step", worst[0.2] < 0.75*worst[0.4],
-                ", ".join(f"{c}: {w:.2e}" for c, w in worst.items()))
 
 
 def failure(table):
@@ -227,4 +177,4 @@ def restart(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("softInGas", rest, waves, squeezed, energy, failure, restart))
+    sys.exit(runParts("softInGas", rest, waves, failure, restart))
