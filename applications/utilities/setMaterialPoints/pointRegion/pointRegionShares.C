@@ -124,6 +124,31 @@ void Foam::mpm::pointRegion::joinSmallCells()
             points_[c.point].x = c.mean;
         }
     }
+    // The choice among equals is that of the place, not of the numbers
+    constexpr scalar equal = 1e-9;
+    const auto first = [&](const point& a, const point& b, const scalar size)
+    {
+        for (int c = 0; c < 3; ++c)
+        {
+            if (mag(a[c] - b[c]) > equal * size)
+            {
+                return a[c] < b[c];
+            }
+        }
+        return false;
+    };
+    const auto nearer = [&](const point& x, const point& a, const point& b)
+    {
+        const scalar da = mag(a - x), db = mag(b - x);
+        return mag(da - db) > equal * db ? da < db : first(a, b, db);
+    };
+    const auto fuller = [&](const label a, const label b, const scalarField& filled)
+    {
+        const vectorField& C = grid_.mesh().cellCentres();
+        const point &x = C[cells_[a]], &y = C[cells_[b]];
+        return mag(filled[a] - filled[b]) > equal * filled[b] ? filled[a] > filled[b]
+                                                              : first(x, y, mag(x - y));
+    };
     Map<label> placeOf;
     scalarField filled(cells_.size(), Zero);
     forAll(cells_, k)
@@ -144,7 +169,7 @@ void Foam::mpm::pointRegion::joinSmallCells()
         {
             const auto other = placeOf.cfind(celli);
             if (filled[k] < smallPart && other.good() && filled[*other] >= smallPart
-                && (best < 0 || filled[*other] > filled[best]))
+                && (best < 0 || fuller(*other, best, filled)))
             {
                 best = *other;
             }
@@ -155,8 +180,7 @@ void Foam::mpm::pointRegion::joinSmallCells()
             label nearest = start_[best];
             for (label q = nearest; q < start_[best + 1]; ++q)
             {
-                nearest =
-                    mag(points_[q].x - from.x) < mag(points_[nearest].x - from.x) ? q : nearest;
+                nearest = nearer(from.x, points_[q].x, points_[nearest].x) ? q : nearest;
             }
             materialPointCloud::newPoint& to = points_[nearest];
             to.x += from.volume / (from.volume + to.volume) * (from.x - to.x);
@@ -184,9 +208,7 @@ void Foam::mpm::pointRegion::joinSmallCells()
             for (label q = start_[k]; q < start_[k + 1]; ++q)
             {
                 if (!gone[q] && points_[q].volume >= least
-                    && (nearest < 0
-                        || mag(points_[q].x - points_[p].x)
-                            < mag(points_[nearest].x - points_[p].x)))
+                    && (nearest < 0 || nearer(points_[p].x, points_[q].x, points_[nearest].x)))
                 {
                     nearest = q;
                 }
