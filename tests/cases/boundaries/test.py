@@ -65,7 +65,7 @@ def translation(table, name, shape, transfer, shear, velocity, courant):
     region = ({"type": "cells"} if shear else
               {"type": "box", "min": (3*H, 3*H, 0), "max": (6*H, 6*H, H)})
     case = build(
-        name, (6, 6, 1),
+        name, (8, 6, 1),
         {"xlo": ("cyclic", ("x-",)), "xhi": ("cyclic", ("x+",)),
          "ylo": ("cyclic", ("y-",)), "yhi": ("cyclic", ("y+",)),
          "frontAndBack": ("empty", ("z-", "z+"))},
