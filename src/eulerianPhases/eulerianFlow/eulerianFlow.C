@@ -355,12 +355,12 @@ void Foam::mpm::eulerianFlow::step(
 void Foam::mpm::eulerianFlow::step(const scalar dt, const solidOnFaces* pores)
 {
     step(dt, pores, 0, 1);
-    sources_.clear();
 }
 
 void Foam::mpm::eulerianFlow::correct()
 {
     primitives();
+    sources_.clear();
 
     // phi of the step that has just been made, for conditions that ask
     forAll(mesh_.boundary(), patchi)

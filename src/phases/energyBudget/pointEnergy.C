@@ -171,11 +171,9 @@ void Foam::mpm::pointEnergy::begin(const scalar)
     compressionBefore_ = sums_.compression;
     sums_.all = 0;
     sums_.step = forceWork();
+    mean_.setSize(points_.fields().size());
     impulse_.setSize(points_.fields().size());
-    for (scalarList& J : impulse_)
-    {
-        J.clear();
-    }
+    given_ = boolList(points_.fields().size(), false);
 }
 
 void Foam::mpm::pointEnergy::impulse(const scalar dt)
@@ -192,35 +190,48 @@ void Foam::mpm::pointEnergy::impulse(const scalar dt)
     sums_.step.boundary += returnReduce(boundary, sumOp<scalar>());
 }
 
-void Foam::mpm::pointEnergy::addImpulse(const label fieldi, const scalar* impulse)
+template<class Function>
+void Foam::mpm::pointEnergy::forActive(const velocityField& field, const Function& f)
 {
-    const velocityField& field = points_.fields()[fieldi];
-    scalarList& J = impulse_[fieldi];
-    J.setSize(field.stride() * points_.grid().nNodes(), 0);
+    const int stride = field.stride(), D = field.nDim();
     for (const label node : field.active())
     {
-        for (label i = field.stride() * node; i < field.stride() * node + field.nDim(); ++i)
+        for (label i = stride * node; i < stride * node + D; ++i)
         {
-            J[i] += field.part(node) * impulse[i];
+            f(i, node);
         }
     }
 }
 
+void Foam::mpm::pointEnergy::addImpulse(const label fieldi, const scalar* impulse)
+{
+    const velocityField& field = points_.fields()[fieldi];
+    scalarList& J = impulse_[fieldi];
+    if (!given_[fieldi])
+    {
+        J.setSize(field.stride() * points_.grid().nNodes());
+        forActive(field, [&](const label i, label) { J[i] = 0; });
+        given_[fieldi] = true;
+    }
+    forActive(
+        field, [&](const label i, const label node) { J[i] += field.part(node) * impulse[i]; });
+}
+
 void Foam::mpm::pointEnergy::moving(const scalar)
 {
-    if (!sums_.active)
+    // Who asks for the mean velocity; all processors alike
+    if (!sums_.active || !(hasContact() || points_.coupling() || given_.found(true)))
     {
         return;
     }
-    mean_.setSize(points_.fields().size());
     scalar drag = 0;
     forAll(mean_, fieldi)
     {
-        velocityField& field = points_.fields()[fieldi];
+        const velocityField& field = points_.fields()[fieldi];
         scalarList& mean = mean_[fieldi];
-        const int stride = field.stride(), D = points_.grid().nDim();
+        const int stride = field.stride(), D = field.nDim();
         mean.setSize(stride * points_.grid().nNodes());
-        mean = 0;
+        forActive(field, [&](const label i, label) { mean[i] = 0; });
         forAll(points_.phases(), phasei)
         {
             if (points_.fieldOf(phasei) == fieldi && !points_.phases()[phasei].motion())
@@ -230,15 +241,14 @@ void Foam::mpm::pointEnergy::moving(const scalar)
             }
         }
         field.sumColumn(mean.data());
-        for (const label node : field.active())
-        {
-            const scalar m = field.momentum()[stride * node + D];
-            for (label i = stride * node; i < stride * node + D; ++i)
+        forActive(
+            field,
+            [&](const label i, const label node)
             {
+                const scalar m = field.momentum()[stride * node + D];
                 mean[i] = field.U()[i] + (m > 0 ? 0.5 * mean[i] / m : 0);
-                drag += impulse_[fieldi].empty() ? 0 : impulse_[fieldi][i] * mean[i];
-            }
-        }
+                drag += given_[fieldi] ? impulse_[fieldi][i] * mean[i] : 0;
+            });
     }
     sums_.step.drag += returnReduce(drag, sumOp<scalar>());
 }

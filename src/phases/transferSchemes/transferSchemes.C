@@ -85,7 +85,9 @@ Foam::mpm::moveCoefficients Foam::mpm::filteredScheme::coefficients(const step& 
 void Foam::mpm::filteredScheme::write(Ostream& os, const bool) const
 {
     os << "transfer " << type() << " of order " << order_
-       << ": x moves with the new velocity of the point" << nl;
+       << ": x moves with the new velocity of the point, in a gas or fluids with the mean of old "
+          "and"
+       << " new" << nl;
     if (order_ > 1)
     {
         os << "    increments of the filters meet the homogeneous boundary"
@@ -112,11 +114,12 @@ void Foam::mpm::FLIP::write(Ostream& os, const bool grains) const
     {
         os << ", mass filter " << filter_;
     }
-    os << ": x moves with u^L" << nl;
+    os << ": x moves with u^L, in a gas or fluids with the mean of u^n and u^L" << nl;
 }
 
 void Foam::mpm::APIC::write(Ostream& os, const bool) const
 {
     os << "transfer APIC, affine matrix from the "
-       << (affine_ == moment ? "moments of u^L" : "gradient of u^n") << ": x moves with u^L" << nl;
+       << (affine_ == moment ? "moments of u^L" : "gradient of u^n")
+       << ": x moves with u^L, in fluids with the mean of u^n and u^L" << nl;
 }

@@ -163,7 +163,7 @@ def slab(name, steps, phase, n=400, region=None, **numerics):
 def residual(case):
     """All energy without a source, over what the gas has gained beside its boundary."""
     log = case.log()
-    wrong = float(re.findall(r"residual (\S+)", log)[-1])
+    wrong = sum(float(re.findall(rf"{name} ([^\s,]+)", log)[-1]) for name in ("remap", "residual"))
     gained, boundary = map(float, re.findall(r"gained (\S+), boundary (\S+),", log)[-1])
     return abs(wrong/(gained - boundary))
 

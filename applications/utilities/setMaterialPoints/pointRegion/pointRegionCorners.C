@@ -16,23 +16,32 @@ void Foam::mpm::pointRegion::cutRegions(
     {
         in[s.part].add(1, inShape(celli, s));
     }
-    label fullest = 0;
     forAll(in, i)
     {
         part[i] = in[i].V / c.volume()[i];
-        fullest = part[i] > part[fullest] ? i : fullest;
+    }
+    // A small one joins the nearest of the others, which are left as they are
+    const bool small = max(part) < smallPart;
+    boolList joins(in.size(), false);
+    forAll(in, i)
+    {
+        joins[i] = small ? i != findMax(part) : part[i] < smallPart;
     }
     forAll(in, i)
     {
-        if (i != fullest && part[i] < smallPart)
+        label to = -1;
+        for (label j = 0; joins[i] && part[i] > 0 && j < in.size(); ++j)
         {
-            in[fullest].add(1, in[i]);
-            part[i] = 0;
+            to = !joins[j] && (to < 0 || nearer(x[i], x[j], x[to])) ? j : to;
+        }
+        if (to >= 0)
+        {
+            in[to].add(1, in[i]);
         }
     }
-    part[fullest] = in[fullest].V / c.volume()[fullest];
     forAll(in, i)
     {
+        part[i] = joins[i] ? 0 : in[i].V / c.volume()[i];
         if (mag(part[i] - 1) < tolerance)
         {
             part[i] = 1;

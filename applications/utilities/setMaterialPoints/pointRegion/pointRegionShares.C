@@ -111,6 +111,24 @@ void Foam::mpm::pointRegion::scaleTo(
     }
 }
 
+bool Foam::mpm::pointRegion::nearer(const point& x, const point& a, const point& b)
+{
+    constexpr scalar equal = 1e-9;
+    const scalar da = mag(a - x), db = mag(b - x);
+    if (mag(da - db) > equal * db)
+    {
+        return da < db;
+    }
+    for (direction c = 0; c < 3; ++c)
+    {
+        if (mag(a[c] - b[c]) > equal * db)
+        {
+            return a[c] < b[c];
+        }
+    }
+    return false;
+}
+
 void Foam::mpm::pointRegion::joinSmallCells()
 {
     if (grid_.hasLattice())
@@ -124,31 +142,6 @@ void Foam::mpm::pointRegion::joinSmallCells()
             points_[c.point].x = c.mean;
         }
     }
-    // The choice among equals is that of the place, not of the numbers
-    constexpr scalar equal = 1e-9;
-    const auto first = [&](const point& a, const point& b, const scalar size)
-    {
-        for (int c = 0; c < 3; ++c)
-        {
-            if (mag(a[c] - b[c]) > equal * size)
-            {
-                return a[c] < b[c];
-            }
-        }
-        return false;
-    };
-    const auto nearer = [&](const point& x, const point& a, const point& b)
-    {
-        const scalar da = mag(a - x), db = mag(b - x);
-        return mag(da - db) > equal * db ? da < db : first(a, b, db);
-    };
-    const auto fuller = [&](const label a, const label b, const scalarField& filled)
-    {
-        const vectorField& C = grid_.mesh().cellCentres();
-        const point &x = C[cells_[a]], &y = C[cells_[b]];
-        return mag(filled[a] - filled[b]) > equal * filled[b] ? filled[a] > filled[b]
-                                                              : first(x, y, mag(x - y));
-    };
     Map<label> placeOf;
     scalarField filled(cells_.size(), Zero);
     forAll(cells_, k)
@@ -164,19 +157,31 @@ void Foam::mpm::pointRegion::joinSmallCells()
     bool any = false;
     forAll(cells_, k)
     {
+        if (filled[k] >= smallPart)
+        {
+            continue;
+        }
+        const vectorField& C = grid_.mesh().cellCentres();
         label best = -1;
         for (const label celli : grid_.mesh().cellCells()[cells_[k]])
         {
             const auto other = placeOf.cfind(celli);
-            if (filled[k] < smallPart && other.good() && filled[*other] >= smallPart
-                && (best < 0 || fuller(*other, best, filled)))
+            if (other.good() && filled[*other] >= smallPart
+                && (best < 0 || nearer(C[cells_[k]], C[celli], C[cells_[best]])))
             {
                 best = *other;
             }
         }
-        for (label p = start_[k]; best >= 0 && p < start_[k + 1]; ++p)
+        for (label p = start_[k]; p < start_[k + 1]; ++p)
         {
             const materialPointCloud::newPoint& from = points_[p];
+            gone[p] = any = true;
+            if (best < 0)
+            {
+                // correct() gives its volume to others
+                lost_ += from.volume;
+                continue;
+            }
             label nearest = start_[best];
             for (label q = nearest; q < start_[best + 1]; ++q)
             {
@@ -190,39 +195,6 @@ void Foam::mpm::pointRegion::joinSmallCells()
             {
                 cut_[cutOf_[nearest]].mean = to.x;
             }
-            gone[p] = any = true;
-        }
-    }
-    forAll(cells_, k)
-    {
-        // Slivers; correct() gives the volume of what has no other in its cell
-        const scalar least = smallPart * volumeFraction_ * grid_.mesh().cellVolumes()[cells_[k]]
-            / max(start_[k + 1] - start_[k], 1);
-        for (label p = start_[k]; p < start_[k + 1]; ++p)
-        {
-            if (gone[p] || points_[p].volume >= least)
-            {
-                continue;
-            }
-            label nearest = -1;
-            for (label q = start_[k]; q < start_[k + 1]; ++q)
-            {
-                if (!gone[q] && points_[q].volume >= least
-                    && (nearest < 0 || nearer(points_[p].x, points_[q].x, points_[nearest].x)))
-                {
-                    nearest = q;
-                }
-            }
-            if (nearest >= 0)
-            {
-                points_[nearest].volume += points_[p].volume;
-                points_[nearest].mass += points_[p].mass;
-            }
-            else
-            {
-                lost_ += points_[p].volume;
-            }
-            gone[p] = any = true;
         }
     }
     if (any)
