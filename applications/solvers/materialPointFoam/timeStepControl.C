@@ -56,7 +56,7 @@ Foam::mpm::timeStepControl::timeStepControl(Time& time, mpm::simulation& simulat
         checkKeywords(
             state, {"value", "origin", "growFrom", "points", "gas", "complete", "newPoints"});
         requireClosed(file);
-        if (!state.found("complete"))
+        if (!state.found("complete") || !required<bool>(state, "complete"))
         {
             FatalIOErrorInFunction(state)
                 << "File " << file << " was cut off, or written by an older"

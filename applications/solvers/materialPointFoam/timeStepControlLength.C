@@ -332,10 +332,11 @@ void Foam::mpm::timeStepControl::setDeltaT()
 
     else
     {
-        if (dict.found("maxCo") && !dict.found("adjustTimeStep"))
+        const word Co(dict.found("maxCo") || !dict.found("maxCoGas") ? "maxCo" : "maxCoGas");
+        if (dict.found(Co) && !dict.found("adjustTimeStep"))
         {
             FatalIOErrorInFunction(dict)
-                << "Entry maxCo has no effect without adjustTimeStep." << nl
+                << "Entry " << Co << " has no effect without adjustTimeStep." << nl
                 << "Write  adjustTimeStep yes;  or, for a fixed deltaT, no." << exit(FatalIOError);
         }
 

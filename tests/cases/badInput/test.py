@@ -1088,6 +1088,10 @@ ROWS += [
      several(withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 -1e200 0)")),
              replace(CONTROL, "adjustTimeStep  yes", "adjustTimeStep no")),
      [POINT, TIME]),
+    *((f"{name} without adjustTimeStep", SOLVE, withPoints(
+        replace(CONTROL, r"adjustTimeStep  yes;\s*maxCo .*?;", f"{name} 0.3;")),
+       [f"Entry {name} has no effect without adjustTimeStep", "Write  adjustTimeStep yes;"])
+      for name in ("maxCo", "maxCoGas")),
     ("point leaves the mesh", SOLVE,
      withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 50 0)")),
      [r"point \d+ of block leaves the mesh", r"from \(\S+ \S+ \S+\)", TIME, "U.body",

@@ -198,7 +198,7 @@ def harmless(same, close):
         # Fields of the start
         (r"0/alpha\.\w+", "", "file deleted", "one fluid may be without: it has the rest",
          close),
-        (r"0/rho\.\w+", "", "file deleted", "default: rho of the phase", same),
+        (r"0/rho\.\w+", "", "file deleted", "default: rho of the phase (doc/entries.md)"),
         (r"0/(p|U|T\.\w+|rho\.\w+|U\.\w+|alpha\.\w+)", "boundaryField.*", ".*",
          "OpenFOAM: words that it does not know, and empty patches by their type", same),
         (r"0/U(\.air)?", "internalField", "negative in list|huge in list", "a legal velocity"),
