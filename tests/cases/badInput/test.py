@@ -1090,7 +1090,7 @@ ROWS += [
      [POINT, TIME]),
     *((f"{name} without adjustTimeStep", SOLVE, withPoints(
         replace(CONTROL, r"adjustTimeStep  yes;\s*maxCo .*?;", f"{name} 0.3;")),
-       [f"Entry {name} has no effect without adjustTimeStep", "Write  adjustTimeStep yes;"])
+       [f"Entry {name} has no effect without adjustTimeStep", "Write +adjustTimeStep yes;"])
       for name in ("maxCo", "maxCoGas")),
     ("point leaves the mesh", SOLVE,
      withPoints(replace(REGIONS, r"\(0 -1 0\)", "(0 50 0)")),
