@@ -146,10 +146,11 @@ def solids(table, first, last):
 
 
 def memory(table, *_):
-    """A shock on solids in water and air, with memory that holds other bytes before it is set."""
+    """A shock on solids in water and air, with memory that holds other bytes before it is set
+    (numbers of -1e28)."""
     scene = solidScenes.draw(107)
     found = []
-    for filled in ("0", "165"):
+    for filled in ("0", "58"):
         case = solidScenes.write(scene, 60, f"memory{filled}")
         os.environ["MALLOC_PERTURB_"] = filled
         try:
