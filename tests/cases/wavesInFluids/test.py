@@ -155,7 +155,7 @@ def bar(table):
 # --- oblique -----------------------------------------------------------------
 
 def oblique(table):
-    n, dp, E, rho = 120, 2e6, 7e10, 2700.0
+    n, dp, E, rho = 140, 2e6, 7e10, 2700.0
     Z, Zs = 1000*SOUND, np.sqrt(E*rho)
     period = np.sqrt(0.5)
     low, high, face = 0.4, period, 0.4
