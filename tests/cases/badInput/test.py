@@ -1347,7 +1347,7 @@ def run(table, number, row, seeds):
             AssertionError) as e:
         wrong, message = [f"cannot prepare the row: {e}"], ""
     detail = f"{number:03d}: " + ("; ".join(wrong) + " | " if wrong else "")
-    tool = [c for c in command if c in SET + SOLVE][0]
+    tool = [c for c in command if c in SET + SOLVE + ["setFluids"]][0]
     table.check(f"{name} ({tool})", not wrong, detail + message[:90])
 
 
