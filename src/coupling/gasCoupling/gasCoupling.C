@@ -153,6 +153,7 @@ Foam::mpm::gasCoupling::gasCoupling(
     several_(false),
     later_(fraction_->mesh()),
     further_(false),
+    settles_(false),
     gasDeltaT_(GREAT),
     passed_(0),
     ended_(false),
@@ -399,6 +400,7 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt, const scalar all, const
     }
     else
     {
+        settles_ = drag_.owes();
         drag_.addToGas();
         if (further_)
         {
@@ -418,13 +420,19 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt, const scalar all, const
         pores.dilation = dilation_.cdata();
     }
     gas_.step(dt, &pores);
+    if (!several_ && gas_.inHalves())
+    {
+        later_.add(gas_.pressureOfHalves());
+        settles_ = true;
+    }
     if (!last)
     {
         return;
     }
     passed_ = 0;
-    if (further_ || later_.acts())
+    if (further_ || settles_ || later_.acts())
     {
+        settles_ = false;
         settle(all);
     }
     const noTraps guard;

@@ -118,6 +118,14 @@ void Foam::mpm::pressureOverSteps::add(const UList<scalar>& p, const scalar dt)
     }
 }
 
+void Foam::mpm::pressureOverSteps::add(const UList<scalar>& sum)
+{
+    forAll(sum_, c)
+    {
+        sum_[c] += sum[c];
+    }
+}
+
 void Foam::mpm::pressureOverSteps::finish(
     const solidOnFaces& pores, const scalar dt, vectorField& rest, scalarField& energy)
 {

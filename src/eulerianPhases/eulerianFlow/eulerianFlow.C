@@ -328,9 +328,26 @@ void Foam::mpm::eulerianFlow::step(
     faceFlux(dt, pores);
     if (advance(dt, pores, halves == mostHalves))
     {
+        if (halves && pores)
+        {
+            forAll(pressureOfHalves_, c)
+            {
+                pressureOfHalves_[c] += dt * (W_[c].p - startOfHalves_[c]);
+            }
+        }
         return;
     }
     ++fixups_.halved;
+    if (!halves && pores)
+    {
+        inHalves_ = true;
+        pressureOfHalves_ = scalarField(mesh_.nCells(), 0);
+        startOfHalves_.setSize(mesh_.nCells());
+        forAll(startOfHalves_, c)
+        {
+            startOfHalves_[c] = W_[c].p;
+        }
+    }
     scalarField dilation(pores ? mesh_.nCells() : 0);
     solidOnFaces half;
     if (pores)
@@ -354,6 +371,7 @@ void Foam::mpm::eulerianFlow::step(
 
 void Foam::mpm::eulerianFlow::step(const scalar dt, const solidOnFaces* pores)
 {
+    inHalves_ = false;
     step(dt, pores, 0, 1);
 }
 
