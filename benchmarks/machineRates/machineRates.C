@@ -12,6 +12,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "lanes.H"
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -20,14 +21,8 @@ Description
 namespace
 {
 
-// Widest registers that the flags allow
-#if defined(__AVX512F__)
-constexpr int bytes = 64;
-#elif defined(__AVX__)
-constexpr int bytes = 32;
-#else
-constexpr int bytes = 16;
-#endif
+// Of the widest registers that the flags allow
+constexpr int bytes = 8 * Foam::mpm::registerLanes;
 
 double seconds()
 {

@@ -420,6 +420,7 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt, const scalar all, const
         pores.dilation = dilation_.cdata();
     }
     gas_.step(dt, &pores);
+    // With several steps of the points the lag is left out: momentum is not kept in such steps
     if (!several_ && gas_.inHalves())
     {
         later_.add(gas_.pressureOfHalves());
