@@ -5,8 +5,8 @@
               with walls, fluids.py: goes on to its end, or until its time is over; mass of each
               fluid within 1e-12 of all, energy within 1e-12 but what the log says was added,
               which is more than 1 % in 15 % of the scenes at most; or is refused at the start
-    solids    two bodies of all laws, failure models, transfers and contact laws in nothing, a gas or
-              water and air, solids.py: goes on; mass and, with fluids, momentum less impulses
+    solids    two bodies of all laws, failure models, transfers and contact laws in nothing, a gas
+              or water and air, solids.py: goes on; mass and, with fluids, momentum less impulses
               within 1e-12; residual of the energy at most 1 % of what is exchanged in 95 % of
               the scenes
     memory    one of them does not depend on what memory held before, to the last digit
