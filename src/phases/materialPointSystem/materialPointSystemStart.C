@@ -255,7 +255,7 @@ void Foam::mpm::materialPointSystem::makeParts()
 
 void Foam::mpm::materialPointSystem::findWalls()
 {
-    if (!grid_.locator().knowsPatches())
+    if (!grid_.locator().knowsWayOut())
     {
         return;
     }

@@ -278,3 +278,61 @@ Foam::label Foam::mpm::gridLattice::locate(const label from, scalar* x) const
     }
     return -1;
 }
+
+Foam::label Foam::mpm::gridLattice::wallFace(const label celli, const int d, const int side) const
+{
+    const label dir = axes_.direction(d);
+    for (const label facei : mesh_.cells()[celli])
+    {
+        if (mesh_.isInternalFace(facei))
+        {
+            continue;
+        }
+        const vector n(normalised(mesh_.faceAreas()[facei]));
+        if ((side ? n[dir] : -n[dir]) > 0.7)
+        {
+            return facei;
+        }
+    }
+    return -1;
+}
+
+bool Foam::mpm::gridLattice::leaves(const label from, scalar* x, wayOut& out) const
+{
+    label celli = from;
+    for (int step = 0; step < 100 && celli >= 0 && celli < mesh_.nCells(); ++step)
+    {
+        label next = -1;
+        int nextD = 0, nextSide = 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            const label i = ijk(celli, d);
+            for (int side = 0; side < 2; ++side)
+            {
+                const scalar beyond = side ? x[d] - planes_[d][i + 1] : planes_[d][i] - x[d];
+                if (!(beyond > 0))
+                {
+                    continue;
+                }
+                if (walls(celli) >> (2 * d + side) & 1)
+                {
+                    out.cell = celli;
+                    out.face = wallFace(celli, d, side);
+                    out.beyond = beyond;
+                    std::fill_n(out.normal, 3, 0);
+                    out.normal[d] = side ? 1 : -1;
+                    return out.face >= 0;
+                }
+                next = neighbour(celli, d, side);
+                nextD = d;
+                nextSide = side;
+            }
+        }
+        if (next >= 0)
+        {
+            cells_.shift(celli, nextD, nextSide, x);
+        }
+        celli = next;
+    }
+    return false;
+}
