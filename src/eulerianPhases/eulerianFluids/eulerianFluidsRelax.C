@@ -109,7 +109,8 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
         return only >= 0 && isState(only, c);
     }
     bool common = true;
-    const scalar P = mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common);
+    const bool any = lastTry_ || !(beside_ && near_[c]);
+    const scalar P = mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common, any);
     if (!common && !lastTry_)
     {
         return false;

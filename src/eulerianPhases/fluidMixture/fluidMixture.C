@@ -463,7 +463,9 @@ Foam::scalar Foam::mpm::fluidMixture::relax(
     if (n == 2 && others == 0)
     {
         P = ofTwo(first, second, s, theta);
-        found = true;
+
+        // Less volume than that of endless pressure
+        found = t[first].least + t[second].least < theta;
     }
     bool done = false;
     for (int step = 0; found && !done && step < 30; ++step)

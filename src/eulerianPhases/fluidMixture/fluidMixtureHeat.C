@@ -25,6 +25,11 @@ Foam::scalar Foam::mpm::fluidMixture::relaxAgain(
     }
     bool found = true;
     const scalar next = relax(heated.cdata(), volume, volumes.begin(), nullptr, &found, false);
+    forAll(fluids_, k)
+    {
+        // What cools has a volume left
+        found = found && (!(s[k].m > 0) || volumes[k] > 0);
+    }
     if (!found || !(next > 0))
     {
         return P;

@@ -177,9 +177,12 @@ void Foam::mpm::materialPointSystem::stopForStress(
     const point x(cloud.position(p, cloud.cellOf(p)));
     FatalErrorInFunction << "Material point " << label(cloud.id()[0][p]) << " of " << phase.name()
                          << " at " << x << ", step of " << dt << " s after time "
-                         << mesh_.time().timeName() << ": sigma (stress) from the law "
-                         << phase.law().type() << " is not finite; velocity " << cloud.velocity(p)
-                         << ", volume " << cloud.volume()[0][p] << "." << nl
+                         << mesh_.time().timeName() << ": "
+                         << (std::isfinite(magSqr(cloud.sigma(p)))
+                                 ? "the volume is not positive, law "
+                                 : "sigma (stress) is not finite, law ")
+                         << phase.law().type() << "; velocity " << cloud.velocity(p) << ", volume "
+                         << cloud.volume()[0][p] << "." << nl
                          << "Nothing is written: the last written time is the last"
                          << " good state." << nl
                          << "A smaller maxCo in system/controlDict or maxStrain in"

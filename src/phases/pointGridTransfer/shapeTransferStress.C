@@ -148,7 +148,7 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress(
             {
                 pass.velocityGradient(cells[k], pass.part(k), u);
             }
-            pass.changeVolumes();
+            bool allFinite = pass.changeVolumes();
 
             pointBlock block(pass.block());
             block.width = needsWidth ? room.width : nullptr;
@@ -181,7 +181,6 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress(
             {
                 pass.addNotFinite(notFinite);
             }
-            bool allFinite = true;
             for (int l = 0; l < W; ++l)
             {
                 allFinite = allFinite && notFinite[l] == 0;

@@ -191,8 +191,9 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         return tr;
     }
 
-    //- v <- v det f = v exp(tr log f)
-    MPM_INLINE void changeVolumes() const
+    //- v <- v det f = v exp(tr log f). False: a volume has turned over, as none
+    //  does in a step in which the series holds
+    MPM_INLINE bool changeVolumes() const
     {
         T largest = {};
         const label nHere = end - begin;
@@ -207,7 +208,8 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         {
             largest = laneMax(largest, laneAbs(trace(i)));
         }
-        const int terms = expTerms(min(horizontalMax(largest), 2.0));
+        const scalar most = horizontalMax(largest);
+        const int terms = expTerms(min(most, 2.0));
         for (label i = 0; i < nHere; i += W)
         {
             const int n = int(min(label(W), nHere - i));
@@ -221,6 +223,12 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
                 storePart<W>(volume + begin + i, v, n);
             }
         }
+        bool all = true;
+        for (label p = begin; most > 2 && p < end; ++p)
+        {
+            all = all && volume[p] > 0;
+        }
+        return all;
     }
 
     //- What the law gets
@@ -295,13 +303,13 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         }
     }
 
-    //- First point of the block that is not finite, -1: lanes of the next
-    //  points are seen here and found later
+    //- First point of the block that is not finite or has no volume, -1: lanes of
+    //  the next points are seen here and found later
     MPM_INLINE label firstBad() const
     {
         for (label p = begin; p < end; ++p)
         {
-            if (!(zero(p) == 0))
+            if (!(zero(p) == 0 && volume[p] > 0))
             {
                 return p;
             }

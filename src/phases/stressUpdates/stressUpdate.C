@@ -19,6 +19,12 @@ Foam::autoPtr<Foam::mpm::stressUpdate> Foam::mpm::stressUpdate::New(const dictio
 {
     const word name(
         oneOfOrDefault(dict, "stressUpdate", "MUSL", wordConstructorTablePtr_->sortedToc()));
+    if (name == "USL" && dict.getOrDefault<word>("shapeFunction", "") == "linear")
+    {
+        WarningInFunction << "stressUpdate USL with shapeFunction linear grows without bound where"
+                          << " a node has little mass, also in free flight. MUSL and USAVG do not,"
+                          << " nor does USL with GIMP or quadraticBSpline." << endl;
+    }
     return wordConstructorTablePtr_->cfind(name).val()();
 }
 
