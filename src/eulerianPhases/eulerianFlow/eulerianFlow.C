@@ -283,6 +283,7 @@ Foam::mpm::eulerianFlow::eulerianFlow(
     fixedCell_(-1),
     fixedMost_(0),
     badCell_(-1),
+    share_(1),
     handle_(*this)
 {
     setFaces();
@@ -325,6 +326,7 @@ void Foam::mpm::eulerianFlow::addHeat(const UList<label>& cells, const UList<sca
 void Foam::mpm::eulerianFlow::step(
     const scalar dt, const solidOnFaces* pores, const label halves, const scalar share)
 {
+    share_ = share;
     faceFlux(dt, pores);
     if (advance(dt, pores, halves == mostHalves))
     {

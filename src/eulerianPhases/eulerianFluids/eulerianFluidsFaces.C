@@ -323,7 +323,7 @@ void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces*
                                               WN.p + wN,
                                               i < 0 ? theta_[N] : thetaB_[i],
                                               i < 0 ? V[N] : faces_.Vb[i]};
-            const scalar chi = chi_ * max(liquid(z_[P], W_[P]), liquid(zN, WN));
+            const scalar chi = share_ * chi_ * max(liquid(z_[P], W_[P]), liquid(zN, WN));
             if (pores->area)
             {
                 porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi, to);
