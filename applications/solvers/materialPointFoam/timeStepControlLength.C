@@ -80,18 +80,23 @@ Foam::scalar Foam::mpm::timeStepControl::severalGasDeltaT() const
     return max(dt, min(maxGasSubSteps() * dt, lag));
 }
 
+Foam::scalar Foam::mpm::timeStepControl::poreDeltaT() const
+{
+    return points() && gas() ? 1 / max(simulation_.poreRate(), VSMALL) : GREAT;
+}
+
 Foam::scalar Foam::mpm::timeStepControl::courantDeltaT() const
 {
     const scalar dt = pointsDeltaT();
     if (!gas() || maxSubSteps() == 1)
     {
-        return min(dt, severalGasDeltaT());
+        return min(min(dt, severalGasDeltaT()), poreDeltaT());
     }
 
     // The solid sweeps no more of a cell in a step of the gas than gas may
     const scalar swept = boundedOrDefault(time_.controlDict(), "maxCoGas", 0.4, 1e-6, 1)
         / max(points()->speedRate(), VSMALL);
-    return min(min(dt * maxSubSteps(), max(swept, dt)), gasDeltaT());
+    return min(min(dt * maxSubSteps(), max(swept, dt)), min(gasDeltaT(), poreDeltaT()));
 }
 
 void Foam::mpm::timeStepControl::checkSubSteps() const

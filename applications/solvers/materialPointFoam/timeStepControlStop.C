@@ -46,6 +46,12 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
         {
             os << "maxDeltaT; then by ";
         }
+        if (poreDeltaT() <= courant)
+        {
+            os << "what flows in the pores of light points; FLIP, APIC and B-splines bear"
+                  " longer steps than FMPM and XPIC";
+            return os.str();
+        }
         if (points() && gas() && maxGasSubSteps() > 1)
         {
             const scalar several = severalGasDeltaT();

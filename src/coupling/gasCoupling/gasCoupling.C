@@ -31,8 +31,13 @@ void Foam::mpm::gasCoupling::updateWidths() const
 {
     const fvMesh& mesh = fraction_->mesh();
     inverse_.setSize(mesh.nCells(), 0);
+    allWays_.setSize(mesh.nCells(), 0);
     const auto add = [&](const label f, const label c)
-    { inverse_[c] = max(inverse_[c], mag(mesh.faceAreas()[f]) / mesh.V()[c]); };
+    {
+        const scalar width = mag(mesh.faceAreas()[f]) / mesh.V()[c];
+        inverse_[c] = max(inverse_[c], width);
+        allWays_[c] = std::sqrt(sqr(allWays_[c]) + 0.5 * sqr(width));
+    };
     for (label f = 0; f < mesh.nInternalFaces(); ++f)
     {
         add(f, mesh.faceOwner()[f]);
@@ -346,10 +351,9 @@ void Foam::mpm::gasCoupling::severalOfGas(const bool several, const scalar gasDe
     drag_.severalOfGas(several || later_.acts());
 }
 
-Foam::scalar Foam::mpm::gasCoupling::lagRate() const
+template<class Function>
+Foam::scalar Foam::mpm::gasCoupling::largestRate(const Function& rateOf) const
 {
-    // See gasCoupling.H
-    constexpr scalar added = 0.5, pores = 0.6, drains = 70;
     const noTraps guard;
     if (inverse_.empty())
     {
@@ -370,13 +374,36 @@ Foam::scalar Foam::mpm::gasCoupling::lagRate() const
             const label c = cloud.cells()[k];
             const scalar rho = cellSum(cloud, k, mass) / cellSum(cloud, k, volume);
             const scalar theta = max(gas_.theta()[c], fraction_->eps());
-            const eulerianFlow::waveState w(gas_.wave(c));
-            const scalar spring =
-                std::sqrt(w.K / (theta * rho)) / (1 + drains * min(w.drained, 0.1));
-            rate = max(rate, inverse_[c] * max(w.z / (added * rho), spring / pores));
+            rate = max(rate, rateOf(c, theta, rho));
         }
     }
     return returnReduce(rate, maxOp<scalar>());
+}
+
+Foam::scalar Foam::mpm::gasCoupling::lagRate() const
+{
+    // See gasCoupling.H
+    constexpr scalar added = 0.5, pores = 0.6, drains = 70;
+    return largestRate(
+        [&](const label c, const scalar theta, const scalar rho)
+        {
+            const eulerianFlow::waveState w(gas_.wave(c));
+            const scalar spring =
+                std::sqrt(w.K / (theta * rho)) / (1 + drains * min(w.drained, 0.1));
+            return inverse_[c] * max(w.z / (added * rho), spring / pores);
+        });
+}
+
+Foam::scalar Foam::mpm::gasCoupling::poreRate() const
+{
+    // The modulus of waves too short for traces of gas
+    return largestRate(
+               [&](const label c, const scalar theta, const scalar rho)
+               {
+                   const scalar K = sqr(gas_.wave(c).z) / gas_.states()[c].rho;
+                   return allWays_[c] * std::sqrt(K / (theta * rho));
+               })
+        / points_.stiffestPores();
 }
 
 void Foam::mpm::gasCoupling::advanceGas(const scalar dt, const scalar all, const bool last)

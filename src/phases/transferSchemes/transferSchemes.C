@@ -29,11 +29,13 @@ namespace
 
 using namespace Foam;
 
+bool isBSpline(const word& shape) { return shape == "quadraticBSpline" || shape == "cubicBSpline"; }
+
 //- The full filter for points without extent: see materialPointSystem
 scalar usualStrainFilter(const dictionary& dict)
 {
     const word shape(dict.getOrDefault<word>("shapeFunction", ""));
-    return shape == "quadraticBSpline" || shape == "cubicBSpline" || shape == "nodeDual" ? 1 : 0.75;
+    return isBSpline(shape) || shape == "nodeDual" ? 1 : 0.75;
 }
 
 }
@@ -42,7 +44,8 @@ scalar usualStrainFilter(const dictionary& dict)
 
 Foam::mpm::filteredScheme::filteredScheme(const dictionary& dict, const scalar strainFilter) :
     order_(boundedLabelOrDefault(dict, "order", 2, 1, 100)),
-    strainFilter_(boundedOrDefault(dict, "strainFilter", strainFilter, 0, 1))
+    strainFilter_(boundedOrDefault(dict, "strainFilter", strainFilter, 0, 1)),
+    smooth_(isBSpline(dict.getOrDefault<word>("shapeFunction", "")))
 {
 }
 
