@@ -144,10 +144,10 @@ def mesh(case, sort):
     return walls, flat
 
 
-def write(scene, steps, name=None):
+def write(scene, steps, name=None, test="randomScenes"):
     """The case; steps: of the scene's fastest wave through a cell."""
     sort, fluids = scene["sort"], scene["around"]
-    case = FoamCase("randomScenes", name or f"solids{scene['seed']}")
+    case = FoamCase(test, name or f"solids{scene['seed']}")
     case.write("system/fvSchemes", schemes(VAN_LEER))
     numerics = {"shapeFunction": functions(scene), "transfer": scene["transfer"],
                 "stressUpdate": scene["update"], "energyBudget": True}

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Light soft solids in water and air: the step that the time control takes keeps them stable.
+
+Two blocks of rubber meet, one thrown with 5 m/s, the other half in water (the scene of
+randomScenes/solids.py), with maxCoGas 0.6. The spring of the pores that the water fills bounds
+the step (gasCoupling.H); without that bound the points' energy grows to 100 to 40 000 times
+that of the start with XPIC, FMPM (100 to 1000 kg/m3) and FLIP (100 kg/m3).
+
+growth    largest kinetic and strain energy of the points over that of the start
+named     the log names what has set the step
+"""
+
+import os
+import sys
+
+import numpy as np
+
+LIB = os.path.join(os.path.dirname(__file__), "../../lib")
+sys.path[:0] = [LIB, os.path.join(os.path.dirname(__file__), "../randomScenes")]
+import solids
+from foamCase import VERIFY, RunFailed, runParts
+
+#: Sort of mesh, shape functions, transfer, density [kg/m3]
+SCENES = [("plane", "GIMP", t, rho) for t in ("FMPM", "XPIC") for rho in (100, 1000)]
+SCENES += [("plane", "GIMP", t, 100) for t in ("FLIP", "APIC")]
+SCENES += [("plane", "linear", "FMPM", 500), ("wedge", "GIMP", "XPIC", 500),
+           ("tets", "nodeDual", "XPIC", 100)]
+if VERIFY:
+    SCENES = [(sort, functions, t, rho) for sort, functions in (
+        ("plane", "GIMP"), ("plane", "linear"), ("plane", "quadraticBSpline"), ("wedge", "GIMP"),
+        ("box", "GIMP"), ("tets", "nodeDual")) for t in ("FMPM", "XPIC", "FLIP", "APIC")
+              for rho in (100, 500, 1000)]
+
+
+def draw(sort, functions, transfer, rho, E=1e6, nu=0.3):
+    c = (E*(1 - nu)/(1 + nu)/(1 - 2*nu)/rho)**0.5
+    body = {"law": "linearElastic", "failure": None, "c": c,
+            "entries": {"type": "linearElastic", "rho": rho, "E": E, "nu": nu}}
+    return {"around": "water", "sort": sort, "v": 5, "shape": "box", "gap": 2, "PIC": 0,
+            "bodies": [{**body, "U": (5, 0, 0)}, {**body, "U": (0, 0, 0)}],
+            "transfer": transfer, "update": "MUSL", "functions": functions,
+            "contact": {"type": "Coulomb", "mu": 0.3}, "nuclei": 1e-4, "ranks": 1}
+
+
+def light(table):
+    named = 0
+    for scene in SCENES:
+        sort, functions, transfer, rho = scene
+        name = f"{sort} {functions} {transfer} {rho} kg/m3"
+        case = solids.write(draw(*scene), 60, name.replace(" ", "-").replace("/", ""),
+                            "lightInWater")
+        try:
+            case.run("materialPointFoam", limit=120)
+        except RunFailed as e:
+            table.check(f"{name}: does not stop", False, " ".join(str(e).split())[-200:])
+            continue
+        path = case.file("postProcessing", "energy", "0", "energy.dat")
+        with open(path) as f:
+            names = [line for line in f if line.startswith("#")][-1].strip("# \n").split("\t")
+        e = dict(zip((n.split("[")[0] for n in names), np.loadtxt(path, ndmin=2).T))
+        sums = e["kinetic"] + e["strain"]
+        table.row(f"{name}: largest energy of the points over that of the start", 1,
+                  np.max(sums)/sums[0], 1.2, "atMost")
+        named += "deltaT set by what flows in the pores" in case.log("materialPointFoam")
+    table.row("scenes in which the pores have set the step", 5, named, 5, "atLeast")
+
+
+if __name__ == "__main__":
+    sys.exit(runParts("lightInWater", light))
