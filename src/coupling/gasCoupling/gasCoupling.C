@@ -396,6 +396,12 @@ Foam::scalar Foam::mpm::gasCoupling::lagRate() const
 
 Foam::scalar Foam::mpm::gasCoupling::poreRate() const
 {
+    // No gas of a gamma law is as stiff
+    if (gas_.oneThermo() && gas_.oneThermo()->isGammaLaw())
+    {
+        return 0;
+    }
+
     // The modulus of waves too short for traces of gas
     return largestRate(
                [&](const label c, const scalar theta, const scalar rho)
