@@ -396,7 +396,7 @@ Foam::scalar Foam::mpm::gasCoupling::lagRate() const
 
 Foam::scalar Foam::mpm::gasCoupling::poreRate() const
 {
-    // No gas of a gamma law is as stiff
+    // Of a phase of type gas Y is small
     if (gas_.oneThermo() && gas_.oneThermo()->isGammaLaw())
     {
         return 0;

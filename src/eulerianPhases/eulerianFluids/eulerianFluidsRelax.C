@@ -109,6 +109,7 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
         return only >= 0 && isState(only, c);
     }
     bool common = true;
+    // Beside solid, which may close a cell in a step, halves come before a stand-in
     const bool any = lastTry_ || !(beside_ && near_[c]);
     const scalar P = mixture_.relax(share, theta_[c], theta.begin(), nullptr, &common, any);
     if (!common && !lastTry_)

@@ -464,7 +464,7 @@ Foam::scalar Foam::mpm::fluidMixture::relax(
     {
         P = ofTwo(first, second, s, theta);
 
-        // Less volume than that of endless pressure
+        // Not in less volume than they have at endless pressure
         found = t[first].least + t[second].least < theta;
     }
     bool done = false;

@@ -3,8 +3,8 @@
 
 Two blocks of rubber meet, one thrown with 5 m/s, the other half in water (the scene of
 randomScenes/solids.py), with maxCoGas 0.6. The spring of the pores that the water fills bounds
-the step (gasCoupling.H); without that bound the points' energy grows to 100 to 40 000 times
-that of the start with XPIC, FMPM (100 to 1000 kg/m3) and FLIP (100 kg/m3).
+the step (gasCoupling.H); without that bound each of these scenes stops, or the energy of its
+points grows 25-fold or more.
 
 growth    largest kinetic and strain energy of the points over that of the start
 named     the log names what has set the step
@@ -21,9 +21,9 @@ import solids
 from foamCase import VERIFY, RunFailed, runParts
 
 #: Sort of mesh, shape functions, transfer, density [kg/m3]
-SCENES = [("plane", "GIMP", t, rho) for t in ("FMPM", "XPIC") for rho in (100, 1000)]
-SCENES += [("plane", "GIMP", t, 100) for t in ("FLIP", "APIC")]
-SCENES += [("plane", "linear", "FMPM", 500), ("wedge", "GIMP", "XPIC", 500),
+SCENES = [("plane", "GIMP", t, 100) for t in ("FMPM", "XPIC", "FLIP", "APIC")]
+SCENES += [("plane", "GIMP", "FMPM", 500), ("plane", "GIMP", "XPIC", 1000),
+           ("plane", "linear", "FMPM", 500), ("wedge", "GIMP", "XPIC", 500),
            ("tets", "nodeDual", "XPIC", 100)]
 if VERIFY:
     SCENES = [(sort, functions, t, rho) for sort, functions in (
@@ -47,22 +47,19 @@ def light(table):
     for scene in SCENES:
         sort, functions, transfer, rho = scene
         name = f"{sort} {functions} {transfer} {rho} kg/m3"
-        case = solids.write(draw(*scene), 60, name.replace(" ", "-").replace("/", ""),
+        case = solids.write(draw(*scene), 120 if sort == "tets" else 60, name.replace(" ", "-").replace("/", ""),
                             "lightInWater")
         try:
             case.run("materialPointFoam", limit=120)
         except RunFailed as e:
             table.check(f"{name}: does not stop", False, " ".join(str(e).split())[-200:])
             continue
-        path = case.file("postProcessing", "energy", "0", "energy.dat")
-        with open(path) as f:
-            names = [line for line in f if line.startswith("#")][-1].strip("# \n").split("\t")
-        e = dict(zip((n.split("[")[0] for n in names), np.loadtxt(path, ndmin=2).T))
-        sums = e["kinetic"] + e["strain"]
+        sums = case.series("energy", "energy.dat")[:, 1:3].sum(axis=1)
         table.row(f"{name}: largest energy of the points over that of the start", 1,
                   np.max(sums)/sums[0], 1.2, "atMost")
         named += "deltaT set by what flows in the pores" in case.log("materialPointFoam")
-    table.row("scenes in which the pores have set the step", 5, named, 5, "atLeast")
+    table.row("scenes in which the pores have set the step", len(SCENES), named,
+              len(SCENES), "atLeast")
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
               within 1e-12; residual of the energy at most 1 % of what is exchanged in 95 % of
               the scenes
     memory    one of them does not depend on what memory held before, to the last digit
+    stops     points at walls are put back; a volume that turns over stops with its point
 
     test.py [fluids|solids] [first last]     other seeds than 0 to 39, and 0 to 19 and 65
 """
@@ -166,12 +167,33 @@ def memory(table, _):
               np.max(np.abs(found[1] - found[0])), 0, "atMost")
 
 
+def stops(table, _):
+    """Points thrown at plane walls of boxes that used to leave through them; a point whose
+    volume turns over (USL with linear functions) stops the run with its place."""
+    for seed in (54, 125):
+        scene = solidScenes.draw(seed)
+        case = solidScenes.write(scene, 200, f"wall{seed}")
+        why, slow = run(scene, case, 60)
+        table.check(f"solids {seed} stay within walls", why is None and not slow, why or "")
+        log = case.log("materialPointFoam")
+        table.check(f"solids {seed}: points put back", "Put back on walls" in log)
+    scene = {**solidScenes.draw(87), "transfer": "FLIP", "ranks": 1}
+    case = solidScenes.write(scene, 200, "turned")
+    why, _ = run(scene, case, 60)
+    table.check("USL with linear functions: a volume turns over",
+                bool(re.match(r"Material point .* at \(.*the volume is not positive", why or "")),
+                why)
+    table.check("USL with linear functions: warned of at the start",
+                "stressUpdate USL with shapeFunction linear" in case.log("materialPointFoam"))
+
+
 def main():
     table = Report("randomScenes")
     words = [a for a in sys.argv[1:] if not a.isdigit()]
     numbers = [int(a) for a in sys.argv[1:] if a.isdigit()]
     # In 65 the fluids' steps are made of halves beside the solids
-    for part, seeds in ((fluids, range(40)), (solids, [*range(20), 65]), (memory, None)):
+    for part, seeds in ((fluids, range(40)), (solids, [*range(20), 65]), (memory, None),
+                        (stops, None)):
         if not words or part.__name__ in words:
             part(table, range(*numbers) if numbers else seeds)
     return table.finish()
