@@ -3,7 +3,7 @@
 #include "limitedGradients.H"
 #include "sharedPoints.H"
 #include "wedgePolyPatch.H"
-#include <Eigen/Dense>
+#include "principalAxes.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -18,22 +18,13 @@ using namespace Foam::mpm;
 template<class Keep>
 tensor pseudoInverse(const tensor& K, const Keep& keep)
 {
-    Eigen::Matrix3d m;
-    for (direction i = 0; i < 3; ++i)
-    {
-        for (direction j = 0; j < 3; ++j)
-        {
-            m(i, j) = K(i, j);
-        }
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> found(m);
+    const principalAxes<3> axes(K.cdata());
     tensor result(Zero);
     for (int i = 0; i < 3; ++i)
     {
-        const scalar value = found.eigenvalues()[i];
-        const auto v = found.eigenvectors().col(i);
-        const vector e(v[0], v[1], v[2]);
-        if (value > 1e-12 * found.eigenvalues()[2] && keep(e, value))
+        const scalar value = axes.value[i];
+        const vector e(axes.direction[i][0], axes.direction[i][1], axes.direction[i][2]);
+        if (value > 1e-12 * axes.value[2] && keep(e, value))
         {
             result += e * e / value;
         }

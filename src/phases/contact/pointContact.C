@@ -249,7 +249,7 @@ Foam::scalar Foam::mpm::pointContact::work(scalar& driven) const
             // Its reaction is on the other side
             const bool drives = b < 0 && (isA ? m.ia : m.ib) <= 0;
             const velocityField& field = fields_[fieldi];
-            Eigen::Vector3d ub(Eigen::Vector3d::Zero());
+            vector ub(Zero);
             if (b >= 0)
             {
                 const freeBody& body = *bodies_[b].body;
@@ -260,7 +260,7 @@ Foam::scalar Foam::mpm::pointContact::work(scalar& driven) const
             {
                 const label i = field.stride() * m.node + d;
                 w += field.part(m.node) * (isA ? -m.J[d] : m.J[d])
-                    * (b >= 0 ? ub(grid_.direction(d)) : points_.energy().meanVelocity(fieldi)[i]);
+                    * (b >= 0 ? ub[grid_.direction(d)] : points_.energy().meanVelocity(fieldi)[i]);
             }
             work += drives ? 0 : w;
             driven -= drives ? w : 0;

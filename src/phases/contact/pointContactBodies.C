@@ -5,7 +5,7 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::pointContact::setBodyU(const List<freeBody::vector6>& V)
+void Foam::mpm::pointContact::setBodyU(const List<vector6>& V)
 {
     for (contactNode& m : contactNodes_)
     {
@@ -16,26 +16,26 @@ void Foam::mpm::pointContact::setBodyU(const List<freeBody::vector6>& V)
             {
                 continue;
             }
-            const Eigen::Vector3d ub(bodies_[b].body->at(m.at, false) * V[b]);
+            const vector ub(bodies_[b].body->at(m.at, false) * V[b]);
             for (int d = 0; d < nDim_; ++d)
             {
-                m.bodyU[side][d] = ub(grid_.direction(d));
+                m.bodyU[side][d] = ub[grid_.direction(d)];
             }
         }
     }
 }
 
-Eigen::Matrix3d Foam::mpm::pointContact::stiffness(const contactNode& m, const slope kind) const
+Foam::tensor Foam::mpm::pointContact::stiffness(const contactNode& m, const slope kind) const
 {
-    Eigen::Matrix3d P(Eigen::Matrix3d::Zero());
-    Eigen::Vector3d n(Eigen::Vector3d::Zero()), t(n);
+    tensor P(Zero);
+    vector n(Zero), t(Zero);
     for (int d = 0; d < nDim_; ++d)
     {
-        n(grid_.direction(d)) = m.n[d];
-        t(grid_.direction(d)) = m.Jt[d];
+        n[grid_.direction(d)] = m.n[d];
+        t[grid_.direction(d)] = m.Jt[d];
     }
     const scalar M = 1 / (m.ia + m.ib);
-    const scalar Jt = t.norm();
+    const scalar Jt = mag(t);
     if (m.stuck)
     {
         for (int d = 0; d < nDim_; ++d)
@@ -45,16 +45,16 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness(const contactNode& m, const s
     }
     else
     {
-        P = n * n.transpose();
+        P = n * n;
         if (Jt > 0 && kind != ofFilter)
         {
             // |J_t| is proportional to J_n and points along the slip
-            Eigen::Matrix3d across(-n * n.transpose());
+            tensor across(-n * n);
             if (kind == tangent)
             {
                 t /= Jt;
-                P += m.slope * t * n.transpose();
-                across -= t * t.transpose();
+                P += m.slope * t * n;
+                across -= t * t;
             }
             for (int d = 0; d < nDim_; ++d)
             {
@@ -67,8 +67,7 @@ Eigen::Matrix3d Foam::mpm::pointContact::stiffness(const contactNode& m, const s
 }
 
 template<class Impulse>
-Foam::List<Foam::mpm::freeBody::vector6>
-Foam::mpm::pointContact::sumOverBodies(const Impulse& impulse) const
+Foam::List<Foam::mpm::vector6> Foam::mpm::pointContact::sumOverBodies(const Impulse& impulse) const
 {
     List<vector> sums(2 * bodies_.size(), vector(Zero));
     for (const contactNode& m : contactNodes_)
@@ -93,19 +92,15 @@ Foam::mpm::pointContact::sumOverBodies(const Impulse& impulse) const
     Pstream::listCombineGather(sums, plusEqOp<vector>());
     Pstream::listCombineScatter(sums);
 
-    List<freeBody::vector6> all(bodies_.size());
+    List<vector6> all(bodies_.size());
     forAll(all, b)
     {
-        for (int d = 0; d < 3; ++d)
-        {
-            all[b](d) = sums[2 * b][d];
-            all[b](3 + d) = sums[2 * b + 1][d];
-        }
+        all[b] = vector6(sums[2 * b], sums[2 * b + 1]);
     }
     return all;
 }
 
-Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::pushes() const
+Foam::List<Foam::mpm::vector6> Foam::mpm::pointContact::pushes() const
 {
     return sumOverBodies(
         [&](const contactNode& m, const scalar part, scalar* J)
@@ -117,8 +112,8 @@ Foam::List<Foam::mpm::freeBody::vector6> Foam::mpm::pointContact::pushes() const
         });
 }
 
-Foam::List<Foam::mpm::freeBody::vector6>
-Foam::mpm::pointContact::newton(const List<freeBody::vector6>& r, const slope kind) const
+Foam::List<Foam::mpm::vector6>
+Foam::mpm::pointContact::newton(const List<vector6>& r, const slope kind) const
 {
     // C + sum G^T (-dJ/du) G over bodies
     const label n = 6 * bodies_.size();
@@ -129,7 +124,7 @@ Foam::mpm::pointContact::newton(const List<freeBody::vector6>& r, const slope ki
         {
             continue;
         }
-        const Eigen::Matrix3d K(fields_[pairs_[m.pair].a].part(m.node) * stiffness(m, kind));
+        const tensor K(fields_[pairs_[m.pair].a].part(m.node) * stiffness(m, kind));
         const label body[2] = {m.bodyA, m.bodyB};
         for (int i = 0; i < 2; ++i)
         {
@@ -140,14 +135,14 @@ Foam::mpm::pointContact::newton(const List<freeBody::vector6>& r, const slope ki
                     continue;
                 }
                 const point& x = m.at;
-                const freeBody::matrix6 A(
-                    (i == j ? 1 : -1) * bodies_[body[i]].body->at(x, false).transpose() * K
-                    * bodies_[body[j]].body->at(x, false));
-                for (int a = 0; a < 6; ++a)
+                const matrix36 Gi(bodies_[body[i]].body->at(x, false));
+                const matrix36 Gj(bodies_[body[j]].body->at(x, false));
+                for (int c = 0; c < 6; ++c)
                 {
-                    for (int c = 0; c < 6; ++c)
+                    const vector6 column((i == j ? 1 : -1) * Gi.transposed(K & Gj[c]));
+                    for (int a = 0; a < 6; ++a)
                     {
-                        sums[n * (6 * body[i] + a) + 6 * body[j] + c] += A(a, c);
+                        sums[n * (6 * body[i] + a) + 6 * body[j] + c] += column[a];
                     }
                 }
             }
@@ -167,24 +162,24 @@ Foam::mpm::pointContact::newton(const List<freeBody::vector6>& r, const slope ki
     }
     forAll(bodies_, b)
     {
-        const freeBody::matrix6& C = bodies_[b].body->combined();
+        const matrix6& C = bodies_[b].body->combined();
         for (int i = 0; i < 6; ++i)
         {
             for (int j = 0; j < 6; ++j)
             {
                 A(6 * b + i, 6 * b + j) += C(i, j);
             }
-            x[6 * b + i] = -r[b](i);
+            x[6 * b + i] = -r[b][i];
         }
     }
     LUsolve(A, x);
 
-    List<freeBody::vector6> dV(bodies_.size());
+    List<vector6> dV(bodies_.size());
     forAll(dV, b)
     {
         for (int i = 0; i < 6; ++i)
         {
-            dV[b](i) = x[6 * b + i];
+            dV[b][i] = x[6 * b + i];
         }
     }
     return dV;
@@ -212,7 +207,7 @@ void Foam::mpm::pointContact::solveBodies(const List<scalar*>& u, const int step
     constexpr label maxSteps = 100;
     slope kind = tangent;
     const label n = bodies_.size();
-    List<freeBody::vector6> V(n), r(n), J, dV;
+    List<vector6> V(n), r(n), J, dV;
     forAll(bodies_, b)
     {
         V[b] = bodies_[b].body->step();
@@ -230,13 +225,13 @@ void Foam::mpm::pointContact::solveBodies(const List<scalar*>& u, const int step
         {
             const freeBody& body = *bodies_[b].body;
             r[b] = body.combined() * (V[b] - body.step()) - body.masked(J[b]);
-            all += V[b].dot(body.combined() * V[b]) + body.response(J[b]).dot(J[b]);
+            all += (V[b] && (body.combined() * V[b])) + (body.response(J[b]) && J[b]);
         }
         kind = i < 10 ? tangent : secant;
         dV = newton(r, kind);
         forAll(bodies_, b)
         {
-            size += dV[b].dot(bodies_[b].body->combined() * dV[b]);
+            size += dV[b] && (bodies_[b].body->combined() * dV[b]);
         }
         if (!(size > 1e-24 * all))
         {
@@ -262,7 +257,7 @@ void Foam::mpm::pointContact::solveBodies(const List<scalar*>& u, const int step
         {
             continue;
         }
-        Eigen::Vector3d du(Eigen::Vector3d::Zero());
+        vector du(Zero);
         if (m.bodyA >= 0)
         {
             du -= bodies_[m.bodyA].body->at(m.at, false) * dV[m.bodyA];
@@ -271,12 +266,12 @@ void Foam::mpm::pointContact::solveBodies(const List<scalar*>& u, const int step
         {
             du += bodies_[m.bodyB].body->at(m.at, false) * dV[m.bodyB];
         }
-        const Eigen::Vector3d dJ(-stiffness(m, kind) * du);
+        const vector dJ(-stiffness(m, kind) & du);
         const contactPair& pair = pairs_[m.pair];
         const label at = fields_[pair.a].stride() * m.node;
         for (int d = 0; d < nDim_; ++d)
         {
-            const scalar more = dJ(grid_.direction(d));
+            const scalar more = dJ[grid_.direction(d)];
             m.Jt[d] += more;
             impulse_[pair.a][at + d] -= more;
             if (pair.b >= 0)
@@ -305,7 +300,7 @@ void Foam::mpm::pointContact::solveBodies(const List<scalar*>& u, const int step
 void Foam::mpm::pointContact::shareIncrement()
 {
     // r for W = 0: impulses from the increments of the other side
-    List<freeBody::vector6> r(sumOverBodies(
+    List<vector6> r(sumOverBodies(
         [&](const contactNode& m, const scalar part, scalar* J)
         {
             if (!m.closed || hard(m))
@@ -330,7 +325,7 @@ void Foam::mpm::pointContact::shareIncrement()
     {
         r[b] = bodies_[b].body->masked(r[b]);
     }
-    const List<freeBody::vector6> W(newton(r, ofFilter));
+    const List<vector6> W(newton(r, ofFilter));
     forAll(bodies_, b)
     {
         velocityField& field = fields_[bodies_[b].field];

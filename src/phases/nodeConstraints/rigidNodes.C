@@ -22,7 +22,7 @@ void Foam::mpm::rigidNodes::setVelocity(const label phasei, const rigidMotion& m
 }
 
 void Foam::mpm::rigidNodes::setVelocity(
-    const bodyOf& b, const freeBody::vector6& V, const bool tentative, const nodeSet& set,
+    const bodyOf& b, const vector6& V, const bool tentative, const nodeSet& set,
     DynamicList<scalar>& to) const
 {
     const int D = grid_.nDim();
@@ -31,26 +31,26 @@ void Foam::mpm::rigidNodes::setVelocity(
     {
         if (set.phase[i] == b.phase)
         {
-            const Eigen::Matrix<scalar, 3, 1> u(b.body->at(position_[set.node[i]], tentative) * V);
+            const vector u(b.body->at(position_[set.node[i]], tentative) * V);
             for (int d = 0; d < D; ++d)
             {
-                to[D * i + d] = u(grid_.direction(d));
+                to[D * i + d] = u[grid_.direction(d)];
             }
         }
     }
 }
 
-Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver(
-    const bodyOf& b, const bool tentative, const scalar* u, const freeBody::vector6& V,
-    const scalar* mU, const int stride, freeBody::matrix6* A) const
+Foam::mpm::vector6 Foam::mpm::rigidNodes::sumOver(
+    const bodyOf& b, const bool tentative, const scalar* u, const vector6& V, const scalar* mU,
+    const int stride, matrix6* A) const
 {
     const nodeSet& set = tentative ? next_ : now_;
     const int D = grid_.nDim();
 
     // The vector followed by the upper half of A
     scalarList sums(A ? 27 : 6, scalar(0));
-    freeBody::vector6 rhs(freeBody::vector6::Zero());
-    freeBody::matrix6 mass(freeBody::matrix6::Zero());
+    vector6 rhs(Zero);
+    matrix6 mass(Zero);
     forAll(set.node, i)
     {
         const label n = set.node[i];
@@ -59,22 +59,26 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver(
         {
             continue;
         }
-        const freeBody::matrix36 G(b.body->at(position_[n], tentative));
-        Eigen::Matrix<scalar, 3, 1> un(Eigen::Matrix<scalar, 3, 1>::Zero());
+        const matrix36 G(b.body->at(position_[n], tentative));
+        vector un(Zero);
         for (int d = 0; d < D; ++d)
         {
-            un(grid_.direction(d)) = u[stride * n + d];
+            un[grid_.direction(d)] = u[stride * n + d];
         }
-        rhs += m * (G.transpose() * (un - G * V));
-        if (A)
+        rhs += m * G.transposed(un - G * V);
+        for (int j = 0; A && j < 6; ++j)
         {
-            mass += m * (G.transpose() * G);
+            const vector6 column(G.transposed(G[j]));
+            for (int i = 0; i <= j; ++i)
+            {
+                mass(i, j) += m * column[i];
+            }
         }
     }
     label k = 0;
     for (int i = 0; i < 6; ++i)
     {
-        sums[k++] = rhs(i);
+        sums[k++] = rhs[i];
     }
     for (int i = 0; A && i < 6; ++i)
     {
@@ -88,7 +92,7 @@ Foam::mpm::freeBody::vector6 Foam::mpm::rigidNodes::sumOver(
     k = 0;
     for (int i = 0; i < 6; ++i)
     {
-        rhs(i) = sums[k++];
+        rhs[i] = sums[k++];
     }
     for (int i = 0; A && i < 6; ++i)
     {
@@ -199,8 +203,8 @@ void Foam::mpm::rigidNodes::combine(const scalar* u, const scalar* mU, const int
 {
     for (const bodyOf& b : bodies_)
     {
-        freeBody::matrix6 A;
-        const freeBody::vector6 rhs(sumOver(b, true, u, b.body->velocityNew(), mU, stride, &A));
+        matrix6 A;
+        const vector6 rhs(sumOver(b, true, u, b.body->velocityNew(), mU, stride, &A));
         b.body->combine(A, rhs);
         setVelocity(b, b.body->start(true), true, next_, next_.value);
     }
@@ -238,7 +242,7 @@ void Foam::mpm::rigidNodes::takeIncrement(
 {
     for (const bodyOf& b : bodies_)
     {
-        freeBody::vector6 W(freeBody::vector6::Zero());
+        vector6 W(Zero);
         if (b.body->shares())
         {
             W = b.body->response(sumOver(b, false, u, W, mU, stride, nullptr));
@@ -263,7 +267,7 @@ void Foam::mpm::rigidNodes::renew()
     }
 }
 
-void Foam::mpm::rigidNodes::addIncrement(const bodyOf& b, const freeBody::vector6& W)
+void Foam::mpm::rigidNodes::addIncrement(const bodyOf& b, const vector6& W)
 {
     DynamicList<scalar> more;
     setVelocity(b, W, false, now_, more);

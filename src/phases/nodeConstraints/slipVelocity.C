@@ -201,31 +201,31 @@ void Foam::mpm::slipVelocity::findTurn(
 }
 
 void Foam::mpm::slipVelocity::hold(
-    const label node, const label patchi, const vector& normal, Eigen::Matrix3d& N)
+    const label node, const label patchi, const vector& normal, tensor& N)
 {
     const int D = grid_.nDim();
-    Eigen::Vector3d v(Eigen::Vector3d::Zero());
+    vector v(Zero);
     for (int d = 0; d < D; ++d)
     {
-        v(d) = normal[grid_.direction(d)];
+        v[d] = normal[grid_.direction(d)];
     }
-    if (v.norm() > 0)
+    if (mag(v) > 0)
     {
-        v.normalize();
+        v /= mag(v);
     }
-    const Eigen::Vector3d rest(v - N * v);
-    if (!(rest.norm() > 1e-3))
+    const vector rest(v - (N & v));
+    if (!(mag(rest) > 1e-3))
     {
         return;
     }
-    N += rest * rest.transpose() / rest.squaredNorm();
+    N += rest * rest / magSqr(rest);
 
     if (patchi >= 0)
     {
         nodeReactions::part part{node, patchi, false, {}, point(Zero)};
         for (int d = 0; d < D; ++d)
         {
-            part.normal[d] = rest(d) / rest.norm();
+            part.normal[d] = rest[d] / mag(rest);
         }
         parts_.append(part);
     }
@@ -277,7 +277,7 @@ Foam::mpm::slipVelocity::slipVelocity(
     DynamicList<scalar> projections;
     for (const auto& of : ofAll)
     {
-        Eigen::Matrix3d N(Eigen::Matrix3d::Zero());
+        tensor N(Zero);
         for (const surface& s : of.second)
         {
             hold(of.first, s.first(), s.second(), N);

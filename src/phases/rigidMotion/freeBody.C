@@ -2,6 +2,7 @@
 
 #include "freeBody.H"
 #include "dictionaryTools.H"
+#include "principalAxes.H"
 #include "cyclicPolyPatch.H"
 #include "transform.H"
 #include "addToRunTimeSelectionTable.H"
@@ -22,23 +23,20 @@ namespace
 using namespace Foam;
 
 //- Sum of six numbers over processors
-mpm::freeBody::vector6 sumOfAll(const mpm::freeBody::vector6& v)
+mpm::vector6 sumOfAll(const mpm::vector6& v)
 {
-    mpm::freeBody::vector6 sum(v);
-    for (int part = 0; part < 6; part += 3)
-    {
-        const vector s(returnReduce(vector(v(part), v(part + 1), v(part + 2)), sumOp<vector>()));
-        for (int d = 0; d < 3; ++d)
-        {
-            sum(part + d) = s[d];
-        }
-    }
-    return sum;
+    return mpm::vector6(
+        returnReduce(v.linear(), sumOp<vector>()), returnReduce(v.angular(), sumOp<vector>()));
 }
 
-vector part(const mpm::freeBody::vector6& v, const int from)
+mpm::matrix6 unity()
 {
-    return vector(v(from), v(from + 1), v(from + 2));
+    mpm::matrix6 I(Zero);
+    for (int i = 0; i < 6; ++i)
+    {
+        I(i, i) = 1;
+    }
+    return I;
 }
 
 //- exp(w): rotation by |w| about w
@@ -176,47 +174,40 @@ Foam::symmTensor Foam::mpm::freeBody::inertia(const quaternion& q) const
     return transform(q.R(), inertia0_);
 }
 
-Foam::mpm::freeBody::matrix6 Foam::mpm::freeBody::massMatrix(const quaternion& q) const
+Foam::mpm::matrix6 Foam::mpm::freeBody::massMatrix(const quaternion& q) const
 {
     const symmTensor I(inertia(q));
-    matrix6 B(matrix6::Zero());
-    B.diagonal().head<3>().setConstant(mass_);
-    B.block<3, 3>(3, 3) << I.xx(), I.xy(), I.xz(), I.xy(), I.yy(), I.yz(), I.xz(), I.yz(), I.zz();
-    for (int i = 0; i < 6; ++i)
+    const tensor full(I);
+    matrix6 B(Zero);
+    for (int i = 0; i < 3; ++i)
     {
-        if (!free_[i])
+        B(i, i) = free_[i] ? mass_ : 1;
+        for (int j = 0; j < 3; ++j)
         {
-            B.row(i).setZero();
-            B.col(i).setZero();
-            B(i, i) = 1;
+            B(3 + i, 3 + j) = free_[3 + i] && free_[3 + j] ? full(i, j) : scalar(i == j);
         }
     }
     return B;
 }
 
-Foam::mpm::freeBody::vector6 Foam::mpm::freeBody::masked(const vector6& v) const
+Foam::mpm::vector6 Foam::mpm::freeBody::masked(const vector6& v) const
 {
     vector6 w(v);
     for (int i = 0; i < 6; ++i)
     {
-        w(i) = free_[i] ? v(i) : 0;
+        w[i] = free_[i] ? v[i] : 0;
     }
     return w;
 }
 
 Foam::vector Foam::mpm::freeBody::spin(const quaternion& q, const vector& L) const
 {
-    vector6 momentum(vector6::Zero());
-    momentum.tail<3>() << L.x(), L.y(), L.z();
-    return part(massMatrix(q).ldlt().solve(masked(momentum)), 3);
+    return massMatrix(q).solve(masked(vector6(Zero, L))).angular();
 }
 
-Foam::mpm::freeBody::vector6 Foam::mpm::freeBody::velocityOf(const state6& s) const
+Foam::mpm::vector6 Foam::mpm::freeBody::velocityOf(const state6& s) const
 {
-    const vector w(spin(s.q, s.L));
-    vector6 V;
-    V << s.V.x(), s.V.y(), s.V.z(), w.x(), w.y(), w.z();
-    return V;
+    return vector6(s.V, spin(s.q, s.L));
 }
 
 void Foam::mpm::freeBody::setPlacement(const state6& s)
@@ -237,15 +228,15 @@ Foam::mpm::freeBody::freeBody(const dictionary& dict, const pointGrid& grid) :
     givenInertia_(Zero),
     mass_(0),
     inertia0_(Zero),
-    start_(vector6::Zero()),
-    startNew_(vector6::Zero()),
-    step_(vector6::Zero()),
-    combined_(matrix6::Identity()),
-    combinedNew_(matrix6::Identity()),
+    start_(Zero),
+    startNew_(Zero),
+    step_(Zero),
+    combined_(unity()),
+    combinedNew_(unity()),
     shares_(false),
     sharesNew_(false),
-    push_(vector6::Zero()),
-    load_(vector6::Zero()),
+    push_(Zero),
+    load_(Zero),
     gravity_(Zero),
     work_(0),
     gravityWork_(0)
@@ -257,17 +248,14 @@ Foam::mpm::freeBody::freeBody(const dictionary& dict, const pointGrid& grid) :
         if (grid.nDim() == 3)
         {
             givenInertia_ = dict.get<symmTensor>("inertia");
-            Eigen::Matrix3d I;
-            I << givenInertia_.xx(), givenInertia_.xy(), givenInertia_.xz(), givenInertia_.xy(),
-                givenInertia_.yy(), givenInertia_.yz(), givenInertia_.xz(), givenInertia_.yz(),
-                givenInertia_.zz();
-            const Eigen::Vector3d e(
-                Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(I).eigenvalues());
-            if (!(e(0) > 0) || e(2) > 1.0000001 * (e(0) + e(1)))
+            const tensor I(givenInertia_);
+            const principalAxes<3> axes(I.cdata(), false);
+            const scalar* e = axes.value;
+            if (!(e[0] > 0) || e[2] > 1.0000001 * (e[0] + e[1]))
             {
                 FatalIOErrorInFunction(dict)
                     << "Entry inertia is " << givenInertia_ << " with the"
-                    << " principal values " << e(0) << ' ' << e(1) << ' ' << e(2)
+                    << " principal values " << e[0] << ' ' << e[1] << ' ' << e[2]
                     << "; they must be greater than 0, and none"
                     << " greater than the sum of the others." << exit(FatalIOError);
             }
@@ -342,30 +330,32 @@ void Foam::mpm::freeBody::setState(const scalar, const dictionary& state)
     setPlacement(now_);
 }
 
-Foam::mpm::freeBody::matrix36 Foam::mpm::freeBody::at(const point& x, const bool tentative) const
+Foam::mpm::matrix36 Foam::mpm::freeBody::at(const point& x, const bool tentative) const
 {
     const vector r(x - centre(tentative));
-    matrix36 G(matrix36::Zero());
-    G(0, 0) = G(1, 1) = G(2, 2) = 1;
-    G.block<3, 3>(0, 3) << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
-    for (int i = 0; i < 6; ++i)
+    matrix36 G;
+    for (int d = 0; d < 3; ++d)
     {
-        if (!free_[i])
-        {
-            G.col(i).setZero();
-        }
+        vector e(Zero);
+        e[d] = 1;
+        G[d] = free_[d] ? e : vector(Zero);
+        G[3 + d] = free_[3 + d] ? e ^ r : vector(Zero);
     }
     return G;
 }
 
 void Foam::mpm::freeBody::combine(const matrix6& A, const vector6& rhs)
 {
-    sharesNew_ = A.diagonal().maxCoeff() > 0;
+    sharesNew_ = false;
+    for (int i = 0; i < 6; ++i)
+    {
+        sharesNew_ = sharesNew_ || A(i, i) > 0;
+    }
     combinedNew_ = massMatrix(new_.q) + A;
     startNew_ = velocityOf(new_);
     if (sharesNew_)
     {
-        startNew_ += masked(combinedNew_.ldlt().solve(rhs));
+        startNew_ += masked(combinedNew_.solve(rhs));
     }
 }
 
@@ -379,56 +369,52 @@ void Foam::mpm::freeBody::acceptNodes()
 void Foam::mpm::freeBody::begin(const scalar dt, const vector& g)
 {
     gravity_ = dt * g;
-    step_ = start_;
-    step_.head<3>() +=
-        vector6((vector6() << gravity_.x(), gravity_.y(), gravity_.z(), 0, 0, 0).finished())
-            .head<3>();
-    step_ += massMatrix(now_.q).ldlt().solve(masked(dt * sumOfAll(push_)));
+    step_ =
+        start_ + vector6(gravity_, Zero) + massMatrix(now_.q).solve(masked(dt * sumOfAll(push_)));
     step_ = masked(step_);
-    load_.setZero();
+    load_ = Zero;
 }
 
-Foam::mpm::freeBody::vector6 Foam::mpm::freeBody::response(const vector6& impulse) const
+Foam::mpm::vector6 Foam::mpm::freeBody::response(const vector6& impulse) const
 {
-    return masked(combined_.ldlt().solve(masked(impulse)));
+    return masked(combined_.solve(masked(impulse)));
 }
 
 void Foam::mpm::freeBody::setPush(const vector& force, const vector& torque)
 {
-    push_ << force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z();
+    push_ = vector6(force, torque);
 }
 
 void Foam::mpm::freeBody::addLoad(const vector& impulse, const point& x)
 {
-    const vector T((x - centre(false)) ^ impulse);
-    load_ += (vector6() << impulse.x(), impulse.y(), impulse.z(), T.x(), T.y(), T.z()).finished();
+    load_ += vector6(impulse, (x - centre(false)) ^ impulse);
 }
 
 void Foam::mpm::freeBody::finish(const scalar dt, const scalar a)
 {
     const matrix6 B(massMatrix(now_.q));
-    step_ += B.ldlt().solve(masked(sumOfAll(load_)));
+    step_ += B.solve(masked(sumOfAll(load_)));
 
     const vector6 V(velocityOf(now_));
     const vector6 dV(step_ - start_);
     const vector6 mean(V + 0.5 * dV);
-    work_ = mean.dot(B * dV);
+    work_ = mean && (B * dV);
     gravityWork_ = 0;
     for (int d = 0; d < 3; ++d)
     {
-        gravityWork_ += free_[d] ? mass_ * gravity_[d] * mean(d) : 0;
+        gravityWork_ += free_[d] ? mass_ * gravity_[d] * mean[d] : 0;
     }
 
     const vector6 change(a * (start_ - V) + dV);
     const vector6 momentum(B * change);
     const vector6 meanNodes(0.5 * (start_ + step_));
-    new_.shift = now_.shift + dt * part(meanNodes, 0);
-    new_.V = now_.V + part(change, 0);
-    new_.L = now_.L + part(momentum, 3);
+    new_.shift = now_.shift + dt * meanNodes.linear();
+    new_.V = now_.V + change.linear();
+    new_.L = now_.L + momentum.angular();
 
     // Midpoint, with the angular momentum of the mean
-    const vector L(part(B * meanNodes, 3));
-    vector w(part(meanNodes, 3));
+    const vector L((B * meanNodes).angular());
+    vector w(meanNodes.angular());
     for (int i = 0; i < 50 && grid_.nDim() == 3; ++i)
     {
         quaternion half(turn(0.5 * dt * w) * now_.q);

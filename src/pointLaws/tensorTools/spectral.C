@@ -1,42 +1,30 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
-// The compiler's own AVX-512 headers start a register from itself
-// (_mm256_undefined_pd), which it then reports in code that Eigen inlines
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-
 #include "spectral.H"
-#include <Eigen/Eigenvalues>
+#include "principalAxes.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 template<int N>
 void Foam::mpm::isotropicFunction(const double (&A)[N * N], double (*f)(double), double (&R)[N * N])
 {
-    typedef Eigen::Matrix<double, N, N> matrix;
-
-    const Eigen::SelfAdjointEigenSolver<matrix> s(Eigen::Map<const matrix>(A, N, N));
-    const Eigen::Matrix<double, N, 1> values(s.eigenvalues().unaryExpr(f));
-
-    Eigen::Map<matrix>(R, N, N) =
-        s.eigenvectors() * values.asDiagonal() * s.eigenvectors().transpose();
+    const principalAxes<N> axes(A);
+    double values[N];
+    std::transform(axes.value, axes.value + N, values, f);
+    axes.compose(values, R);
 }
 
 double Foam::mpm::largestPrincipal(const double (&A)[9])
 {
-    typedef Eigen::Matrix3d matrix;
-
-    const Eigen::SelfAdjointEigenSolver<matrix> s(
-        Eigen::Map<const matrix>(A, 3, 3), Eigen::EigenvaluesOnly);
-    return s.eigenvalues()(2);
+    return principalAxes<3>(A, false).value[2];
 }
 
 double Foam::mpm::largestPrincipal(const double (&A)[9], double (&n)[3])
 {
-    typedef Eigen::Matrix3d matrix;
-
-    const Eigen::SelfAdjointEigenSolver<matrix> s(Eigen::Map<const matrix>(A, 3, 3));
-    Eigen::Map<Eigen::Vector3d>(n, 3) = s.eigenvectors().col(2);
-    return s.eigenvalues()(2);
+    const principalAxes<3> axes(A);
+    std::copy(axes.direction[2], axes.direction[2] + 3, n);
+    return axes.value[2];
 }
 
 template void

@@ -1,7 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "cellCutter.H"
-#include <Eigen/Eigenvalues>
+#include "principalAxes.H"
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ void Foam::mpm::cellCutter::addSurface(const label i)
     // In the coordinates of the mesh: f = x.A x + b.x + c
     const quadratic& q = formula_.surfaceAt(i);
     const int nDim = grid_.nDim();
-    Eigen::Matrix3d A(Eigen::Matrix3d::Zero());
+    tensor A(Zero);
     vector b(Zero);
     for (int d = 0; d < nDim; ++d)
     {
@@ -30,13 +30,13 @@ void Foam::mpm::cellCutter::addSurface(const label i)
         a.h = {n, c};
         atoms_.push_back(a);
     };
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(A);
-    const Eigen::Vector3d& k = solver.eigenvalues();
-    const scalar largest = k.cwiseAbs().maxCoeff(), tol = 1e-12 * largest;
+    const principalAxes<3> axes(A.cdata());
+    const double* k = axes.value;
+    const scalar largest = max(mag(k[0]), mag(k[2])), tol = 1e-12 * largest;
     const auto axisOf = [&](const int j)
     {
-        const auto v = solver.eigenvectors().col(j);
-        return vector(v(0), v(1), v(2));
+        const double* n = axes.direction[j];
+        return vector(n[0], n[1], n[2]);
     };
     vector round(Zero), free(Zero);
     int nRound = 0;
@@ -44,11 +44,11 @@ void Foam::mpm::cellCutter::addSurface(const label i)
     scalar K = 0;
     for (int j = 0; j < 3; ++j)
     {
-        if (mag(k(j)) > tol)
+        if (mag(k[j]) > tol)
         {
             ++nRound;
-            alike = alike && (K == 0 || mag(k(j) - K) < tol);
-            K = K == 0 ? k(j) : K;
+            alike = alike && (K == 0 || mag(k[j] - K) < tol);
+            K = K == 0 ? k[j] : K;
             round = axisOf(j);
         }
         else

@@ -3,7 +3,7 @@
 #include "hexLocator.H"
 #include "meshCheck.H"
 #include "polyMesh.H"
-#include <Eigen/LU>
+#include "FixedList.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -12,15 +12,25 @@ namespace
 
 using namespace Foam;
 
-//- Derivatives dx_e/dxi_k of the map at corner n
-Eigen::Matrix3d jacobian(const int nDim, const scalar* corner, const label n)
+//- Derivatives of a map from coordinates xi: J[k][e] = dx_e/dxi_k
+typedef FixedList<vector, 3> jacobian;
+
+jacobian unity() { return {vector(1, 0, 0), vector(0, 1, 0), vector(0, 0, 1)}; }
+
+//- det J times dxi_k/dx
+vector cofactors(const jacobian& J, const int k) { return J[(k + 1) % 3] ^ J[(k + 2) % 3]; }
+
+scalar determinant(const jacobian& J) { return J[0] & cofactors(J, 0); }
+
+//- At corner n
+jacobian atCorner(const int nDim, const scalar* corner, const label n)
 {
-    Eigen::Matrix3d J(Eigen::Matrix3d::Identity());
+    jacobian J(unity());
     for (int k = 0; k < nDim; ++k)
     {
         for (int e = 0; e < nDim; ++e)
         {
-            J(e, k) = corner[nDim * (n | (label(1) << k)) + e]
+            J[k][e] = corner[nDim * (n | (label(1) << k)) + e]
                 - corner[nDim * (n & ~(label(1) << k)) + e];
         }
     }
@@ -49,16 +59,14 @@ void Foam::mpm::hexLocator::localCoordinates(const label celli, const scalar* x,
     {
         xi[d] = 0.5;
     }
-    Eigen::Matrix3d J;
-    Eigen::Vector3d r;
     for (int iter = 0; iter < 20; ++iter)
     {
-        J.setIdentity();
-        r.setZero();
+        jacobian J(unity());
+        vector r(Zero);
         for (int d = 0; d < nDim_; ++d)
         {
-            r(d) = x[d];
-            J(d, d) = 0;
+            r[d] = x[d];
+            J[d][d] = 0;
         }
         for (label n = 0; n < nc; ++n)
         {
@@ -69,7 +77,7 @@ void Foam::mpm::hexLocator::localCoordinates(const label celli, const scalar* x,
             }
             for (int e = 0; e < nDim_; ++e)
             {
-                r(e) -= w * corner[nDim_ * n + e];
+                r[e] -= w * corner[nDim_ * n + e];
             }
             for (int d = 0; d < nDim_; ++d)
             {
@@ -83,17 +91,18 @@ void Foam::mpm::hexLocator::localCoordinates(const label celli, const scalar* x,
                 }
                 for (int e = 0; e < nDim_; ++e)
                 {
-                    J(e, d) += dw * corner[nDim_ * n + e];
+                    J[d][e] += dw * corner[nDim_ * n + e];
                 }
             }
         }
-        const Eigen::Vector3d dxi(J.partialPivLu().solve(r));
+        const scalar detJ = determinant(J);
         scalar largest = 0;
         for (int d = 0; d < nDim_; ++d)
         {
             // Far outside the map need not be one to one: stay near
-            xi[d] = min(max(xi[d] + dxi(d), scalar(-2)), scalar(3));
-            largest = max(largest, mag(dxi(d)));
+            const scalar dxi = (r & cofactors(J, d)) / detJ;
+            xi[d] = min(max(xi[d] + dxi, scalar(-2)), scalar(3));
+            largest = max(largest, mag(dxi));
         }
         if (largest < 1e-14)
         {
@@ -183,8 +192,8 @@ Foam::scalar Foam::mpm::hexLocator::width(const label celli, const int d) const
     scalar shortest = GREAT;
     for (label n = 0; n < nc; ++n)
     {
-        const Eigen::Matrix3d J(jacobian(nDim_, corner, n));
-        shortest = min(shortest, 1 / J.inverse().row(d).norm());
+        const jacobian J(atCorner(nDim_, corner, n));
+        shortest = min(shortest, mag(determinant(J)) / mag(cofactors(J, d)));
     }
     return shortest;
 }
@@ -200,9 +209,9 @@ Foam::string Foam::mpm::hexLocator::folded() const
         scalar least = VGREAT, most = 0;
         for (label n = 0; n < nc; ++n)
         {
-            const scalar det = jacobian(nDim_, corner, n).determinant();
-            least = min(least, det);
-            most = max(most, det);
+            const scalar detJ = determinant(atCorner(nDim_, corner, n));
+            least = min(least, detJ);
+            most = max(most, detJ);
         }
         if (!(least > 1e-9 * most))
         {

@@ -29,7 +29,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "frictionalLaw.H"
-#include <Eigen/Eigenvalues>
+#include "principalAxes.H"
 
 namespace Foam::mpm
 {
@@ -173,32 +173,28 @@ bool MohrCoulomb::principalReturn(double (&s)[3]) const
 
 double MohrCoulomb::pointFlow(double (&X)[9], double& theta) const
 {
-    typedef Eigen::Matrix3d matrix;
-    Eigen::Map<matrix> x(X);
-    const Eigen::SelfAdjointEigenSolver<matrix> solver(x);
-    const Eigen::Vector3d h(solver.eigenvalues());
+    const principalAxes<3> axes(X);
+    const double* h = axes.value;
 
     double s[3];
     for (int i = 0; i < 3; ++i)
     {
-        s[i] = 2 * G_ * h(i) + K_ * theta;
+        s[i] = 2 * G_ * h[i] + K_ * theta;
     }
     if (!principalReturn(s))
     {
         return 0;
     }
     const double mean = (s[0] + s[1] + s[2]) / 3;
-    Eigen::Vector3d left;
+    double left[3];
     double flow = 0;
     for (int i = 0; i < 3; ++i)
     {
-        left(i) = (s[i] - mean) / (2 * G_);
-        flow += sqr(h(i) - left(i));
+        left[i] = (s[i] - mean) / (2 * G_);
+        flow += sqr(h[i] - left[i]);
     }
     theta = mean / K_;
-    const matrix result(
-        solver.eigenvectors() * left.asDiagonal() * solver.eigenvectors().transpose());
-    x = result;
+    axes.compose(left, X);
     return std::sqrt(2.0 / 3 * flow);
 }
 

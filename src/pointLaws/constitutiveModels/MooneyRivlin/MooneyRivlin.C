@@ -38,7 +38,10 @@ Usage
 
 #include "isotropicElastic.H"
 #include "laneMath.H"
-#include <Eigen/Dense>
+#include "principalAxes.H"
+#include "tensor.H"
+#include <algorithm>
+#include <cmath>
 
 namespace Foam::mpm
 {
@@ -165,75 +168,70 @@ public:
 std::string MooneyRivlin::leftStretch(const double (&sigma)[9], const scalar, double (&c)[9]) const
 {
     const std::string none("no stretch was found that carries it");
-    typedef Eigen::Matrix3d matrix;
-    typedef Eigen::Vector3d vector3;
-
-    matrix s(Eigen::Map<const matrix>(sigma, 3, 3));
-    if (!s.allFinite())
+    if (!std::all_of(sigma, sigma + 9, [](const double x) { return std::isfinite(x); }))
     {
         return none;
     }
-    const Eigen::SelfAdjointEigenSolver<matrix> solver(s);
-    const vector3 wanted(solver.eigenvalues());
+    const principalAxes<3> axes(sigma);
+    const vector wanted(axes.value[0], axes.value[1], axes.value[2]);
 
     // Principal stresses of the principal logarithmic stretches
-    const auto stressOf = [&](const vector3& h)
+    const auto stressOf = [&](const vector& h)
     {
-        const double lnJ = h.sum(), rJ = std::exp(-lnJ);
-        vector3 b, t;
+        const double lnJ = h[0] + h[1] + h[2], rJ = std::exp(-lnJ);
+        vector b, t;
         for (int i = 0; i < 3; ++i)
         {
-            b(i) = std::exp(2 * h(i) - 2.0 / 3 * lnJ);
+            b[i] = std::exp(2 * h[i] - 2.0 / 3 * lnJ);
         }
         for (int i = 0; i < 3; ++i)
         {
-            t(i) = 2 * rJ * (c10_ * b(i) + c01_ * b(i) * (b.sum() - b(i)));
+            t[i] = 2 * rJ * (c10_ * b[i] + c01_ * b[i] * (b[(i + 1) % 3] + b[(i + 2) % 3]));
         }
-        const double mean = t.mean();
-        for (int i = 0; i < 3; ++i)
-        {
-            t(i) += K_ * lnJ * rJ - mean;
-        }
-        return t;
+        const double mean = (t[0] + t[1] + t[2]) / 3;
+        return vector(t + (K_ * lnJ * rJ - mean) * vector(1, 1, 1));
     };
+    const auto largest = [](const vector& v) { return cmptMax(cmptMag(v)); };
 
-    vector3 h(vector3::Zero());
-    const double size = wanted.norm() + 1e-3 * mu();
+    vector h(Zero);
+    const double size = mag(wanted) + 1e-3 * mu();
     for (int iteration = 0; iteration < 60; ++iteration)
     {
-        const vector3 residual(stressOf(h) - wanted);
-        if (residual.norm() <= 1e-14 * size)
+        const vector residual(stressOf(h) - wanted);
+        if (mag(residual) <= 1e-14 * size)
         {
             break;
         }
-        matrix slope;
-        for (int i = 0; i < 3; ++i)
+        // Row j: change by h_j
+        tensor slope;
+        for (direction j = 0; j < 3; ++j)
         {
-            const double d = 1e-6;
-            vector3 up(h), down(h);
-            up(i) += d;
-            down(i) -= d;
-            slope.col(i) = (stressOf(up) - stressOf(down)) / (2 * d);
+            vector d(Zero);
+            d[j] = 1e-6;
+            const vector row((stressOf(h + d) - stressOf(h - d)) / 2e-6);
+            for (direction i = 0; i < 3; ++i)
+            {
+                slope(j, i) = row[i];
+            }
         }
-        vector3 change(slope.partialPivLu().solve(-residual));
-        const double largest = change.cwiseAbs().maxCoeff();
-        h += change * (largest > 0.3 ? 0.3 / largest : 1.0);
-        if (!h.allFinite() || h.cwiseAbs().maxCoeff() > 5)
+        const vector change(residual & inv(slope));
+        h -= change * std::min(1.0, 0.3 / std::max(largest(change), VSMALL));
+        // Also for NaN
+        if (!(largest(h) <= 5))
         {
             return none;
         }
     }
-    if (!((stressOf(h) - wanted).norm() <= 1e-10 * size))
+    if (!(mag(stressOf(h) - wanted) <= 1e-10 * size))
     {
         return none;
     }
-    vector3 stretch;
+    double stretch[3];
     for (int i = 0; i < 3; ++i)
     {
-        stretch(i) = std::expm1(2 * h(i));
+        stretch[i] = std::expm1(2 * h[i]);
     }
-    Eigen::Map<matrix>(c, 3, 3) =
-        solver.eigenvectors() * stretch.asDiagonal() * solver.eigenvectors().transpose();
+    axes.compose(stretch, c);
     return std::string();
 }
 
