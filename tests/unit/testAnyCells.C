@@ -14,7 +14,7 @@ Description
 #include "shapeTransfer.H"
 #include "stencilShape.H"
 #include "faceLocator.H"
-#include <Eigen/LU>
+#include "tensor.H"
 #include <random>
 
 using namespace Foam;
@@ -54,7 +54,7 @@ struct simplexShape : stencilShape<DIM, 8, simplexShape<DIM>>
     MPM_INLINE void prepare(const label celli, stencil& s) const
     {
         base::setNodes(grid, celli, s);
-        Eigen::Matrix<double, DIM, DIM> J;
+        tensor J(tensor::I);
         for (int i = 0; i < DIM; ++i)
         {
             for (int d = 0; d < DIM; ++d)
@@ -63,7 +63,7 @@ struct simplexShape : stencilShape<DIM, 8, simplexShape<DIM>>
             }
             s.ih[i] = 1 / grid.width(celli, i);
         }
-        const Eigen::Matrix<double, DIM, DIM> inverse(J.inverse());
+        const tensor inverse(inv(J));
         for (int d = 0; d < DIM; ++d)
         {
             s.g[0][d] = 0;
