@@ -121,7 +121,7 @@ std::string oneLayer(const polyMesh& mesh, std::string& patches, bool& sector)
     // Of each direction: sum of the faces of both sides, and of one
     List<FixedList<vector, 2>> sum(3, FixedList<vector, 2>(vector(Zero)));
     List<FixedList<unsigned char, 3>> sides(
-        mesh.nCells(), FixedList<unsigned char, 3>((unsigned char)(0)));
+        mesh.nCells(), FixedList<unsigned char, 3>(static_cast<unsigned char>(0)));
     const auto across = [&](const label facei, const int d)
     {
         const vector& S = mesh.faceAreas()[facei];
