@@ -368,6 +368,7 @@ void Foam::mpm::timeStepControl::setDeltaT()
     if (!adjust)
     {
         watchCourant(Co);
+        watchPores();
     }
 }
 

@@ -183,6 +183,20 @@ void Foam::mpm::timeStepControl::watchCourant(const scalar Co)
     warnedCo_ = Co;
 }
 
+void Foam::mpm::timeStepControl::watchPores()
+{
+    if (warnedPores_ || !(time_.deltaTValue() > poreDeltaT()))
+    {
+        return;
+    }
+    WarningInFunction << "The time step " << time_.deltaTValue() << " s is longer than "
+                      << poreDeltaT() << " s, up to which light points bear what flows in their"
+                      << " pores (gasCoupling.H)." << nl
+                      << "Write  adjustTimeStep yes;  or a smaller deltaT; FLIP, APIC and B-splines"
+                      << " bear longer steps than FMPM and XPIC." << endl;
+    warnedPores_ = true;
+}
+
 void Foam::mpm::timeStepControl::watchEnergy()
 {
     if (!points())

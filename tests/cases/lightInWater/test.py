@@ -8,9 +8,11 @@ points grows 25-fold or more.
 
 growth    largest kinetic and strain energy of the points over that of the start
 named     the log names what has set the step
+fixed     a fixed deltaT of twice that bound is warned of, once
 """
 
 import os
+import re
 import sys
 
 import numpy as np
@@ -62,5 +64,24 @@ def light(table):
               len(SCENES), "atLeast")
 
 
+def fixed(table):
+    case = solids.write(draw(*SCENES[0]), 20, "fixed", "lightInWater")
+    control = open(case.file("system/controlDict")).read()
+
+    def run(**entries):
+        text = control
+        for name, value in entries.items():
+            text = re.sub(rf"(?m)^{name} .*;", f"{name} {value};", text)
+        with open(case.file("system/controlDict"), "w") as f:
+            f.write(text)
+        case.run("materialPointFoam", limit=120)
+        return case.log("materialPointFoam")
+    bound = float(re.search(r"deltaT = (\S+)\ndeltaT set by what flows", run())[1])
+    for factor, warnings in ((0.99, 0), (1.5, 1)):
+        log = run(deltaT=factor*bound, endTime=10*factor*bound, adjustTimeStep="no", maxCo=1)
+        table.row(f"fixed deltaT of {factor} of the bound: warnings of it", warnings,
+                  log.count("up to which light points bear"), 0)
+
+
 if __name__ == "__main__":
-    sys.exit(runParts("lightInWater", light))
+    sys.exit(runParts("lightInWater", light, fixed))
