@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Water at 100 m/s meets a plate across a gap of air of 0 to 5 cells, in 1D.
+
+The air is pressed to a film and stops nothing: the pressure that stays is that of the shock in
+the water (stiffened gas, Rankine-Hugoniot) and of the elastic wave in the plate,
+
+    U - v = (p - p0) sqrt(A/(p + pInf + B)),  A = 2/((g + 1) rho),  B = (g - 1)/(g + 1) (p0 + pInf),
+    v = (p - p0)/Z,  Z = sqrt(rho_s E) of the plate, endless of a rigid one.
+
+wall      a wall of the mesh: largest pressure and the one that stays
+plate     points with E 70 GPa: the pressure that stays. The first touch is up to 9 % higher,
+          16 % at a rigid phase, for the time of two cells, where the plate's side lies on
+          the side of a cell: its pores fill later than the cell before it
+"""
+
+import os
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from fluidCases import AIR, WATER, besidePoints, fluidCase, fluidField
+from foamCase import runParts
+from roots import bisection
+
+P0, PINF, G, RHO, U = 1e5, 6e8, 4.4, 1000.0, 100.0
+E, RHOS = 7e10, 2700.0
+CLOSED = ("zeroGradient", "zeroGradient", "slip")
+FLUIDS = {"water": WATER, "air": AIR}
+
+
+def exact(Z):
+    A, B = 2/((G + 1)*RHO), (G - 1)/(G + 1)*(P0 + PINF)
+    return bisection(lambda p: p*np.sqrt(A/(p + P0 + PINF + B)) + p/Z - U, 0.0, 1e9)
+
+
+def contact(table, label, n, gap, Z, plate):
+    """Water from 0.1 to 0.5 m, then the gap, n cells to a metre."""
+    h = 1/n
+    face = 0.5 + gap*h
+    cells = n if plate else round(face/h)
+    end = gap*h/U + 1.2e-4
+
+    def initial(x, y, z):
+        water = np.clip((np.minimum(x + h/2, 0.5) - np.maximum(x - h/2, 0.1))/h, 0, 1)
+        return [water, 1 - water], [RHO, 1.2], np.where(x < 0.5, U, 0.0), P0
+    case = fluidCase("firstContact", label.replace(" ", "-").replace(",", ""), (cells, 1, 1),
+                     (cells*h, 0.01, 0.01), FLUIDS, initial, end, ends=CLOSED,
+                     writeInterval=end/40, control={"maxCo": 0.4, "deltaT": 1e-9})
+    if plate:
+        besidePoints(case, FLUIDS,
+                     {"plate": {"constitutiveModel": {"type": "linearElastic", "rho": RHOS,
+                                                      "E": E, "nu": 0}}},
+                     {"plate": {"type": "box", "min": (face, -1, -1), "max": (0.9, 1, 1),
+                                "stress": "ambient", "pressure": P0}})
+    case.run("materialPointFoam")
+    last = min(int(face/h - 1e-9), cells - 1)
+    p = np.array([fluidField(case, float(s), "p")[max(last - 4, 0):last].max() - P0
+                  for s in case.times() if float(s) > 0])
+    if not plate:
+        table.row(f"{label}: largest pressure over the exact one", 1, p.max()/exact(Z), 0.05)
+    table.row(f"{label}: pressure that stays over the exact one", 1, p[-2:].mean()/exact(Z), 0.02)
+
+
+def wall(table):
+    for n in (100, 200, 400):
+        for gap in (0, 1, 5):
+            contact(table, f"wall, {n} cells, gap of {gap}", n, gap, np.inf, False)
+
+
+def plate(table):
+    for n in (100, 200, 400):
+        for gap in (0, 0.5, 1.3, 5):
+            contact(table, f"plate, {n} cells, gap of {gap}", n, gap, np.sqrt(RHOS*E), True)
+
+
+if __name__ == "__main__":
+    sys.exit(runParts("firstContact", wall, plate))
