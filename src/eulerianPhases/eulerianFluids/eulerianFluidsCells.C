@@ -137,7 +137,8 @@ void Foam::mpm::eulerianFluids::addFluids(
 
     // The largest fluid has the reconstructed state, of others there is no
     // more than in the cell
-    const scalar denser = w.rho / w0.rho;
+    const bool one = interfaces_->major()[behind ? mesh_.nCells() + i : D] >= 0;
+    const scalar denser = one ? w.rho / w0.rho : 1;
     sums& s = face_;
     s = sums{0, Zero, 0};
     const label a = interfaces_->slot()[P];
@@ -153,7 +154,7 @@ void Foam::mpm::eulerianFluids::addFluids(
         const label c = ofCell ? P : D;
         const scalar share =
             behind && !ofCell ? alphaB_[n_ * i + k] : part_[n_ * c + k] / theta_[c];
-        const bool large = share > 0.5;
+        const bool large = one && share > 0.5;
         const scalar p = large ? w.p : w0.p;
         const scalar rho = (large ? denser : 1)
             * (behind && !ofCell ? rhoB_[n_ * i + k] : mass_[n_ * c + k] / part_[n_ * c + k]);

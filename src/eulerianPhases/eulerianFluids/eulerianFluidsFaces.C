@@ -274,7 +274,8 @@ void Foam::mpm::eulerianFluids::sideTerms()
 }
 
 inline void Foam::mpm::eulerianFluids::face(
-    const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR)
+    const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR,
+    const scalar loose)
 {
     const vector& S = mesh_.faceAreas()[f];
     const scalar magS = faces_.magS[f];
@@ -285,7 +286,8 @@ inline void Foam::mpm::eulerianFluids::face(
     {
         mu *= min(scalar(1), max(mag(L.u) * L.rho / zL, mag(R.u) * R.rho / zR));
     }
-    phi_[f] = magS * (zL * uL + zR * uR + (L.p - R.p)) / sum;
+    const scalar share = zL / sum + loose * (0.5 - zL / sum);
+    phi_[f] = magS * (share * uL + (1 - share) * uR + (L.p - R.p) / sum);
     pStar_[f] = (zR * L.p + zL * R.p) / sum + mu * (uL - uR);
 }
 
@@ -335,6 +337,10 @@ void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces*
             return;
         }
         const bool first = upwind || first_[P] || first_[N];
+        const auto soft = [&](const label c, const scalar K, const scalar z, const gasState& w)
+        { return interfaces_->near()[c] || !(K * w.rho < sqr(z)) ? 1 : std::sqrt(K * w.rho) / z; };
+        const scalar softP = soft(P, t_[P].K, z_[P], W_[P]);
+        const scalar softN = soft(N, i < 0 ? t_[N].K : tb_[i].K, zN, WN);
         gasState L(first ? W_[P] : sides[f].own);
         gasState R(first ? WN : sides[f].nei);
         scalar zL = z_[P], zR = zN;
@@ -350,9 +356,11 @@ void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces*
         {
             zL = zR = max(zL, zR);
         }
+        zL *= softP;
+        zR *= softN;
         L.p += wP;
         R.p += wN;
-        face(f, L, R, zL, zR);
+        face(f, L, R, zL, zR, 1 - max(softP, softN));
     };
     for (label f = 0; f < nInternal; ++f)
     {

@@ -167,6 +167,72 @@ void Foam::mpm::fluidInterfaces::setSlots()
             }
         }
     }
+}
+
+void Foam::mpm::fluidInterfaces::setRatios(const contents& of)
+{
+    const fvMesh& mesh = faces_.mesh;
+    const label nCells = mesh.nCells(), nInternal = mesh.nInternalFaces();
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+    ratio_.setSize(nShares_ * cells_.size());
+    scalarList here(nShares_);
+    // The others' sum: 1 less a share of nearly all is rounding
+    const auto ratios = [&](const scalar* m, const scalar* alpha, scalar* r)
+    {
+        for (label k = 0; k < nShares_; ++k)
+        {
+            scalar others = 1e-300;
+            for (label j = 0; j < n_; ++j)
+            {
+                others += j == k ? 0 : m[j] * (alpha ? alpha[j] : 1);
+            }
+            r[k] = (m[k] * (alpha ? alpha[k] : 1) + 1e-300) / others;
+        }
+    };
+    scalarList there(nShares_), traces(nShares_);
+    forAll(cells_, s)
+    {
+        const label c = cells_[s];
+        ratios(of.mass.cdata() + n_ * c, nullptr, here.begin());
+        scalar largest = 1;
+        for (label k = 0; k < nShares_; ++k)
+        {
+            ratio_[nShares_ * s + k] = 1;
+            traces[k] = min(here[k], 1 / here[k]);
+        }
+        for (const label f : mesh.cells()[c])
+        {
+            if (f < nInternal)
+            {
+                ratios(
+                    of.mass.cdata() + n_ * (own[f] == c ? nei[f] : own[f]), nullptr, there.begin());
+            }
+            else if (!empty_[f - nInternal] && of.alphaB[n_ * (f - nInternal)] >= 0)
+            {
+                const label i = n_ * (f - nInternal);
+                ratios(of.rhoB.cdata() + i, of.alphaB.cdata() + i, there.begin());
+            }
+            else
+            {
+                continue;
+            }
+            for (label k = 0; k < nShares_; ++k)
+            {
+                const scalar r = there[k] > here[k] ? there[k] / here[k] : here[k] / there[k];
+                scalar& to = ratio_[nShares_ * s + k];
+                to = max(to, r);
+                largest = max(largest, to);
+                traces[k] = max(traces[k], min(there[k], 1 / there[k]));
+            }
+        }
+        for (label k = 0; k < nShares_; ++k)
+        {
+            scalar& to = ratio_[nShares_ * s + k];
+            to = traces[k] > trace ? 1 : min(max(std::log(to) - 2, 0.0), 1.0);
+        }
+        near_[c] = near_[c] && largest > different;
+    }
     labelList near(near_.size(), 0);
     if (!coupled_.empty())
     {
@@ -360,6 +426,7 @@ void Foam::mpm::fluidInterfaces::update(const contents& of)
     }
     sortCells(of);
     setSlots();
+    setRatios(of);
     setGradients(of);
 }
 
@@ -465,8 +532,8 @@ void Foam::mpm::fluidInterfaces::shares(
             const scalar size = mag(g), own = part[k] / theta;
             const scalar along = (g & n) / max(size, VSMALL);
             const scalar contrast = size * h / (V * own * (1 - own));
-            const scalar b =
-                beta * mag(along) * min(max((contrast - mixed) / (sharp - mixed), 0.0), 1.0);
+            const scalar b = beta * mag(along) * ratio_[nShares_ * s + k]
+                * min(max((contrast - mixed) / (sharp - mixed), 0.0), 1.0);
             if (b > 1e-3)
             {
                 a = tangent(a, along > 0 ? 1 : -1, b, lambda);
