@@ -233,6 +233,7 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     relaxedP_(mesh.nCells(), -1),
     z_(W_.size()),
     zB_(Wb_.size(), 1),
+    soft_(W_.size() + Wb_.size(), 1),
     alphaB_(n_ * Wb_.size(), Zero),
     rhoB_(n_ * Wb_.size(), Zero),
     rho0_(computed("rho")),

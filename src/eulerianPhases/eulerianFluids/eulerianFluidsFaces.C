@@ -273,6 +273,28 @@ void Foam::mpm::eulerianFluids::sideTerms()
     }
 }
 
+void Foam::mpm::eulerianFluids::setSoftness()
+{
+    const label nCells = mesh_.nCells(), nInternal = mesh_.nInternalFaces();
+    const boolList& near = interfaces_->near();
+    const auto softness = [](const gasState& w, const scalar K, const scalar z)
+    { return K * w.rho < sqr(z) ? std::sqrt(K * w.rho) / z : scalar(1); };
+    soft_ = 1;
+    for (const label c : interfaces_->cells())
+    {
+        soft_[c] =
+            near[c] || interfaces_->single()[c] >= 0 ? scalar(1) : softness(W_[c], t_[c].K, z_[c]);
+    }
+    for (const label f : faces_.coupled)
+    {
+        const label i = f - nInternal;
+        if (interfaces_->single()[nCells + i] < 0 && !near[nCells + i])
+        {
+            soft_[nCells + i] = softness(Wb_[i], tb_[i].K, zB_[i]);
+        }
+    }
+}
+
 inline void Foam::mpm::eulerianFluids::face(
     const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR,
     const scalar loose)
@@ -286,8 +308,11 @@ inline void Foam::mpm::eulerianFluids::face(
     {
         mu *= min(scalar(1), max(mag(L.u) * L.rho / zL, mag(R.u) * R.rho / zR));
     }
-    const scalar share = zL / sum + loose * (0.5 - zL / sum);
-    phi_[f] = magS * (share * uL + (1 - share) * uR + (L.p - R.p) / sum);
+    phi_[f] = magS * (zL * uL + zR * uR + (L.p - R.p)) / sum;
+    if (loose > 0)
+    {
+        phi_[f] += magS * loose * (0.5 - zL / sum) * (uL - uR);
+    }
     pStar_[f] = (zR * L.p + zL * R.p) / sum + mu * (uL - uR);
 }
 
@@ -337,10 +362,6 @@ void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces*
             return;
         }
         const bool first = upwind || first_[P] || first_[N];
-        const auto soft = [&](const label c, const scalar K, const scalar z, const gasState& w)
-        { return interfaces_->near()[c] || !(K * w.rho < sqr(z)) ? 1 : std::sqrt(K * w.rho) / z; };
-        const scalar softP = soft(P, t_[P].K, z_[P], W_[P]);
-        const scalar softN = soft(N, i < 0 ? t_[N].K : tb_[i].K, zN, WN);
         gasState L(first ? W_[P] : sides[f].own);
         gasState R(first ? WN : sides[f].nei);
         scalar zL = z_[P], zR = zN;
@@ -356,11 +377,11 @@ void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces*
         {
             zL = zR = max(zL, zR);
         }
-        zL *= softP;
-        zR *= softN;
+        zL *= soft_[P];
+        zR *= soft_[N];
         L.p += wP;
         R.p += wN;
-        face(f, L, R, zL, zR, 1 - max(softP, softN));
+        face(f, L, R, zL, zR, 1 - max(soft_[P], soft_[N]));
     };
     for (label f = 0; f < nInternal; ++f)
     {
@@ -407,6 +428,10 @@ void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
             if (close)
             {
                 z *= theta_[P] / max(theta_[P], 1 - pores->thetaS[f]);
+            }
+            else
+            {
+                z *= soft_[P];
             }
             pStar_[f] = L.p + (jump_.size() ? weight_[f] : scalar(0))
                 + z * ((L.u & S) - u) / faces_.magS[f];
@@ -464,6 +489,7 @@ void Foam::mpm::eulerianFluids::faceFlux(const scalar dt, const solidOnFaces* po
 {
     const noTraps guard;
     interfaces_->update(contents());
+    setSoftness();
     setJumps();
     first_ = interfaces_->near();
     for (const label c : torn_)

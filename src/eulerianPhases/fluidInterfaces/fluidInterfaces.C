@@ -169,48 +169,59 @@ void Foam::mpm::fluidInterfaces::setSlots()
     }
 }
 
-void Foam::mpm::fluidInterfaces::setRatios(const contents& of)
+void Foam::mpm::fluidInterfaces::setInterfaces(const contents& of)
 {
     const fvMesh& mesh = faces_.mesh;
     const label nCells = mesh.nCells(), nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    ratio_.setSize(nShares_ * cells_.size());
-    scalarList here(nShares_);
-    // The others' sum: 1 less a share of nearly all is rounding
-    const auto ratios = [&](const scalar* m, const scalar* alpha, scalar* r)
+    interface_.setSize(nShares_ * cells_.size());
+    masses_.setSize(nShares_ * cells_.size());
+    scalarList there(nShares_), least(nShares_), most(nShares_);
+    boolList traces(nShares_);
+
+    // The sum of the others: 1 less a share of nearly all is rounding
+    const auto ratios = [&](const scalar* m, const scalar* alpha, scalar* q)
     {
         for (label k = 0; k < nShares_; ++k)
         {
-            scalar others = 1e-300;
+            scalar others = VSMALL;
             for (label j = 0; j < n_; ++j)
             {
-                others += j == k ? 0 : m[j] * (alpha ? alpha[j] : 1);
+                others += j == k ? 0 : alpha ? m[j] * alpha[j] : m[j];
             }
-            r[k] = (m[k] * (alpha ? alpha[k] : 1) + 1e-300) / others;
+            q[k] = ((alpha ? m[k] * alpha[k] : m[k]) + VSMALL) / others;
         }
     };
-    scalarList there(nShares_), traces(nShares_);
+    forAll(cells_, s)
+    {
+        ratios(of.mass.cdata() + n_ * cells_[s], nullptr, masses_.begin() + nShares_ * s);
+    }
+    const auto isTrace = [](const scalar q) { return q < trace || q > 1 / trace; };
     forAll(cells_, s)
     {
         const label c = cells_[s];
-        ratios(of.mass.cdata() + n_ * c, nullptr, here.begin());
-        scalar largest = 1;
+        const scalar* here = masses_.cdata() + nShares_ * s;
         for (label k = 0; k < nShares_; ++k)
         {
-            ratio_[nShares_ * s + k] = 1;
-            traces[k] = min(here[k], 1 / here[k]);
+            least[k] = most[k] = here[k];
+            traces[k] = isTrace(here[k]);
         }
         for (const label f : mesh.cells()[c])
         {
+            const label i = n_ * (f - nInternal);
+            const scalar* q = there.cdata();
             if (f < nInternal)
             {
-                ratios(
-                    of.mass.cdata() + n_ * (own[f] == c ? nei[f] : own[f]), nullptr, there.begin());
+                const label d = own[f] == c ? nei[f] : own[f];
+                for (label k = 0; slot_[d] < 0 && k < nShares_; ++k)
+                {
+                    there[k] = single_[d] == k ? VGREAT : VSMALL;
+                }
+                q = slot_[d] < 0 ? q : masses_.cdata() + nShares_ * slot_[d];
             }
-            else if (!empty_[f - nInternal] && of.alphaB[n_ * (f - nInternal)] >= 0)
+            else if (!empty_[f - nInternal] && of.alphaB[i] >= 0)
             {
-                const label i = n_ * (f - nInternal);
                 ratios(of.rhoB.cdata() + i, of.alphaB.cdata() + i, there.begin());
             }
             else
@@ -219,19 +230,21 @@ void Foam::mpm::fluidInterfaces::setRatios(const contents& of)
             }
             for (label k = 0; k < nShares_; ++k)
             {
-                const scalar r = there[k] > here[k] ? there[k] / here[k] : here[k] / there[k];
-                scalar& to = ratio_[nShares_ * s + k];
-                to = max(to, r);
-                largest = max(largest, to);
-                traces[k] = max(traces[k], min(there[k], 1 / there[k]));
+                least[k] = min(least[k], q[k]);
+                most[k] = max(most[k], q[k]);
+                traces[k] = traces[k] && isTrace(q[k]);
             }
         }
+        bool jumps = false;
         for (label k = 0; k < nShares_; ++k)
         {
-            scalar& to = ratio_[nShares_ * s + k];
-            to = traces[k] > trace ? 1 : min(max(std::log(to) - 2, 0.0), 1.0);
+            const scalar ratio = max(most[k] / here[k], here[k] / least[k]);
+            jumps = jumps || ratio > different;
+            interface_[nShares_ * s + k] = traces[k]
+                ? (ratio > 7 ? min(max(std::log(ratio) - 2, 0.0), 1.0) : scalar(0))
+                : scalar(1);
         }
-        near_[c] = near_[c] && largest > different;
+        near_[c] = near_[c] && jumps;
     }
     labelList near(near_.size(), 0);
     if (!coupled_.empty())
@@ -426,7 +439,7 @@ void Foam::mpm::fluidInterfaces::update(const contents& of)
     }
     sortCells(of);
     setSlots();
-    setRatios(of);
+    setInterfaces(of);
     setGradients(of);
 }
 
@@ -532,7 +545,7 @@ void Foam::mpm::fluidInterfaces::shares(
             const scalar size = mag(g), own = part[k] / theta;
             const scalar along = (g & n) / max(size, VSMALL);
             const scalar contrast = size * h / (V * own * (1 - own));
-            const scalar b = beta * mag(along) * ratio_[nShares_ * s + k]
+            const scalar b = beta * mag(along) * interface_[nShares_ * s + k]
                 * min(max((contrast - mixed) / (sharp - mixed), 0.0), 1.0);
             if (b > 1e-3)
             {
