@@ -39,7 +39,7 @@ WAVE = np.sqrt(E/RHO)
 
 
 def fallingBlock(name, nDim, numerics, skew=0.0, sides="cyclic"):
-    """A block of a third of the box; y down is the wall, x cyclic."""
+    """A block of a third of the box (1D: 0.45); y down is the wall, x cyclic."""
     n = {1: (48, 1, 1), 2: (24, 24, 1), 3: (12, 12, 12)}[nDim]
     case = FoamCase("parallel", name)
     case.write("constant/phaseProperties", {
@@ -73,9 +73,11 @@ def fallingBlock(name, nDim, numerics, skew=0.0, sides="cyclic"):
     v = np.array([0.35, -0.25, 0.1])*WAVE*(np.arange(3) < nDim)
     if nDim == 1:
         v[0] = -0.3*WAVE
-    low = [0.3, 0.12, 0.3] if nDim > 1 else [0.1, 0, 0]
+    # It lies across the faces between processors, and reaches the wall
+    low = [0.3, 0.2, 0.3] if nDim > 1 else [0.1, 0, 0]
     low = [(low[d] if d < nDim else 0)*H*n[d] for d in range(3)]
-    high = [(low[d] + H*n[d]/3) if d < nDim else H for d in range(3)]
+    length = 1/3 if nDim > 1 else 0.45
+    high = [(low[d] + length*H*n[d]) if d < nDim else H for d in range(3)]
     case.write("system/setMaterialPointsDict", {"regions": {"block": {
         "phase": "block", "type": "box", "min": low, "max": high,
         "pointsPerCell": 2, "velocity": v}}})
