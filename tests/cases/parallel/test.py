@@ -73,8 +73,9 @@ def fallingBlock(name, nDim, numerics, skew=0.0, sides="cyclic"):
     v = np.array([0.35, -0.25, 0.1])*WAVE*(np.arange(3) < nDim)
     if nDim == 1:
         v[0] = -0.3*WAVE
-    # It lies across the faces between processors, and reaches the wall
-    low = [0.3, 0.2, 0.3] if nDim > 1 else [0.1, 0, 0]
+    # It lies across faces between processors while the wall strains it: a sum that lacks
+    # parts is not seen in what only moves on
+    low = [0.15, 0.12, 0.3] if nDim > 1 else [0.1, 0, 0]
     low = [(low[d] if d < nDim else 0)*H*n[d] for d in range(3)]
     length = 1/3 if nDim > 1 else 0.45
     high = [(low[d] + length*H*n[d]) if d < nDim else H for d in range(3)]
