@@ -194,7 +194,7 @@ def slab(table):
     """The normal is (1 -1)/sqrt(2), s = (x - y)/sqrt(2) in cells, periodic in
     n/sqrt(2). What the shocked gas does behind the slab's back must not reach the
     window."""
-    for m in (1, 2) if VERIFY else (0.7,):
+    for m in (1, 2) if VERIFY else (0.5,):
         for Ms in (1.2, 2, 3):
             p2, rho2, u2, pr, W = shockStates(Ms)
             ahead, back, thick = 30*m, 30*m, 12*m  # cells

@@ -28,7 +28,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import bar as bars
-from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile,
+from foamCase import (VERIFY, FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile,
                       writeField)
 
 FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0}
@@ -300,7 +300,9 @@ def booked(table):
             and state(case, last) == state(again, last)
             and "eroded" in state(case, half))
 
-        for n in ((2, 1, 1), (3, 1, 1)):
+        # On two processors: contact, and APIC with its matrices
+        few = not VERIFY and name not in ("contact", "USAVG-APIC")
+        for n in ((2, 1, 1), (3, 1, 1))[few:]:
             nProcs = n[0]
             split = impact(f"{name}-{nProcs}", ERODES, contact, numerics)
             split.decompose(n)

@@ -205,8 +205,8 @@ def translation(table):
 def rigidTranslation(table):
     """A rigid block moves with the gas through cyclic sides."""
     v = (100.0, 60.0, 0.0)
-    for kind, Co, steps, split in (("prisms", 0.13, 600, None), ("hexes", 0.3, 250, None),
-                                   ("prisms", 0.13, 600, (2, 1, 1))):
+    for kind, Co, steps, split in (("prisms", 0.13, 400, None), ("hexes", 0.3, 170, None),
+                                   ("prisms", 0.13, 400, (2, 1, 1))):
         name = f"{kind}" + ", 2 processors"*bool(split)
         case = bodyInGas(
             f"rigid translation {name}", kind, (16, 16, 1), BLOCK, v, steps, walls="cyclic",
@@ -318,7 +318,7 @@ def secondOrder(table):
     for kind, n, body, split in (("prisms", (36, 34, 1), DISC, None),
                                  ("tets", (12, 11, 10), BALL, (2, 1, 1))):
         v = np.array((80.0, 60.0, 0.0 if n[2] == 1 else -30.0))
-        case = bodyInGas(f"MLP translation {kind}", kind, n, body, v, 300, split=split,
+        case = bodyInGas(f"MLP translation {kind}", kind, n, body, v, 100, split=split,
                          scheme="MLP")
         f = figures(case)
         label = f"MLP, translation, {kind}" + ", 2 processors"*bool(split)

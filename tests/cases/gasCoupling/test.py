@@ -173,11 +173,11 @@ def shock(table):
 
 
 def processors(table):
-    one = shocked("one", STICK, 0.4, 200)
+    one = shocked("one", STICK, 0.4, 80)
     one.run("materialPointFoam")
     end = one.times()[-1]
     for n in ((2, 1, 1), (2, 2, 1)):
-        several = shocked(f"processors-{n[0]*n[1]}", STICK, 0.4, 200)
+        several = shocked(f"processors-{n[0]*n[1]}", STICK, 0.4, 80)
         several.decompose(n)
         several.runParallel()
         table.row(f"{n[0]*n[1]} processors against one: points", 0,
@@ -187,7 +187,7 @@ def processors(table):
         table.row(f"{n[0]*n[1]} processors against one: pressure", 0,
                   np.max(abs(a - b))/np.max(a), 1e-10, "atMost")
 
-    straight, again = (shocked(name, STICK, 0.4, 200) for name in ("straight", "again"))
+    straight, again = (shocked(name, STICK, 0.4, 80) for name in ("straight", "again"))
     for case in (straight, again):
         case.change("system/controlDict", "^writeInterval.*?;",
                     f"writeInterval {float(end)/2!r};")

@@ -84,14 +84,11 @@ def beam(table):
 
 
 def energy(table):
-    kept = {}
-    for dilatation in ("point", "cellMean"):
-        case = beamCase("energy-" + dilatation, dilatation, stressUpdate="USAVG")
-        record = case.series("balance", "beam.dat")
-        total = record[:, 9] + record[:, 10]
-        kept[dilatation] = np.abs(total/total[0] - 1).max()
-        print(f"energy, {dilatation}: largest change {100*kept[dilatation]:.4f} %")
-    table.row("energy of the beam in half a period, largest change", 0, kept["cellMean"], 1e-4)
+    case = beamCase("energy", "cellMean", stressUpdate="USAVG")
+    record = case.series("balance", "beam.dat")
+    total = record[:, 9] + record[:, 10]
+    table.row("energy of the beam in half a period, largest change", 0,
+              np.abs(total/total[0] - 1).max(), 1e-4)
 
 
 def split(table):

@@ -87,7 +87,8 @@ class PolyMesh:
     def near(self, at, inner=True):
         """The face (between cells, or of the boundary) nearest to a place."""
         of = range(self.nInternal) if inner else range(self.nInternal, len(self.faces))
-        return min(of, key=lambda f: np.sum((self.centre(f) - at)**2))
+        x = self.x()
+        return min(of, key=lambda f: np.sum((x[self.faces[f]].mean(axis=0) - at)**2))
 
     def patch(self, name):
         return next(p for n, p in self.patches if n == name)

@@ -2,7 +2,7 @@
 """The same result on any number of processors.
 
 Smooth: an elastic block falls, obliquely, through cyclic sides onto a wall;
-250 steps (MPM_VERIFY=1: 500) in 1D, 2D and 3D, on boxes and on skewed cells, every shape function,
+120 steps (MPM_VERIFY=1: 500) in 1D, 2D and 3D, on boxes and on skewed cells, every shape function,
 FLIP and FMPM; 1 processor against 2, 3 or 4. All columns by id agree to 1e-10 of the column's
 maximum, no point is lost. (Not bit by bit: sharedNodes.H.)
 
@@ -34,12 +34,12 @@ from plates import plateCase
 from report import Report
 
 COLUMNS = ("x", "U", "m", "V", "sigma", "leftStretch", "damage", "halfSize")
-E, RHO, H, STEPS = 1e6, 1000.0, 0.01, 500 if VERIFY else 250
+E, RHO, H, STEPS = 1e6, 1000.0, 0.01, 500 if VERIFY else 120
 WAVE = np.sqrt(E/RHO)
 
 
 def fallingBlock(name, nDim, numerics, skew=0.0, sides="cyclic"):
-    """A block of a third of the box; y down is the wall, x cyclic."""
+    """A block of a third of the box (1D: 0.45); y down is the wall, x cyclic."""
     n = {1: (48, 1, 1), 2: (24, 24, 1), 3: (12, 12, 12)}[nDim]
     case = FoamCase("parallel", name)
     case.write("constant/phaseProperties", {
@@ -73,9 +73,12 @@ def fallingBlock(name, nDim, numerics, skew=0.0, sides="cyclic"):
     v = np.array([0.35, -0.25, 0.1])*WAVE*(np.arange(3) < nDim)
     if nDim == 1:
         v[0] = -0.3*WAVE
-    low = [0.3, 0.12, 0.3] if nDim > 1 else [0.2, 0, 0]
+    # It lies across faces between processors while the wall strains it: a sum that lacks
+    # parts is not seen in what only moves on
+    low = [0.15, 0.12, 0.3] if nDim > 1 else [0.1, 0, 0]
     low = [(low[d] if d < nDim else 0)*H*n[d] for d in range(3)]
-    high = [(low[d] + H*n[d]/3) if d < nDim else H for d in range(3)]
+    length = 1/3 if nDim > 1 else 0.45
+    high = [(low[d] + length*H*n[d]) if d < nDim else H for d in range(3)]
     case.write("system/setMaterialPointsDict", {"regions": {"block": {
         "phase": "block", "type": "box", "min": low, "max": high,
         "pointsPerCell": 2, "velocity": v}}})
@@ -89,6 +92,7 @@ def fallingBlock(name, nDim, numerics, skew=0.0, sides="cyclic"):
     return case
 
 
+#: Label: dimensions, numerics, skew, splits; of several the last, MPM_VERIFY=1 all
 SMOOTH = {
     "1D GIMP FLIP": (1, {"shapeFunction": "GIMP", "transfer": "FLIP"}, 0, [(2, 1, 1), (3, 1, 1)]),
     "2D linear FLIP": (2, {"shapeFunction": "linear", "transfer": "FLIP"}, 0,
@@ -133,7 +137,7 @@ def smooth(table, label):
     one.run("materialPointFoam")
     end = one.times()[-1]
     steps = one.nSteps()
-    for n in splits:
+    for n in splits if VERIFY or nDim == 1 else splits[-1:]:
         text = "x".join(str(i) for i in n)
         several = fallingBlock(f"{word}-{text}", nDim, numerics, skew)
         several.decompose(n)
@@ -149,7 +153,7 @@ def smooth(table, label):
 
 def spallStrip(name, transfer):
     c = plateCase("parallel", name, 19,
-                  {"shapeFunction": "GIMP", **transfer}, 1.5e-6, 0.125e-6, 0.5,
+                  {"shapeFunction": "GIMP", **transfer}, 1.25e-6, 0.125e-6, 0.5,
                   strength=400e6)
     c.change("constant/phaseProperties", "strength.*?;",
              "strength 400e6; weibull { modulus 10; seed 3; }")
@@ -234,8 +238,8 @@ def roundTrip(table):
               a.largestDifference(b, end, ["block"], COLUMNS), 0, "atMost")
 
     # A time that one processor has not finished
-    os.remove(os.path.join(b.processors()[1], end, "uniform", "materialPointState"))
-    shutil.rmtree(os.path.join(b.processors()[0], end, "lagrangian"))
+    os.remove(os.path.join(b.processors()[0], end, "uniform", "materialPointState"))
+    shutil.rmtree(os.path.join(b.processors()[1], end, "lagrangian"))
     b.runParallel()
     table.check("a time that one processor has not finished: all go back and say so",
                 "was not written to its end" in b.log())
@@ -284,13 +288,13 @@ def processorIds(case, timeName):
 
 
 def killed(table):
-    """kill -9 of all processors while they write every other step."""
+    """kill -9 of all processors while they write every second step."""
     numerics = SMOOTH["2D GIMP FLIP"][1]
     def make(name):
         c = fallingBlock(name, 2, numerics)
         c.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
         c.change("system/controlDict", "^writeControl.*?;", "writeControl timeStep;")
-        c.change("system/controlDict", "^writeInterval.*?;", "writeInterval 4;")
+        c.change("system/controlDict", "^writeInterval.*?;", "writeInterval 2;")
         c.decompose((2, 1, 1))
         return c
     straight = make("kill-straight")

@@ -29,7 +29,7 @@ from report import Report
 
 #: Steps of a scene's fastest wave through a cell, and seconds; a run that goes on has not
 #: stopped. Of the default run, of seeds that are given
-STEPS, LIMIT = (60, 4) if len(sys.argv) < 2 else (200, 10)
+STEPS, LIMIT = (40, 4) if len(sys.argv) < 2 else (200, 10)
 
 
 def columns(path):

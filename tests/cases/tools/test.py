@@ -21,6 +21,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import plateImpactExact as exact
 from foamCase import PROJECT, RunFailed, fileHeader, foamText
+from launcher import launch
 from plates import plateCase
 from report import Report
 
@@ -52,10 +53,11 @@ def makeCase():
 
 def output(case, *command):
     """Exit status and output of a tool."""
-    run = subprocess.run(command, cwd=case.path, stdout=subprocess.PIPE,
-                         stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
-                         timeout=60, env={**os.environ, "PWD": case.path})
-    return run.returncode, run.stdout.decode("latin-1")
+    log = case.file("log.output")
+    open(log, "w").close()
+    status = launch(command, case.path, log, limit=60).status
+    with open(log, encoding="latin-1") as f:
+        return status, f.read()
 
 
 def contents(case, folders):

@@ -23,10 +23,9 @@ import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
-from foamCase import (PROJECT, FoamCase, boxMesh, controlDict, noSchemes, runParts,
-                      velocityFile)
+from foamCase import FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile
+from templates import SCHEMES, compileTemplates
 
-SOURCES = ("midpoint.C", "PIC.C", "fullStepAtL.C", "nodewiseLinear.C")
 H, G, N, DT = 0.01, -10.0, 40, 1e-3
 COLUMNS = ["x", "U", "sigma", "V"]
 
@@ -60,11 +59,7 @@ def makeCase(name, numerics, steps, dt, crash):
 
 
 def compiles(table):
-    case = FoamCase("userSchemes", "library",
-                    os.path.join(PROJECT, "etc", "codeTemplates"))
-    with open(case.file("Make/files"), "w") as f:
-        f.write("\n".join((*SOURCES, "", "LIB = libuserSchemes", "")))
-    case.run("wmake", limit=300)
+    case = compileTemplates("userSchemes", SCHEMES, "userSchemes")
     table.check("a user's schemes compile without warning",
                 "warning:" not in case.log("wmake"))
 

@@ -14,7 +14,11 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "fvCFD.H"
+#include "argList.H"
+#include "fvMesh.H"
+#include "surfaceFields.H"
+#include "Time.H"
+#include "volFields.H"
 #include "eulerianGas.H"
 #include "dictionaryTools.H"
 #include <random>
@@ -49,7 +53,8 @@ int main(int argc, char* argv[])
     argList::addOption("steps", "n", "number of steps");
 #include "setRootCase.H"
 #include "createTime.H"
-#include "createMesh.H"
+    const fvMesh mesh(
+        IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
 
     const IOdictionary properties(
         IOobject("phaseProperties", runTime.constant(), mesh, IOobject::MUST_READ));

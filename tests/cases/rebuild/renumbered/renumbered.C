@@ -13,7 +13,11 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "fvCFD.H"
+#include "argList.H"
+#include "fvMesh.H"
+#include "surfaceFields.H"
+#include "Time.H"
+#include "volFields.H"
 // Of the solver, not of a library
 #include "simulation.C"
 #include "fatalMessages.H"
