@@ -10,6 +10,7 @@ with MPM_FORK=0.
 """
 
 import atexit
+import contextlib
 import fcntl
 import functools
 import os
@@ -65,7 +66,9 @@ class _Server:
         pid = int(out.readline())
         stopped = not select.select([out], [], [], limit)[0]
         if stopped:
-            (os.killpg if session else os.kill)(pid, signal.SIGKILL)
+            # It may have ended meanwhile
+            with contextlib.suppress(ProcessLookupError):
+                (os.killpg if session else os.kill)(pid, signal.SIGKILL)
         status, seconds = out.readline().split()
         status = os.waitstatus_to_exitcode(int(status))
         return Ended(None if stopped else status, float(seconds))
