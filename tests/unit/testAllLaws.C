@@ -7,7 +7,7 @@
 namespace
 {
 
-//- Series of exp for a tensor of norm < 1
+//- Series of exp for a tensor of norm < 2
 tensor expOf(const tensor& A)
 {
     tensor sum(tensor::I), term(tensor::I);

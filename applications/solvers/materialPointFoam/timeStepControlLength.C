@@ -368,7 +368,10 @@ void Foam::mpm::timeStepControl::setDeltaT()
     if (!adjust)
     {
         watchCourant(Co);
-        watchPores();
+        if (!nSteps_ || reports())
+        {
+            watchPores();
+        }
     }
 }
 

@@ -277,27 +277,32 @@ void Foam::mpm::eulerianFluids::setSoftness()
 {
     const label nCells = mesh_.nCells(), nInternal = mesh_.nInternalFaces();
     const boolList& near = interfaces_->near();
-    const auto softness = [](const gasState& w, const scalar K, const scalar z)
-    { return K * w.rho < sqr(z) ? std::sqrt(K * w.rho) / z : scalar(1); };
-    soft_ = 1;
+    const auto soften = [&](const label at, const gasState& w, const scalar K, const scalar z)
+    {
+        if (interfaces_->single()[at] < 0 && !near[at] && K * w.rho < sqr(z))
+        {
+            soft_[at] = std::sqrt(K * w.rho) / z;
+            softened_.append(at);
+        }
+    };
+    for (const label at : softened_)
+    {
+        soft_[at] = 1;
+    }
+    softened_.clear();
     for (const label c : interfaces_->cells())
     {
-        soft_[c] =
-            near[c] || interfaces_->single()[c] >= 0 ? scalar(1) : softness(W_[c], t_[c].K, z_[c]);
+        soften(c, W_[c], t_[c].K, z_[c]);
     }
     for (const label f : faces_.coupled)
     {
         const label i = f - nInternal;
-        if (interfaces_->single()[nCells + i] < 0 && !near[nCells + i])
-        {
-            soft_[nCells + i] = softness(Wb_[i], tb_[i].K, zB_[i]);
-        }
+        soften(nCells + i, Wb_[i], tb_[i].K, zB_[i]);
     }
 }
 
 inline void Foam::mpm::eulerianFluids::face(
-    const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR,
-    const scalar loose)
+    const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR)
 {
     const vector& S = mesh_.faceAreas()[f];
     const scalar magS = faces_.magS[f];
@@ -309,10 +314,6 @@ inline void Foam::mpm::eulerianFluids::face(
         mu *= min(scalar(1), max(mag(L.u) * L.rho / zL, mag(R.u) * R.rho / zR));
     }
     phi_[f] = magS * (zL * uL + zR * uR + (L.p - R.p)) / sum;
-    if (loose > 0)
-    {
-        phi_[f] += magS * loose * (0.5 - zL / sum) * (uL - uR);
-    }
     pStar_[f] = (zR * L.p + zL * R.p) / sum + mu * (uL - uR);
 }
 
@@ -381,7 +382,7 @@ void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces*
         zR *= soft_[N];
         L.p += wP;
         R.p += wN;
-        face(f, L, R, zL, zR, 1 - max(soft_[P], soft_[N]));
+        face(f, L, R, zL, zR);
     };
     for (label f = 0; f < nInternal; ++f)
     {

@@ -7,10 +7,12 @@ the water (stiffened gas, Rankine-Hugoniot) and of the elastic wave in the plate
     U - v = (p - p0) sqrt(A/(p + pInf + B)),  A = 2/((g + 1) rho),  B = (g - 1)/(g + 1) (p0 + pInf),
     v = (p - p0)/Z,  Z = sqrt(rho_s E) of the plate, endless of a rigid one.
 
-wall      a wall of the mesh: largest pressure and the one that stays
-plate     points with E 70 GPa: the pressure that stays. The first touch is up to 9 % higher,
-          16 % at a rigid phase, for the time of two cells, where the plate's side lies on
-          the side of a cell: its pores fill later than the cell before it
+Largest pressure in the cells before the plate, and the one that stays,
+
+wall      of a wall of the mesh
+plate     of points with E 70 GPa. With gaps of whole cells, 0 to 2, the first touch is up to 9 %
+          too high for the time of two cells (16 % at a rigid phase), and no row here: kernels
+          put solid into the last cell before the plate, whose water no drag holds
 """
 
 import os
@@ -46,7 +48,7 @@ def contact(table, label, n, gap, Z, plate):
         return [water, 1 - water], [RHO, 1.2], np.where(x < 0.5, U, 0.0), P0
     case = fluidCase("firstContact", label.replace(" ", "-").replace(",", ""), (cells, 1, 1),
                      (cells*h, 0.01, 0.01), FLUIDS, initial, end, ends=CLOSED,
-                     writeInterval=end/40, control={"maxCo": 0.4, "deltaT": 1e-9})
+                     writeInterval=min(end/40, 2e-6), control={"maxCo": 0.4, "deltaT": 1e-9})
     if plate:
         besidePoints(case, FLUIDS,
                      {"plate": {"constitutiveModel": {"type": "linearElastic", "rho": RHOS,
@@ -57,9 +59,10 @@ def contact(table, label, n, gap, Z, plate):
     last = min(int(face/h - 1e-9), cells - 1)
     p = np.array([fluidField(case, float(s), "p")[max(last - 4, 0):last].max() - P0
                   for s in case.times() if float(s) > 0])
-    if not plate:
+    if gap % 1 or gap > 2 or not plate:
         table.row(f"{label}: largest pressure over the exact one", 1, p.max()/exact(Z), 0.05)
-    table.row(f"{label}: pressure that stays over the exact one", 1, p[-2:].mean()/exact(Z), 0.02)
+    table.row(f"{label}: pressure that stays over the exact one", 1, p[-10:].mean()/exact(Z),
+              0.02)
 
 
 def wall(table):

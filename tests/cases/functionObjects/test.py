@@ -341,7 +341,7 @@ def main():
             for scheme in SCHEMES for conditions in (slip, fixed)]
     jobs += [(balance, "GIMP FLIP", ("floor", "left"), moving),
              (balance, "GIMP FMPM 2", ("floor", "left"), moving),
-             (rest,), *VERIFY*((parallel, "GIMP FLIP"),), (parallel, "GIMP FMPM 2"),
+             (rest,), *([(parallel, "GIMP FLIP")] if VERIFY else []), (parallel, "GIMP FMPM 2"),
              (parallel, "linear FLIP"), (fields, "GIMP"), (fields, "linear"), (probes,)]
     for function, *arguments in jobs:
         try:

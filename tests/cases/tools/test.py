@@ -130,7 +130,8 @@ def dictionaries(table, case):
         status, text = output(case, "foamDictionary", path)
         if status or "FOAM" in text.replace("FoamFile", ""):
             bad.append(path)
-    table.check(f"foamDictionary reads {len(paths)} dictionaries", not bad, " ".join(bad))
+    table.check("foamDictionary reads all dictionaries", not bad and len(paths) > 200,
+                " ".join(bad) or len(paths))
 
     status, text = output(case, "foamDictionary", "constant/phaseProperties",
                           "-entry", "target.constitutiveModel.rho", "-value")

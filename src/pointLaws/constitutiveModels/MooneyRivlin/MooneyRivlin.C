@@ -34,8 +34,6 @@ Usage
 
 \*---------------------------------------------------------------------------*/
 
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-
 #include "isotropicElastic.H"
 #include "laneMath.H"
 #include "principalAxes.H"
