@@ -327,7 +327,7 @@ Foam::label Foam::mpm::failureModel::finish(pointBlock& b) const
         }
         if (energy_ >= 0)
         {
-            scalar kept[6] = {};
+            scalar kept[6];
             for (int i = 0; i < N; ++i)
             {
                 kept[i] = b.stress[i][p];
