@@ -57,7 +57,7 @@ def contact(table, label, n, gap, Z, plate):
                                 "stress": "ambient", "pressure": P0}})
     case.run("materialPointFoam")
     last = min(int(face/h - 1e-9), cells - 1)
-    p = np.array([fluidField(case, float(s), "p")[max(last - 4, 0):last].max() - P0
+    p = np.array([fluidField(case, float(s), "p")[last - 4:last + 1].max() - P0
                   for s in case.times() if float(s) > 0])
     if gap % 1 or gap > 2 or not plate:
         table.row(f"{label}: largest pressure over the exact one", 1, p.max()/exact(Z), 0.05)
