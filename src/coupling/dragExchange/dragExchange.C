@@ -30,7 +30,7 @@ Foam::mpm::solidOnFaces::faceDrag Foam::mpm::dragExchange::readForm(const dictio
 
 Foam::vector Foam::mpm::dragExchange::impulse(
     const label phasei, const label celli, const scalar M, const vector& Us, const scalar thetaS,
-    const scalar dt)
+    const vector& A, const scalar dt)
 {
     const dragModel& model = models_[phasei];
     const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
@@ -64,8 +64,18 @@ Foam::vector Foam::mpm::dragExchange::impulse(
 
     // The pores of a full cell are there for the gas' equations alone
     const bool full = model.none() && solid > fraction_.fullOfSolid();
-    const scalar K = full ? dragModel::sticking
-                          : model.K(dragModel::state{thetaS, theta, rho / theta, mu_, mag(seen)});
+    scalar K = full ? dragModel::sticking
+                    : model.K(dragModel::state{thetaS, theta, rho / theta, mu_, mag(seen)});
+    const bool surface = magSqr(A) > 0;
+    if (surface)
+    {
+        const vector n(A / mag(A));
+        relative = n * (n & relative);
+        seen = n * (n & seen);
+        K = model.none() || !(K < dragModel::sticking)
+            ? gas_.wave(celli).z * mag(A) / fraction_.mesh().V()[celli]
+            : 0;
+    }
     if (!(K > 0))
     {
         return Zero;
@@ -74,7 +84,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     {
         cells_.append(celli);
     }
-    Kc_[celli] += K;
+    Kc_[celli] += surface ? VSMALL : K;
 
     // Harmonic masses; a rigid phase has no end of it: a free body takes
     // the impulse at the end of the step
@@ -85,7 +95,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     {
         ahead_[celli] += a / (1 + a) * shared * (seen - relative);
     }
-    held_[celli] += rho * M * a / (rho * (1 + a) + M);
+    held_[celli] += surface ? 0 : rho * M * a / (rho * (1 + a) + M);
 
     J_[celli] += J;
     Q_[celli] += J & (M < GREAT ? Us - 0.5 * J / M : Us);
@@ -195,12 +205,12 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     forDragged(
         phasei,
         [&](const label celli, const labelUList& nodes, const UList<scalar>& share,
-            const scalar thetaS)
+            const scalar thetaS, const vector& A)
         {
             scalar M = 0;
             const vector mU(momentumOf(nodes, share, U, stride, M));
             const scalar V = fraction_.mesh().V()[celli];
-            const vector J(impulse(phasei, celli, M / V, mU / M, thetaS, dt));
+            const vector J(impulse(phasei, celli, M / V, mU / M, thetaS, A, dt));
             take(nodes, share, stride, V, M, J);
             if (exact)
             {
@@ -218,7 +228,8 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     const given* of = given_.cdata();
     forDragged(
         phasei,
-        [&](const label celli, const labelUList& nodes, const UList<scalar>& share, const scalar)
+        [&](const label celli, const labelUList& nodes, const UList<scalar>& share, const scalar,
+            const vector&)
         {
             scalar M = 0;
             const vector mU(momentumOf(nodes, share, U, stride, M));
@@ -236,12 +247,13 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
     const scalar* volume = (*cloud.gasVolume())[0];
 
     // Velocity U of the body at x, its place in the cell
-    const auto drag = [&](const label celli, const vector& U, const point& x, const scalar thetaS)
+    const auto drag = [&](const label celli, const vector& U, const point& x, const scalar thetaS,
+                          const vector& A)
     {
-        const vector J(fraction_.mesh().V()[celli] * impulse(phasei, celli, GREAT, U, thetaS, dt));
+        const vector J(fraction_.mesh().V()[celli] * impulse(phasei, celli, GREAT, U, thetaS, A, dt));
         if (further_)
         {
-            present_.append(presence{phasei, celli, GREAT, U, thetaS});
+            present_.append(presence{phasei, celli, GREAT, U, thetaS, A});
         }
         rigid.addLoad(phasei, -J);
         if (body)
@@ -268,7 +280,7 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
             mx = cellSumOf(
                 cloud, k, [&](const label p) { return mass[p] * cloud.position(p, celli); });
         }
-        drag(celli, mU / m, mx / m, fraction_.ofPoints(cellSum(cloud, k, volume), V));
+        drag(celli, mU / m, mx / m, fraction_.ofPoints(cellSum(cloud, k, volume), V), Zero);
     }
 
     const rigidMotion::placement& now = points_.phases()[phasei].motion()->now();
@@ -277,7 +289,14 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
         [&](const label celli, const labelUList&, const UList<scalar>&, const scalar thetaS)
         {
             const point& x = fraction_.mesh().C()[celli];
-            drag(celli, now.velocityAt(x), x, thetaS);
+            drag(celli, now.velocityAt(x), x, thetaS, Zero);
+        });
+    fraction_.surface().forCells(
+        phasei,
+        [&](const label celli, const labelUList&, const vector& A)
+        {
+            const point& x = fraction_.mesh().C()[celli];
+            drag(celli, now.velocityAt(x), x, fraction_.theta()[celli], A);
         });
 }
 

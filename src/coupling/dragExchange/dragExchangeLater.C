@@ -75,7 +75,8 @@ void Foam::mpm::dragExchange::payNodes(const label phasei)
     {
         forDragged(
             phasei,
-            [&](const label c, const labelUList& nodes, const UList<scalar>& share, const scalar)
+            [&](const label c, const labelUList& nodes, const UList<scalar>& share, const scalar,
+                const vector&)
             {
                 const vector& J = owed_[phasei][c];
                 scalar M = 0;
@@ -132,13 +133,14 @@ void Foam::mpm::dragExchange::findPresent(const label phasei)
     const scalar* U = atCells(phasei);
     forDragged(
         phasei,
-        [&](const label c, const labelUList& nodes, const UList<scalar>& share, const scalar thetaS)
+        [&](const label c, const labelUList& nodes, const UList<scalar>& share,
+            const scalar thetaS, const vector& A)
         {
             scalar M = 0;
             const vector mU(momentumOf(nodes, share, U, field.stride(), M));
             if (M > 0)
             {
-                present_.append(presence{phasei, c, M / fraction_.mesh().V()[c], mU / M, thetaS});
+                present_.append(presence{phasei, c, M / fraction_.mesh().V()[c], mU / M, thetaS, A});
             }
         });
 }
@@ -154,7 +156,7 @@ void Foam::mpm::dragExchange::further(const scalar dt)
         {
             continue;
         }
-        const vector J(impulse(s.phasei, s.celli, s.M, s.U, s.thetaS, dt));
+        const vector J(impulse(s.phasei, s.celli, s.M, s.U, s.thetaS, s.A, dt));
         if (!(magSqr(J) > 0))
         {
             continue;

@@ -155,6 +155,21 @@ void Foam::mpm::latticeFraction::limitDrag()
     }
 }
 
+void Foam::mpm::latticeFraction::findSurface()
+{
+    surface_.find(
+        [&](const label f) -> vector
+        {
+            if (lattice_.direction(f) < 0)
+            {
+                return Zero;
+            }
+            const scalar v = face_[pointKernels::faceStride * at(f) + pointKernels::volume];
+            return min((1 - eps_) * v / faceVolume(f), most_) * mesh_.faceAreas()[f];
+        },
+        [](const label) { return false; });
+}
+
 template<class Jump>
 void Foam::mpm::latticeFraction::sumJumps(
     const UList<scalar>& p, const UList<scalar>& pBehind, const Jump& jump, scalarList& G) const
@@ -207,6 +222,7 @@ void Foam::mpm::latticeFraction::initialise()
     sumPoints(false);
     updateCells();
     face_.swap(faceNew_);
+    findSurface();
 }
 
 void Foam::mpm::latticeFraction::setPressure(const UList<scalar>& p, const UList<scalar>& pBehind)
@@ -278,6 +294,7 @@ void Foam::mpm::latticeFraction::arrive(const scalar dt)
     updateCells();
     limitDrag();
     face_.swap(faceNew_);
+    findSurface();
 }
 
 void Foam::mpm::latticeFraction::updateNormals()

@@ -63,6 +63,7 @@ Foam::mpm::solidFraction::solidFraction(
     dragLimit_(mesh_.nFaces(), 0),
     theta_(mesh_.nCells(), 0),
     dilation_(mesh_.nCells(), 0),
+    surface_(points, mesh_),
     own_(points.phases().size()),
     oldVolume_(points.phases().size()),
     gasTheta_(nullptr),

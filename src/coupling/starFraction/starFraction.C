@@ -430,6 +430,7 @@ void Foam::mpm::starFraction::initialise()
     updateVelocities();
     updateTheta();
     findDense();
+    findSurface();
     arrived_ = true;
 }
 
@@ -489,4 +490,5 @@ void Foam::mpm::starFraction::arrive(const scalar dt)
     limitDrag();
     updateDilation(dt);
     findDense();
+    findSurface();
 }

@@ -421,7 +421,7 @@ void Foam::mpm::starFraction::findDense()
     }
     for (const label c : around_)
     {
-        if (!(theta_[c] > 0.5) || cell_[starPoints::cellStride * c] > 0)
+        if (!isDense(c) || cell_[starPoints::cellStride * c] > 0)
         {
             continue;
         }
@@ -446,6 +446,12 @@ void Foam::mpm::starFraction::findDense()
             }
         }
     }
+}
+
+void Foam::mpm::starFraction::findSurface()
+{
+    surface_.find(
+        [&](const label f) { return areaNew_[f]; }, [&](const label c) { return isDense(c); });
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
