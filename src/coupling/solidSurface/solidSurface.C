@@ -33,7 +33,7 @@ void Foam::mpm::solidSurface::mark()
     const bool several = phases_.size() > 1;
     forAll(phases_, phasei)
     {
-        const materialPointCloud& cloud = points_.phases()[phasei].cloud();
+        materialPointCloud& cloud = points_.phases()[phasei].cloud();
         const scalar* volume = (*cloud.gasVolume())[0];
         forAll(cloud.cells(), k)
         {
