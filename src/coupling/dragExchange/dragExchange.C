@@ -73,7 +73,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
         relative = n * (n & relative);
         seen = n * (n & seen);
         K = model.none() || !(K < dragModel::sticking)
-            ? gas_.wave(celli).z * mag(A) / fraction_.mesh().V()[celli]
+            ? std::sqrt(gas_.wave(celli).K * rho / theta) * mag(A) / fraction_.mesh().V()[celli]
             : 0;
     }
     if (!(K > 0))
