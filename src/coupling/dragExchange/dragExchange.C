@@ -72,7 +72,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
         const vector n(A / mag(A));
         relative = n * (n & relative);
         seen = n * (n & seen);
-        K = model.none() || !(K < dragModel::sticking)
+        K = !(K < dragModel::sticking)
             ? std::sqrt(gas_.wave(celli).K * rho / theta) * mag(A) / fraction_.mesh().V()[celli]
             : 0;
     }
