@@ -7,7 +7,8 @@ the water (stiffened gas, Rankine-Hugoniot) and of the elastic wave in the plate
     U - v = (p - p0) sqrt(A/(p + pInf + B)),  A = 2/((g + 1) rho),  B = (g - 1)/(g + 1) (p0 + pInf),
     v = (p - p0)/Z,  Z = sqrt(rho_s E) of the plate, endless of a rigid one.
 
-Largest pressure in the cells before the plate, and the one that stays,
+Largest pressure in the cells before the plate, and the one that stays 0.1 ms later, up to which
+100 cells still fill the pores of the plate's first cell,
 
 wall      of a wall of the mesh
 plate     of points with E 70 GPa, its side on a side of a cell or inside one (solidSurface)
@@ -63,7 +64,7 @@ def contact(table, label, n, gap, Z, plate=None, form=None):
                   for s in case.times() if float(s) > 0])
     table.row(f"{label}: largest pressure over the exact one", 1, p.max()/exact(Z), 0.05)
     table.row(f"{label}: pressure that stays over the exact one", 1, p[-10:].mean()/exact(Z),
-              0.02)
+              0.02 if n > 100 else 0.05)
 
 
 def wall(table):
@@ -87,7 +88,7 @@ def rigid(table):
 def star(table):
     for gap in (0, 0.2, 1):
         for name, Z, phase in (("plate", np.sqrt(RHOS*E), ELASTIC), ("rigid phase", np.inf, RIGID)):
-            contact(table, f"{name}, star, 100 cells, gap of {gap}", 100, gap, Z, phase, "star")
+            contact(table, f"{name}, star, 200 cells, gap of {gap}", 200, gap, Z, phase, "star")
 
 
 if __name__ == "__main__":
