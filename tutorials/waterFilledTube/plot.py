@@ -10,6 +10,7 @@ from mpm.pictures import GAS, PART, RIGID, drawPoints, frame, plt, save, to_rgba
 from results import WHEN, Run, measured, peak
 from variants import CELLS, ended
 
+#: Colour of the products; times of the picture [s]
 PRODUCTS = "#e08a3c"
 TIMES = (2e-5, 1e-4, 2e-4)
 
