@@ -16,7 +16,7 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak \
     tntInAir/blast fluidShockTubes/tubes underwaterPlate/clamped shockOnHelium/helium \
     wedgeEntry/wedgeEntry damBreakGate/damBreakGate submergedSand/submergedSand \
-    blastOnWall/wall explosiveRing/ring
+    blastOnWall/wall explosiveRing/ring waterFilledTube/tube
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done
