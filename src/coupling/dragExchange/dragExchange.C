@@ -250,7 +250,8 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
     const auto drag = [&](const label celli, const vector& U, const point& x, const scalar thetaS,
                           const vector& A)
     {
-        const vector J(fraction_.mesh().V()[celli] * impulse(phasei, celli, GREAT, U, thetaS, A, dt));
+        const vector J(
+            fraction_.mesh().V()[celli] * impulse(phasei, celli, GREAT, U, thetaS, A, dt));
         if (further_)
         {
             present_.append(presence{phasei, celli, GREAT, U, thetaS, A});

@@ -133,14 +133,15 @@ void Foam::mpm::dragExchange::findPresent(const label phasei)
     const scalar* U = atCells(phasei);
     forDragged(
         phasei,
-        [&](const label c, const labelUList& nodes, const UList<scalar>& share,
-            const scalar thetaS, const vector& A)
+        [&](const label c, const labelUList& nodes, const UList<scalar>& share, const scalar thetaS,
+            const vector& A)
         {
             scalar M = 0;
             const vector mU(momentumOf(nodes, share, U, field.stride(), M));
             if (M > 0)
             {
-                present_.append(presence{phasei, c, M / fraction_.mesh().V()[c], mU / M, thetaS, A});
+                present_.append(
+                    presence{phasei, c, M / fraction_.mesh().V()[c], mU / M, thetaS, A});
             }
         });
 }

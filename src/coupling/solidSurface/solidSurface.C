@@ -106,7 +106,8 @@ void Foam::mpm::solidSurface::addCell(
         {
             phasei = phaseIn_[own[f] == celli ? nei[f] : own[f]];
         }
-        else if (behind.size() && mesh_.boundaryMesh()[mesh_.boundaryMesh().whichPatch(f)].coupled())
+        else if (
+            behind.size() && mesh_.boundaryMesh()[mesh_.boundaryMesh().whichPatch(f)].coupled())
         {
             phasei = behind[f - nei.size()];
         }
