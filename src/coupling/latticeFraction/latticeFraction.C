@@ -22,10 +22,38 @@ Foam::scalar Foam::mpm::latticeFraction::faceVolume(const label facei) const
         : mag(mesh_.faceAreas()[facei]) * lattice_.grid().width(celli, lattice_.direction(facei));
 }
 
+void Foam::mpm::latticeFraction::clear(scalarList& sums, const int n) const
+{
+    const label nPlaces = lattice_.nPlaces();
+    for (const label place : live_.places())
+    {
+        for (label at = n * place; at < sums.size(); at += n * nPlaces)
+        {
+            std::fill_n(sums.begin() + at, n, scalar(0));
+        }
+    }
+}
+
+void Foam::mpm::latticeFraction::add(const scalarList& sums, const int n, scalarList& to) const
+{
+    const label nPlaces = lattice_.nPlaces();
+    for (const label place : live_.places())
+    {
+        for (label at = n * place; at < sums.size(); at += n * nPlaces)
+        {
+            for (int i = 0; i < n; ++i)
+            {
+                to[at + i] += sums[at + i];
+            }
+        }
+    }
+}
+
 void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
 {
     updateVolumes();
-    cell_ = 0;
+    live_.update();
+    clear(cell_, pointKernels::cellStride);
     forAll(points_.phases(), phasei)
     {
         const bool own = ownFace_[phasei].size();
@@ -33,22 +61,16 @@ void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
         scalarList& cell = own ? ownCell_[phasei] : cell_;
         if (own)
         {
-            face = 0;
-            cell = 0;
+            clear(face, pointKernels::faceStride);
+            clear(cell, pointKernels::cellStride);
         }
         kernels_->arrive(
             points_.phases()[phasei].cloud(), withDilation ? oldVolume_[phasei].cdata() : nullptr,
             face.data(), cell.data());
         if (own)
         {
-            forAll(face, i)
-            {
-                faceNew_[i] += face[i];
-            }
-            forAll(cell, i)
-            {
-                cell_[i] += cell[i];
-            }
+            add(face, pointKernels::faceStride, faceNew_);
+            add(cell, pointKernels::cellStride, cell_);
             sumFaces(face);
             lattice_.sum(cell.data(), pointKernels::cellStride);
         }
@@ -78,45 +100,47 @@ void Foam::mpm::latticeFraction::sumFaces(scalarList& face) const
 
 void Foam::mpm::latticeFraction::updateFaces(const scalar dt)
 {
-    for (label f = 0; f < mesh_.nFaces(); ++f)
+    live_.forFaces([&](const label f) { updateFace(f, dt); });
+}
+
+void Foam::mpm::latticeFraction::updateFace(const label f, const scalar dt)
+{
+    if (lattice_.direction(f) < 0)
     {
-        if (lattice_.direction(f) < 0)
-        {
-            continue;
-        }
-        const label i = pointKernels::faceStride * at(f);
-        const scalar* old = face_.cdata() + i;
-        const scalar* now = faceNew_.cdata() + i;
-        const scalar sumOld = old[pointKernels::volume];
-        const scalar sumNow = now[pointKernels::volume];
-        if (sumOld <= 0 && sumNow <= 0)
-        {
-            thetaS0_[f] = thetaS_[f] = phiS_[f] = uS_[f] = 0;
-            dragLimit_[f] = 0;
-            continue;
-        }
-
-        const scalar V = faceVolume(f);
-        const scalar S = mag(mesh_.faceAreas()[f]);
-        const scalar mean = 0.5 * (1 - eps_) * (sumOld + sumNow) / V;
-        thetaS0_[f] = min((1 - eps_) * sumOld / V, most_);
-        thetaS_[f] = min(mean, most_);
-        dragLimit_[f] = mean;
-
-        // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
-        // adds up in the gas fraction
-        phiS_[f] = lattice_.sign(f) * (thetaS_[f] / mean) * (1 - eps_) * now[pointKernels::flux] * S
-            / (V * dt);
-        uS_[f] = phiS_[f] / (thetaS_[f] * S);
-
-        const scalar m = old[pointKernels::mass] + now[pointKernels::mass];
-        rhoS_[f] = m / (sumOld + sumNow);
+        return;
     }
+    const label i = pointKernels::faceStride * at(f);
+    const scalar* old = face_.cdata() + i;
+    const scalar* now = faceNew_.cdata() + i;
+    const scalar sumOld = old[pointKernels::volume];
+    const scalar sumNow = now[pointKernels::volume];
+    if (sumOld <= 0 && sumNow <= 0)
+    {
+        thetaS0_[f] = thetaS_[f] = phiS_[f] = uS_[f] = 0;
+        dragLimit_[f] = 0;
+        return;
+    }
+
+    const scalar V = faceVolume(f);
+    const scalar S = mag(mesh_.faceAreas()[f]);
+    const scalar mean = 0.5 * (1 - eps_) * (sumOld + sumNow) / V;
+    thetaS0_[f] = min((1 - eps_) * sumOld / V, most_);
+    thetaS_[f] = min(mean, most_);
+    dragLimit_[f] = mean;
+
+    // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
+    // adds up in the gas fraction
+    phiS_[f] = lattice_.sign(f) * (thetaS_[f] / mean) * (1 - eps_) * now[pointKernels::flux] * S
+        / (V * dt);
+    uS_[f] = phiS_[f] / (thetaS_[f] * S);
+
+    const scalar m = old[pointKernels::mass] + now[pointKernels::mass];
+    rhoS_[f] = m / (sumOld + sumNow);
 }
 
 void Foam::mpm::latticeFraction::updateCells()
 {
-    forAll(theta_, c)
+    for (const label c : live_.cells())
     {
         const scalar* q = cell_.cdata() + pointKernels::cellStride * lattice_.place(c);
         dilation_[c] = (1 - eps_) * q[pointKernels::dilation] / mesh_.V()[c];
@@ -124,7 +148,11 @@ void Foam::mpm::latticeFraction::updateCells()
     }
     forAll(own_, phasei)
     {
-        forAll(own_[phasei], c)
+        if (own_[phasei].empty())
+        {
+            continue;
+        }
+        for (const label c : live_.cells())
         {
             const label i = pointKernels::cellStride * lattice_.place(c);
             own_[phasei][c] = ownCell_[phasei][i + pointKernels::fraction] / mesh_.V()[c];
@@ -136,23 +164,24 @@ void Foam::mpm::latticeFraction::limitDrag()
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
-    scalarField largest(mesh_.nCells(), 0);
-    forAll(dragLimit_, f)
+    for (const label c : live_.cells())
     {
-        largest[own[f]] = max(largest[own[f]], dragLimit_[f]);
-        if (f < nei.size())
+        scalar most = 0;
+        for (const label f : mesh_.cells()[c])
         {
-            largest[nei[f]] = max(largest[nei[f]], dragLimit_[f]);
+            most = max(most, dragLimit_[f]);
         }
+        largest_[c] = most;
     }
     scalarField behind;
-    syncTools::swapBoundaryCellList(mesh_, largest, behind);
-    forAll(dragLimit_, f)
-    {
-        const label i = f - nei.size();
-        const scalar most = max(largest[own[f]], i < 0 ? largest[nei[f]] : behind[i]);
-        dragLimit_[f] = most > 0 ? thetaS_[f] / most : 0;
-    }
+    syncTools::swapBoundaryCellList(mesh_, largest_, behind);
+    live_.forFaces(
+        [&](const label f)
+        {
+            const label i = f - nei.size();
+            const scalar most = max(largest_[own[f]], i < 0 ? largest_[nei[f]] : behind[i]);
+            dragLimit_[f] = most > 0 ? thetaS_[f] / most : 0;
+        });
 }
 
 void Foam::mpm::latticeFraction::findSurface()
@@ -176,13 +205,24 @@ void Foam::mpm::latticeFraction::sumJumps(
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
-    G = 0;
-    lattice_.forFaces(
+    clear(G, 1);
+    const auto set = [&](const label f)
+    {
+        const label i = f - nei.size();
+        G[at(f)] = jump(f, p[own[f]], i < 0 ? p[nei[f]] : pBehind[i]);
+    };
+    live_.forFaces(
         [&](const label f)
         {
-            const label i = f - nei.size();
-            G[at(f)] = jump(f, p[own[f]], i < 0 ? p[nei[f]] : pBehind[i]);
+            if (f < nei.size())
+            {
+                set(f);
+            }
         });
+    for (const label f : lattice_.coupled())
+    {
+        set(f);
+    }
     for (int d = 0; d < lattice_.grid().nDim(); ++d)
     {
         lattice_.sum(G.data() + lattice_.nPlaces() * d, 1);
@@ -196,13 +236,15 @@ Foam::mpm::latticeFraction::latticeFraction(
     solidFraction(points, gasDict, points.grid().radial() < 0 ? 0.5 : 1),
     lattice_(points.grid()),
     kernels_(pointKernels::New(lattice_)),
+    live_(points, lattice_),
     face_(pointKernels::faceStride * lattice_.nPlaces() * points.grid().nDim(), scalar(0)),
     faceNew_(face_.size(), scalar(0)),
     cell_(pointKernels::cellStride * lattice_.nPlaces(), scalar(0)),
     ownFace_(points.phases().size()),
     ownCell_(points.phases().size()),
     P_(lattice_.nPlaces(), scalar(0)),
-    G_(lattice_.nPlaces() * points.grid().nDim(), scalar(0))
+    G_(lattice_.nPlaces() * points.grid().nDim(), scalar(0)),
+    largest_(mesh_.nCells(), 0)
 {
 }
 
@@ -227,8 +269,8 @@ void Foam::mpm::latticeFraction::initialise()
 
 void Foam::mpm::latticeFraction::setPressure(const UList<scalar>& p, const UList<scalar>& pBehind)
 {
-    P_ = 0;
-    forAll(lattice_.places(), c)
+    clear(P_, 1);
+    for (const label c : live_.cells())
     {
         P_[lattice_.place(c)] = p[c];
     }
@@ -269,10 +311,7 @@ void Foam::mpm::latticeFraction::gather(const label phasei, const scalarField* p
                     : 0;
             },
             ownG_);
-        forAll(ownG_, i)
-        {
-            ownG_[i] += G_[i];
-        }
+        add(G_, 1, ownG_);
     }
     kernels_->gather(
         points_.phases()[phasei].cloud(), P_.cdata(), pOwn ? ownG_.cdata() : G_.cdata());
@@ -280,7 +319,7 @@ void Foam::mpm::latticeFraction::gather(const label phasei, const scalarField* p
 
 void Foam::mpm::latticeFraction::depart()
 {
-    faceNew_ = 0;
+    clear(faceNew_, pointKernels::faceStride);
     for (materialPointPhase& phase : points_.phases())
     {
         kernels_->depart(phase.cloud(), faceNew_.data());
