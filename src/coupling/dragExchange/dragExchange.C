@@ -187,10 +187,9 @@ void Foam::mpm::dragExchange::clear()
         {
             ahead_[c] = Zero;
         }
+        Kc_[c] = held_[c] = 0;
     }
     cells_.clear();
-    Kc_ = 0;
-    held_ = 0;
 }
 
 void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
@@ -379,20 +378,46 @@ void Foam::mpm::dragExchange::updateFaces()
     const fvMesh& mesh = fraction_.mesh();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    scalarField mass(mesh.nCells());
-    forAll(mass, c)
+    const scalarField& V = mesh.V();
+    const auto mass = [&](const label c)
     {
         const scalar rho = gas_.rho()[c];
-        mass[c] = (rho + min(held_[c], 15 * rho)) * mesh.V()[c];
-    }
-    scalarField Kbehind, massBehind;
-    syncTools::swapBoundaryCellList(mesh, Kc_, Kbehind);
-    syncTools::swapBoundaryCellList(mesh, mass, massBehind);
-    forAll(K_, f)
+        return (rho + min(held_[c], 15 * rho)) * V[c];
+    };
+    for (const label f : faces_)
     {
-        const label i = f - nei.size();
-        K_[f] = max(Kc_[own[f]], i < 0 ? Kc_[nei[f]] : Kbehind[i]);
-        inertia_[f] = min(mass[own[f]], i < 0 ? mass[nei[f]] : massBehind[i]);
+        K_[f] = inertia_[f] = 0;
+    }
+    faces_.clear();
+
+    // Each face once: what is not 0 is done
+    for (const label c : cells_)
+    {
+        for (const label f : mesh.cells()[c])
+        {
+            if (f < nei.size() && !(K_[f] > 0))
+            {
+                K_[f] = max(Kc_[own[f]], Kc_[nei[f]]);
+                inertia_[f] = min(mass(own[f]), mass(nei[f]));
+                faces_.append(f);
+            }
+        }
+    }
+
+    const label n = mesh.nFaces() - nei.size();
+    scalarField Kbehind(n), massBehind(n);
+    for (label i = 0; i < n; ++i)
+    {
+        Kbehind[i] = Kc_[own[nei.size() + i]];
+        massBehind[i] = mass(own[nei.size() + i]);
+    }
+    syncTools::swapBoundaryFaceList(mesh, Kbehind);
+    syncTools::swapBoundaryFaceList(mesh, massBehind);
+    for (label i = 0; i < n; ++i)
+    {
+        const label f = nei.size() + i;
+        K_[f] = max(Kc_[own[f]], Kbehind[i]);
+        inertia_[f] = min(mass(own[f]), massBehind[i]);
     }
 }
 
