@@ -24,7 +24,7 @@ void Foam::mpm::solidOverSteps::add(const label f, const solidOnFaces& step, con
     dragLimit_[f] = max(dragLimit_[f], step.dragLimit[f]);
     if (step.K[f] > 0)
     {
-        inertia_[f] = step.K[f] > 0 ? min(inertia_[f], step.inertia[f]) : inertia_[f];
+        inertia_[f] = min(inertia_[f], step.inertia[f]);
     }
     if (step.area0)
     {
