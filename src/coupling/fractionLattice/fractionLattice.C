@@ -234,20 +234,6 @@ Foam::string Foam::mpm::fractionLattice::refuses(const pointGrid& grid)
     return reason;
 }
 
-Foam::labelList Foam::mpm::fractionLattice::joined() const
-{
-    labelHashSet places;
-    for (const labelList& group : same_)
-    {
-        places.insert(group);
-    }
-    if (shared_)
-    {
-        places.insert(shared_->nodes());
-    }
-    return places.sortedToc();
-}
-
 void Foam::mpm::fractionLattice::sum(scalar* q, const int nComp) const
 {
     for (const labelList& group : same_)

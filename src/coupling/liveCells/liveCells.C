@@ -19,6 +19,30 @@ void Foam::mpm::liveCells::add(const label celli, const label step)
     reached_[celli] = max(reached_[celli], step);
 }
 
+void Foam::mpm::liveCells::reach(const label place)
+{
+    const label c = cellAt(place);
+    if (c >= 0 && reached_[c] == now_)
+    {
+        return;
+    }
+    if (c >= 0)
+    {
+        add(c, now_);
+    }
+    if (group_[place] >= 0)
+    {
+        for (const label other : lattice_.same()[group_[place]])
+        {
+            const label at = cellAt(other);
+            if (at >= 0)
+            {
+                add(at, now_);
+            }
+        }
+    }
+}
+
 void Foam::mpm::liveCells::listPlaces()
 {
     const int D = lattice_.grid().nDim();
@@ -51,7 +75,7 @@ void Foam::mpm::liveCells::listPlaces()
 Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLattice& lattice) :
     points_(points),
     lattice_(lattice),
-    joined_(lattice.joined()),
+    group_(lattice.nPlaces(), label(-1)),
     reached_(lattice.grid().nCells(), label(-1)),
     now_(0),
     listed_(lattice.nPlaces(), label(-1))
@@ -69,13 +93,23 @@ Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLatti
         }
     }
 
-    // Whatever a joined place can be of: its own cell and those around it
-    labelHashSet joined(joined_);
+    forAll(lattice_.same(), i)
+    {
+        for (const label place : lattice_.same()[i])
+        {
+            group_[place] = i;
+            joined_.append(place);
+        }
+    }
+
+    // Points of others reach, unseen from here, the cells around these places
+    joined_.append(lattice_.shared());
+    const labelHashSet shared(lattice_.shared());
     forAll(reached_, c)
     {
         for (const label step : around_)
         {
-            if (joined.found(lattice_.place(c) + step))
+            if (shared.found(lattice_.place(c) + step))
             {
                 add(c, always_);
                 break;
@@ -96,11 +130,7 @@ void Foam::mpm::liveCells::update()
             const label place = lattice_.place(c);
             for (const label step : around_)
             {
-                const label at = cellAt(place + step);
-                if (at >= 0 && reached_[at] != now_)
-                {
-                    add(at, now_);
-                }
+                reach(place + step);
             }
         }
     }
