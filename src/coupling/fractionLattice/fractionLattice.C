@@ -236,8 +236,14 @@ Foam::string Foam::mpm::fractionLattice::refuses(const pointGrid& grid)
 
 void Foam::mpm::fractionLattice::sum(scalar* q, const int nComp) const
 {
-    for (const labelList& group : same_)
+    sum(q, nComp, identity(same_.size()));
+}
+
+void Foam::mpm::fractionLattice::sum(scalar* q, const int nComp, const labelUList& groups) const
+{
+    for (const label g : groups)
     {
+        const labelList& group = same_[g];
         scalar* to = q + nComp * group[0];
         for (label i = 1; i < group.size(); ++i)
         {
@@ -251,8 +257,9 @@ void Foam::mpm::fractionLattice::sum(scalar* q, const int nComp) const
     {
         shared_->sum(q, nComp, nComp);
     }
-    for (const labelList& group : same_)
+    for (const label g : groups)
     {
+        const labelList& group = same_[g];
         const scalar* from = q + nComp * group[0];
         for (label i = 1; i < group.size(); ++i)
         {

@@ -29,7 +29,10 @@ void Foam::mpm::latticeFraction::clear(scalarList& sums, const int n) const
     {
         for (label at = n * place; at < sums.size(); at += n * nPlaces)
         {
-            std::fill_n(sums.begin() + at, n, scalar(0));
+            for (int i = 0; i < n; ++i)
+            {
+                sums[at + i] = 0;
+            }
         }
     }
 }
@@ -72,11 +75,11 @@ void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
             add(face, pointKernels::faceStride, faceNew_);
             add(cell, pointKernels::cellStride, cell_);
             sumFaces(face);
-            lattice_.sum(cell.data(), pointKernels::cellStride);
+            lattice_.sum(cell.data(), pointKernels::cellStride, live_.groups());
         }
     }
     sumFaces(faceNew_);
-    lattice_.sum(cell_.data(), pointKernels::cellStride);
+    lattice_.sum(cell_.data(), pointKernels::cellStride, live_.groups());
 }
 
 void Foam::mpm::latticeFraction::sumFaces(scalarList& face) const
@@ -85,7 +88,7 @@ void Foam::mpm::latticeFraction::sumFaces(scalarList& face) const
     {
         lattice_.sum(
             face.data() + pointKernels::faceStride * lattice_.nPlaces() * d,
-            pointKernels::faceStride);
+            pointKernels::faceStride, live_.groups());
     }
 
     // The solid is mirrored at walls
@@ -225,7 +228,7 @@ void Foam::mpm::latticeFraction::sumJumps(
     }
     for (int d = 0; d < lattice_.grid().nDim(); ++d)
     {
-        lattice_.sum(G.data() + lattice_.nPlaces() * d, 1);
+        lattice_.sum(G.data() + lattice_.nPlaces() * d, 1, live_.groups());
     }
 }
 
@@ -274,7 +277,7 @@ void Foam::mpm::latticeFraction::setPressure(const UList<scalar>& p, const UList
     {
         P_[lattice_.place(c)] = p[c];
     }
-    lattice_.sum(P_.data(), 1);
+    lattice_.sum(P_.data(), 1, live_.groups());
 
     sumJumps(
         p, pBehind,

@@ -43,30 +43,58 @@ void Foam::mpm::liveCells::reach(const label place)
     }
 }
 
+void Foam::mpm::liveCells::listPlace(const label place)
+{
+    if (placeListed_[place] == now_)
+    {
+        return;
+    }
+    placeListed_[place] = now_;
+    places_.append(place);
+    if (group_[place] >= 0)
+    {
+        listGroup(group_[place]);
+    }
+}
+
+void Foam::mpm::liveCells::listGroup(const label group)
+{
+    if (groupListed_[group] == now_)
+    {
+        return;
+    }
+    groupListed_[group] = now_;
+    groups_.append(group);
+    for (const label place : lattice_.same()[group])
+    {
+        listPlace(place);
+    }
+}
+
 void Foam::mpm::liveCells::listPlaces()
 {
     const int D = lattice_.grid().nDim();
     places_.clear();
-    const auto list = [&](const label place)
-    {
-        if (listed_[place] != now_)
-        {
-            listed_[place] = now_;
-            places_.append(place);
-        }
-    };
+    groups_.clear();
     for (const label c : cells_)
     {
         const label place = lattice_.place(c);
-        list(place);
+        listPlace(place);
         for (int d = 0; d < D; ++d)
         {
-            list(place + lattice_.stride(d));
+            listPlace(place + lattice_.stride(d));
         }
     }
-    for (const label place : joined_)
+    if (Pstream::parRun())
     {
-        list(place);
+        for (const label place : lattice_.shared())
+        {
+            listPlace(place);
+        }
+        forAll(lattice_.same(), i)
+        {
+            listGroup(i);
+        }
     }
 }
 
@@ -78,7 +106,8 @@ Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLatti
     group_(lattice.nPlaces(), label(-1)),
     reached_(lattice.grid().nCells(), label(-1)),
     now_(0),
-    listed_(lattice.nPlaces(), label(-1))
+    placeListed_(lattice.nPlaces(), label(-1)),
+    groupListed_(lattice.same().size(), label(-1))
 {
     const int D = lattice_.grid().nDim();
     around_.setSize(D == 1 ? 3 : D == 2 ? 9 : 27);
@@ -98,12 +127,10 @@ Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLatti
         for (const label place : lattice_.same()[i])
         {
             group_[place] = i;
-            joined_.append(place);
         }
     }
 
     // Points of others reach, unseen from here, the cells around these places
-    joined_.append(lattice_.shared());
     const labelHashSet shared(lattice_.shared());
     forAll(reached_, c)
     {
@@ -134,6 +161,7 @@ void Foam::mpm::liveCells::update()
             }
         }
     }
+    listPlaces();
     label n = 0;
     for (const label c : cells_)
     {
@@ -147,5 +175,4 @@ void Foam::mpm::liveCells::update()
         }
     }
     cells_.setSize(n);
-    listPlaces();
 }
