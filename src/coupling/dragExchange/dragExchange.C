@@ -379,11 +379,13 @@ void Foam::mpm::dragExchange::updateFaces()
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
     const scalarField& V = mesh.V();
-    const auto mass = [&](const label c)
+    const scalarField& rho = gas_.rho();
+    mass_.setSize(mesh.nCells());
+    for (const label c : cells_)
     {
-        const scalar rho = gas_.rho()[c];
-        return (rho + min(held_[c], 15 * rho)) * V[c];
-    };
+        mass_[c] = (rho[c] + min(held_[c], 15 * rho[c])) * V[c];
+    }
+    const auto mass = [&](const label c) { return Kc_[c] > 0 ? mass_[c] : rho[c] * V[c]; };
     for (const label f : faces_)
     {
         K_[f] = inertia_[f] = 0;

@@ -6,7 +6,7 @@
 
 Foam::label Foam::mpm::liveCells::cellAt(const label place) const
 {
-    const label c = lattice_.grid().lattice().cellOf(place);
+    const label c = lattice_.grid().lattice().cells()[place];
     return c < lattice_.grid().nCells() ? c : -1;
 }
 
@@ -22,10 +22,6 @@ void Foam::mpm::liveCells::add(const label celli, const label step)
 void Foam::mpm::liveCells::reach(const label place)
 {
     const label c = cellAt(place);
-    if (c >= 0 && reached_[c] == now_)
-    {
-        return;
-    }
     if (c >= 0)
     {
         add(c, now_);
@@ -149,6 +145,8 @@ Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLatti
 
 void Foam::mpm::liveCells::update()
 {
+    const label* cellOf = lattice_.grid().lattice().cells().cdata();
+    const label nCells = reached_.size();
     ++now_;
     for (const materialPointPhase& phase : points_.phases())
     {
@@ -157,7 +155,11 @@ void Foam::mpm::liveCells::update()
             const label place = lattice_.place(c);
             for (const label step : around_)
             {
-                reach(place + step);
+                const label at = cellOf[place + step];
+                if (at < 0 || at >= nCells || reached_[at] != now_)
+                {
+                    reach(place + step);
+                }
             }
         }
     }
