@@ -386,22 +386,35 @@ void Foam::mpm::dragExchange::updateFaces()
         mass_[c] = (rho[c] + min(held_[c], 15 * rho[c])) * V[c];
     }
     const auto mass = [&](const label c) { return Kc_[c] > 0 ? mass_[c] : rho[c] * V[c]; };
+    const auto set = [&](const label f)
+    {
+        K_[f] = max(Kc_[own[f]], Kc_[nei[f]]);
+        inertia_[f] = min(mass(own[f]), mass(nei[f]));
+    };
     for (const label f : faces_)
     {
         K_[f] = inertia_[f] = 0;
     }
     faces_.clear();
-
-    // Each face once: what is not 0 is done
-    for (const label c : cells_)
+    if (2 * cells_.size() > mesh.nCells())
     {
-        for (const label f : mesh.cells()[c])
+        forAll(nei, f)
         {
-            if (f < nei.size() && !(K_[f] > 0))
+            set(f);
+        }
+        faces_ = identity(nei.size());
+    }
+    else
+    {
+        for (const label c : cells_)
+        {
+            for (const label f : mesh.cells()[c])
             {
-                K_[f] = max(Kc_[own[f]], Kc_[nei[f]]);
-                inertia_[f] = min(mass(own[f]), mass(nei[f]));
-                faces_.append(f);
+                if (f < nei.size() && !(K_[f] > 0))
+                {
+                    set(f);
+                    faces_.append(f);
+                }
             }
         }
     }

@@ -22,7 +22,8 @@ Foam::scalar Foam::mpm::latticeFraction::faceVolume(const label facei) const
         : mag(mesh_.faceAreas()[facei]) * lattice_.grid().width(celli, lattice_.direction(facei));
 }
 
-void Foam::mpm::latticeFraction::clear(scalarList& sums, const int n) const
+template<int n>
+void Foam::mpm::latticeFraction::clear(scalarList& sums) const
 {
     const label nPlaces = lattice_.nPlaces();
     for (const label place : live_.places())
@@ -37,7 +38,8 @@ void Foam::mpm::latticeFraction::clear(scalarList& sums, const int n) const
     }
 }
 
-void Foam::mpm::latticeFraction::add(const scalarList& sums, const int n, scalarList& to) const
+template<int n>
+void Foam::mpm::latticeFraction::add(const scalarList& sums, scalarList& to) const
 {
     const label nPlaces = lattice_.nPlaces();
     for (const label place : live_.places())
@@ -56,7 +58,7 @@ void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
 {
     updateVolumes();
     live_.update();
-    clear(cell_, pointKernels::cellStride);
+    clear<pointKernels::cellStride>(cell_);
     forAll(points_.phases(), phasei)
     {
         const bool own = ownFace_[phasei].size();
@@ -64,16 +66,16 @@ void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
         scalarList& cell = own ? ownCell_[phasei] : cell_;
         if (own)
         {
-            clear(face, pointKernels::faceStride);
-            clear(cell, pointKernels::cellStride);
+            clear<pointKernels::faceStride>(face);
+            clear<pointKernels::cellStride>(cell);
         }
         kernels_->arrive(
             points_.phases()[phasei].cloud(), withDilation ? oldVolume_[phasei].cdata() : nullptr,
             face.data(), cell.data());
         if (own)
         {
-            add(face, pointKernels::faceStride, faceNew_);
-            add(cell, pointKernels::cellStride, cell_);
+            add<pointKernels::faceStride>(face, faceNew_);
+            add<pointKernels::cellStride>(cell, cell_);
             sumFaces(face);
             lattice_.sum(cell.data(), pointKernels::cellStride, live_.groups());
         }
@@ -208,7 +210,7 @@ void Foam::mpm::latticeFraction::sumJumps(
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
-    clear(G, 1);
+    clear<1>(G);
     const auto set = [&](const label f)
     {
         const label i = f - nei.size();
@@ -272,7 +274,7 @@ void Foam::mpm::latticeFraction::initialise()
 
 void Foam::mpm::latticeFraction::setPressure(const UList<scalar>& p, const UList<scalar>& pBehind)
 {
-    clear(P_, 1);
+    clear<1>(P_);
     for (const label c : live_.cells())
     {
         P_[lattice_.place(c)] = p[c];
@@ -314,7 +316,7 @@ void Foam::mpm::latticeFraction::gather(const label phasei, const scalarField* p
                     : 0;
             },
             ownG_);
-        add(G_, 1, ownG_);
+        add<1>(G_, ownG_);
     }
     kernels_->gather(
         points_.phases()[phasei].cloud(), P_.cdata(), pOwn ? ownG_.cdata() : G_.cdata());
@@ -322,7 +324,7 @@ void Foam::mpm::latticeFraction::gather(const label phasei, const scalarField* p
 
 void Foam::mpm::latticeFraction::depart()
 {
-    clear(faceNew_, pointKernels::faceStride);
+    clear<pointKernels::faceStride>(faceNew_);
     for (materialPointPhase& phase : points_.phases())
     {
         kernels_->depart(phase.cloud(), faceNew_.data());
