@@ -19,7 +19,8 @@ from blockInGas import blockInGas  # noqa: E402
 #: Name, dimensions, cells in each direction, share of the side, steps
 SCENES = (("2D, block in a quarter", 2, 128, 0.5, 300),
           ("2D, block nearly everywhere", 2, 128, 0.9, 300),
-          ("3D, block in an eighth", 3, 32, 0.5, 100))
+          ("3D, block in an eighth", 3, 32, 0.5, 100),
+          ("3D, block in a 64th", 3, 48, 0.25, 100))
 
 
 def once(case):
