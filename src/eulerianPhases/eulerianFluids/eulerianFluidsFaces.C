@@ -301,6 +301,15 @@ void Foam::mpm::eulerianFluids::setSoftness()
     }
 }
 
+//- Share of mu that slow flow keeps, of two sides of impedance z
+static inline Foam::scalar lowMachShare(
+    const Foam::mpm::gasState& L, const Foam::scalar zL, const Foam::mpm::gasState& R,
+    const Foam::scalar zR)
+{
+    using namespace Foam;
+    return min(scalar(1), max(mag(L.u) * L.rho / zL, mag(R.u) * R.rho / zR));
+}
+
 inline void Foam::mpm::eulerianFluids::face(
     const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR)
 {
@@ -311,7 +320,7 @@ inline void Foam::mpm::eulerianFluids::face(
     scalar mu = zL * zR / sum;
     if (lowMach_)
     {
-        mu *= min(scalar(1), max(mag(L.u) * L.rho / zL, mag(R.u) * R.rho / zR));
+        mu *= lowMachShare(L, zL, R, zR);
     }
     phi_[f] = magS * (zL * uL + zR * uR + (L.p - R.p)) / sum;
     pStar_[f] = (zR * L.p + zL * R.p) / sum + mu * (uL - uR);
@@ -352,13 +361,14 @@ void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces*
                                               i < 0 ? theta_[N] : thetaB_[i],
                                               i < 0 ? V[N] : faces_.Vb[i]};
             const scalar chi = share_ * chi_ * max(liquid(z_[P], W_[P]), liquid(zN, WN));
+            const scalar low = lowMachSolids_ ? lowMachShare(W_[P], z_[P], WN, zN) : 1;
             if (pores->area)
             {
-                porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi, to);
+                porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi, low, to);
             }
             else
             {
-                porousFlux_.porousFace<false>(f, L, R, dt, *pores, chi, to);
+                porousFlux_.porousFace<false>(f, L, R, dt, *pores, chi, low, to);
             }
             return;
         }

@@ -20,7 +20,9 @@ import numpy as np
 LIB = os.path.join(os.path.dirname(__file__), "../../lib")
 sys.path[:0] = [LIB, os.path.join(os.path.dirname(__file__), "../randomScenes")]
 import solids
+from fluidCases import WATER, besidePoints, fluidCase
 from foamCase import VERIFY, RunFailed, runParts
+from gasCases import VAN_LEER
 
 #: Sort of mesh, shape functions, transfer, density [kg/m3]
 SCENES = [("plane", "GIMP", t, 100) for t in ("FMPM", "XPIC", "FLIP", "APIC")]
@@ -83,5 +85,56 @@ def fixed(table):
                   log.count("up to which light points bear"), 0)
 
 
+def exactAdded(a, L, N=24):
+    """Added mass of a cylinder amid a square of side L, over the mass that it displaces.
+
+    phi = sum_n (A_n (r/a)^-n + B_n (r/L)^n) cos n t, n odd, with the velocity of the cylinder at
+    r = a and none through the walls, in the least squares.
+    """
+    n = np.arange(1, 2*N, 2)
+    t = np.linspace(0, np.pi/2, 400)[:, None]
+    rows = [np.hstack([-n*np.cos(n*t), n*(a/L)**n*np.cos(n*t)])]
+    s = np.linspace(0, L/2, 400)[:, None]
+    for x, y, turn in ((L/2 + 0*s, s, 0), (s, L/2 + 0*s, np.pi/2)):
+        r, angle = np.hypot(x, y), np.arctan2(y, x)
+        rows.append(np.hstack([-n*(r/a)**-n*np.cos((n + 1)*angle - turn),
+                               n*(r/L)**n*np.cos((n - 1)*angle + turn)])*a/r)
+    c = np.linalg.lstsq(np.vstack(rows), np.concatenate([np.cos(t[:, 0]), np.zeros(800)]),
+                        rcond=None)[0]
+    return -(c[0] + c[N]*a/L)
+
+
+def addedMass(table):
+    """A stiff disc of 500 kg/m3 amid walls, pushed for 2 ms; direction normal, lowMach."""
+    a, L, end, push = 0.01, 0.08, 2e-3, 10.0
+    table.row("added mass of a cylinder in a wide square", 1, exactAdded(a, 100*a), 1e-3)
+    for n, words in ((32, ("yes", "solids")), *(((64, ("solids",)),) if VERIFY else ())):
+        for word in words:
+            case = fluidCase("lightInWater", f"added-{n}-{word}", (n, n, 1), (L, L, 0.01),
+                             {"water": WATER}, lambda x, y, z: ([1 + 0*x], [1000.0], 0.0, 1e5),
+                             end, ends=("zeroGradient", "zeroGradient", "slip"),
+                             reconstruct=VAN_LEER,
+                             control={"maxCo": 0.4, "deltaT": 1e-9, "reportInterval": 20})
+            besidePoints(case, {"water": WATER}, {"body": {
+                "constitutiveModel": {"type": "linearElastic", "rho": 500.0, "E": 1e9, "nu": 0.3},
+                "drag": {"type": "stick", "direction": "normal"},
+                "bodyForce": {"type": "uniform", "acceleration": f"({push:g} 0 0)"}}},
+                {"body": {"type": "cylinder", "point1": (L/2, L/2, -1), "point2": (L/2, L/2, 1),
+                          "radius": a, "stress": "ambient", "pressure": 1e5}},
+                settings={"lowMach": word})
+            case.run("materialPointFoam", limit=300)
+            log = case.log("materialPointFoam")
+            found = re.findall(r"^Time = (\S+)\n[^\0]*?mass (\S+), momentum \((\S+)", log, re.M)
+            t, m, p = np.array(found, dtype=float).T
+            late = t > 0.2*end
+            u = (p/m)[late]
+            ratio = np.sum(u*t[late])/np.sum(t[late]**2)/push*(1 + exactAdded(a, L)/0.5)
+            label = f"pushed disc, h = a/{n*a/L:g}, lowMach {word}: acceleration over the exact one"
+            if word == "solids":
+                table.row(label, 1, ratio, 0.06 if n == 32 else 0.03)
+            else:
+                table.row(label + ", for comparison", 0.6, ratio, 0.2)
+
+
 if __name__ == "__main__":
-    sys.exit(runParts("lightInWater", light, fixed))
+    sys.exit(runParts("lightInWater", light, fixed, addedMass))

@@ -41,7 +41,7 @@ void Foam::mpm::impedanceFlux::insideFaces(
         const label P = own[f];
         porousFace<Vector>(
             f, {L.w, factor * qL, z, L.w.p, solid->theta[P], V[P]},
-            {R.w, factor * qR, z, R.w.p, thetaR, VR}, solid->dt, solid->pores, 0, to);
+            {R.w, factor * qR, z, R.w.p, thetaR, VR}, solid->dt, solid->pores, 0, 1, to);
     };
 
     // Face between two states
