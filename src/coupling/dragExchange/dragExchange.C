@@ -72,8 +72,9 @@ Foam::vector Foam::mpm::dragExchange::impulse(
         const vector n(A / mag(A));
         relative = n * (n & relative);
         seen = n * (n & seen);
+        const eulerianFlow::waveState wave(gas_.wave(celli));
         K = !(K < dragModel::sticking)
-            ? std::sqrt(gas_.wave(celli).K * rho / theta) * mag(A) / fraction_.mesh().V()[celli]
+            ? wave.slow * std::sqrt(wave.K * rho / theta) * mag(A) / fraction_.mesh().V()[celli]
             : 0;
     }
     if (!(K > 0))
