@@ -9,6 +9,7 @@ points grows 25-fold or more.
 growth    largest kinetic and strain energy of the points over that of the start
 named     the log names what has set the step
 fixed     a fixed deltaT of 1.5 times that bound is warned of, once
+added     added mass of a stiff disc amid walls, lowMach solids
 """
 
 import os
