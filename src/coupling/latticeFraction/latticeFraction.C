@@ -57,7 +57,7 @@ void Foam::mpm::latticeFraction::add(const scalarList& sums, scalarList& to) con
 void Foam::mpm::latticeFraction::sumPoints(const bool withDilation)
 {
     updateVolumes();
-    live_.update();
+    live_.update(withDilation);
     clear<pointKernels::cellStride>(cell_);
     forAll(points_.phases(), phasei)
     {

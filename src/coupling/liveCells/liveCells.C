@@ -41,11 +41,11 @@ void Foam::mpm::liveCells::reach(const label place)
 
 void Foam::mpm::liveCells::listPlace(const label place)
 {
-    if (placeListed_[place] == now_)
+    if (placeListed_[place] == listing_)
     {
         return;
     }
-    placeListed_[place] = now_;
+    placeListed_[place] = listing_;
     places_.append(place);
     if (group_[place] >= 0)
     {
@@ -55,11 +55,11 @@ void Foam::mpm::liveCells::listPlace(const label place)
 
 void Foam::mpm::liveCells::listGroup(const label group)
 {
-    if (groupListed_[group] == now_)
+    if (groupListed_[group] == listing_)
     {
         return;
     }
-    groupListed_[group] = now_;
+    groupListed_[group] = listing_;
     groups_.append(group);
     for (const label place : lattice_.same()[group])
     {
@@ -70,6 +70,7 @@ void Foam::mpm::liveCells::listGroup(const label group)
 void Foam::mpm::liveCells::listPlaces()
 {
     const int D = lattice_.grid().nDim();
+    ++listing_;
     places_.clear();
     groups_.clear();
     for (const label c : cells_)
@@ -102,6 +103,7 @@ Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLatti
     group_(lattice.nPlaces(), label(-1)),
     reached_(lattice.grid().nCells(), label(-1)),
     now_(0),
+    listing_(0),
     placeListed_(lattice.nPlaces(), label(-1)),
     groupListed_(lattice.same().size(), label(-1))
 {
@@ -143,11 +145,11 @@ Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLatti
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::liveCells::update()
+void Foam::mpm::liveCells::update(const bool moved)
 {
     const label* cellOf = lattice_.grid().lattice().cells().cdata();
     const label nCells = reached_.size();
-    ++now_;
+    now_ += moved;
     for (const materialPointPhase& phase : points_.phases())
     {
         for (const label c : phase.cloud().cells())
@@ -164,6 +166,10 @@ void Foam::mpm::liveCells::update()
         }
     }
     listPlaces();
+    if (!moved)
+    {
+        return;
+    }
     label n = 0;
     for (const label c : cells_)
     {
