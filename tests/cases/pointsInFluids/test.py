@@ -510,7 +510,7 @@ def ranks(table):
 
     Later water that cavitates far from the block makes 1e-12 to 1e-9 at 0.1 ms, 1e-7 at 0.2 ms.
     """
-    end = 6e-5
+    end = 4e-5
     one = struck("ranks-1", end)
     last = one.timeName(end)
     for split in ((2, 1, 1), (1, 2, 1), (3, 1, 1), (2, 2, 1)):
