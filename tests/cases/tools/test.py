@@ -121,7 +121,8 @@ def dictionaries(table, case):
              ("system/controlDict", "system/fvSolution", "system/setMaterialPointsDict",
               "constant/phaseProperties", "0/U.plates",
               case.times()[-1] + "/uniform/materialPointState")]
-    for root, _, names in os.walk(os.path.join(PROJECT, "tutorials")):
+    for root, folders, names in os.walk(os.path.join(PROJECT, "tutorials")):
+        folders[:] = [f for f in folders if f not in ("variants", "postProcessing")]
         if os.path.basename(root) in ("system", "constant", "0"):
             paths += [os.path.join(root, n) for n in names
                       if re.match(r"U\.|g$|.*Dict$|fv|phaseP", n)]
