@@ -225,7 +225,7 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     eulerianFlow(mesh, "fluids", word::null, g, states),
     mixture_(properties, names),
     n_(names.size()),
-    lowMachSolids_(settings(properties).getOrDefault<word>("lowMach", "no") == "solids"),
+    lowMachSolids_(settings(properties).getOrDefault<word>("lowMach", word::null) == "solids"),
     lowMach_(lowMachSolids_ || settings(properties).getOrDefault<bool>("lowMach", false)),
     chi_(boundedOrDefault(settings(properties), "drainage", 0.1, 0, 1)),
     porousFlux_(settings(properties), faces_),
