@@ -64,8 +64,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
 
     // The pores of a full cell are there for the gas' equations alone
     const bool full = model.none() && solid > fraction_.fullOfSolid();
-    scalar K = full ? dragModel::sticking
-                    : model.K(dragModel::state{thetaS, theta, rho / theta, mu_, mag(seen)});
+    scalar K = 0;
     const bool surface = magSqr(A) > 0;
     if (surface)
     {
@@ -73,9 +72,12 @@ Foam::vector Foam::mpm::dragExchange::impulse(
         relative = n * (n & relative);
         seen = n * (n & seen);
         const eulerianFlow::waveState wave(gas_.wave(celli));
-        K = !(K < dragModel::sticking)
-            ? wave.slow * std::sqrt(wave.K * rho / theta) * mag(A) / fraction_.mesh().V()[celli]
-            : 0;
+        K = wave.slow * std::sqrt(wave.K * rho / theta) * mag(A) / fraction_.mesh().V()[celli];
+    }
+    else
+    {
+        K = full ? dragModel::sticking
+                 : model.K(dragModel::state{thetaS, theta, rho / theta, mu_, mag(seen)});
     }
     if (!(K > 0))
     {
@@ -85,6 +87,8 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     {
         cells_.append(celli);
     }
+
+    // Of a surface no drag of the faces, but the cell has some
     Kc_[celli] += surface ? VSMALL : K;
 
     // Harmonic masses; a rigid phase has no end of it: a free body takes
@@ -330,6 +334,10 @@ Foam::mpm::dragExchange::dragExchange(
     forAll(points_.phases(), phasei)
     {
         read(phasei, requiredDict(phaseProperties, points_.phases()[phasei].name()));
+        if (models_[phasei].sticks())
+        {
+            fraction_.wantSurface(phasei);
+        }
     }
     form_ = readForm(requiredDict(phaseProperties, gas.name()));
 }

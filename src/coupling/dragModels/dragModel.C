@@ -23,7 +23,7 @@ typedef dragModel::state state;
 template<bool Viscous>
 struct law
 {
-    static constexpr bool viscous = Viscous, zero = false;
+    static constexpr bool viscous = Viscous, zero = false, sticks = false;
 
     static wordList keys() { return {"d"}; }
 };
@@ -39,6 +39,8 @@ struct none : law<false>
 
 struct stick : law<false>
 {
+    static constexpr bool sticks = true;
+
     static wordList keys() { return wordList(); }
 
     static scalar K(const state& s, const scalar) { return s.thetaS > 0 ? dragModel::sticking : 0; }
@@ -121,6 +123,8 @@ public:
     bool needsViscosity() const override { return Law::viscous; }
 
     bool none() const override { return Law::zero; }
+
+    bool sticks() const override { return Law::sticks; }
 };
 
 #define addDrag(Law)                                                                               \

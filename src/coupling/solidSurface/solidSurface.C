@@ -12,7 +12,7 @@ namespace Foam::mpm
 // Beside phases, in phaseIn_
 static constexpr label none = -1, listed = -2;
 
-static bool hasCyclic(const polyMesh& mesh)
+static bool hasCoupled(const polyMesh& mesh)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -111,7 +111,7 @@ void Foam::mpm::solidSurface::addCell(
         {
             phasei = behind[f - nei.size()];
         }
-        if (phasei < 0)
+        if (phasei < 0 || !phases_[phasei].wanted)
         {
             continue;
         }
@@ -160,8 +160,9 @@ void Foam::mpm::solidSurface::unmark()
 Foam::mpm::solidSurface::solidSurface(materialPointSystem& points, const fvMesh& mesh) :
     points_(points),
     mesh_(mesh),
-    coupled_(returnReduce(hasCyclic(mesh), orOp<bool>())),
+    coupled_(returnReduce(hasCoupled(mesh), orOp<bool>())),
     phases_(points.phases().size()),
+    any_(false),
     phaseIn_(mesh.nCells(), label(none)),
     volume_(mesh.nCells(), scalar(0))
 {
@@ -172,6 +173,10 @@ Foam::mpm::solidSurface::solidSurface(materialPointSystem& points, const fvMesh&
 void Foam::mpm::solidSurface::find(
     const std::function<vector(label)>& area, const std::function<bool(label)>& full)
 {
+    if (!any_)
+    {
+        return;
+    }
     for (ofPhase& of : phases_)
     {
         of.cells.clear();

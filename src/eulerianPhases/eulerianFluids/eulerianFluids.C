@@ -5,6 +5,24 @@
 #include "noTraps.H"
 #include "Time.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam::mpm
+{
+
+//- no, yes (all words of a switch) or solids
+static word lowMachOf(const dictionary& settings)
+{
+    const Switch value(settings.getOrDefault<word>("lowMach", word::null), true);
+    if (value.valid())
+    {
+        return bool(value) ? "yes" : "no";
+    }
+    return oneOfOrDefault(settings, "lowMach", "no", wordList({"no", "yes", "solids"}));
+}
+
+} // End namespace Foam::mpm
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::eulerianFluids::oneFluid(const label k, const labelUList& cells)
@@ -225,8 +243,8 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     eulerianFlow(mesh, "fluids", word::null, g, states),
     mixture_(properties, names),
     n_(names.size()),
-    lowMachSolids_(settings(properties).getOrDefault<word>("lowMach", word::null) == "solids"),
-    lowMach_(lowMachSolids_ || settings(properties).getOrDefault<bool>("lowMach", false)),
+    lowMachSolids_(lowMachOf(settings(properties)) == "solids"),
+    lowMach_(lowMachOf(settings(properties)) != "no"),
     chi_(boundedOrDefault(settings(properties), "drainage", 0.1, 0, 1)),
     porousFlux_(settings(properties), faces_),
     part_(n_ * mesh.nCells(), Zero),
