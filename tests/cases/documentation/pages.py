@@ -3,13 +3,14 @@
 import os
 import re
 
+from sourceWords import SWITCHES
+
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _SPAN = re.compile(r"`([^`]+)`")
 _CLAIM = re.compile(r"<!-- read in: ([^>]*?) -->", re.S)
 _COMMANDS = ("cp|mkdir|touch|git|wmake|mpirun|blockMesh|setMaterialPoints|materialPointFoam"
              r"|foam[A-Z]\w+|decomposePar|reconstructPar|compareMaterialPoints|paraview"
              r"|\./All\w+|(tests|tutorials|benchmarks)/[\w/]*All\w+|\. etc/\w+")
-_SWITCHES = {"yes", "no"}
 
 
 def pages(project):
@@ -48,7 +49,7 @@ class Section:
     @staticmethod
     def _of(cells):
         return {word for cell in cells for span in _SPAN.findall(cell)
-                for word in _IDENTIFIER.findall(span)} - _SWITCHES
+                for word in _IDENTIFIER.findall(span)} - SWITCHES
 
     def claims(self, path):
         return any(path == s or path.startswith(s + "/") for s in self.sources)

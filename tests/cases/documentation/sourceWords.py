@@ -34,6 +34,9 @@ STATE = {"state", "energy", "body", "failed", "before", "record", "now"}
 WRITTEN = {"materialPointCloudWrite.C", "materialPointCloudIO.C", "startState.C",
            "caseTime.H", "materialPointSystemOutput.C"}
 
+#: What pages do not count either
+SWITCHES = {"yes", "no"}
+
 #: Words that the above takes and that are none of a dictionary: {file: words}
 NOT_ENTRIES = {
     # Names of parts of the step
@@ -178,7 +181,7 @@ def sourceWords(project):
         if name in WRITTEN:
             continue
         words = wordsOf(text, selectable, classes)
-        for word in NOT_ENTRIES.get(name, "").split():
+        for word in {*SWITCHES, *NOT_ENTRIES.get(name, "").split()}:
             words.pop(word, None)
         if words:
             found[path] = words
