@@ -3,7 +3,30 @@
 #include "dragExchange.H"
 #include "pointEnergy.H"
 #include "dictionaryTools.H"
+#include "lanes.H"
 #include "syncTools.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam::mpm
+{
+
+//- A node's components, and what follows them up to four
+static inline lanes<4> ofNode(const scalar* u, const int stride, const label node)
+{
+    if (stride == 4)
+    {
+        return load<4>(u + 4 * node);
+    }
+    lanes<4> q = {};
+    for (int d = 0; d < min(stride, 4); ++d)
+    {
+        q[d] = u[stride * node + d];
+    }
+    return q;
+}
+
+} // End namespace Foam::mpm
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -113,26 +136,22 @@ Foam::vector Foam::mpm::dragExchange::momentumOf(
     scalar& M) const
 {
     const pointGrid& grid = points_.grid();
-    const int D = grid.nDim();
     M = 0;
-    vector mU(Zero);
+    lanes<4> sum = {};
     forAll(nodes, i)
     {
-        M += share[i];
-        for (int d = 0; d < D && share[i] > 0; ++d)
+        if (share[i] > 0)
         {
-            mU[grid.direction(d)] += share[i] * U[stride * nodes[i] + d];
+            M += share[i];
+            sum += share[i] * ofNode(U, stride, nodes[i]);
         }
     }
+    vector mU(Zero);
+    for (int d = 0; d < grid.nDim(); ++d)
+    {
+        mU[grid.direction(d)] = sum[d];
+    }
     return mU;
-}
-
-void Foam::mpm::dragExchange::setShares(const label phasei)
-{
-    materialPointCloud& cloud = points_.phases()[phasei].cloud();
-    const pointGridTransfer& passes = points_.gridTransfer();
-    share_.setSize(max(share_.size(), passes.nStencil() * cloud.cells().size()));
-    passes.massShares(cloud, share_.data());
 }
 
 void Foam::mpm::dragExchange::startImpulse(const velocityField& field)
@@ -162,12 +181,20 @@ void Foam::mpm::dragExchange::take(
 {
     const pointGrid& grid = points_.grid();
     const int D = grid.nDim();
+    lanes<4> ofMass = {};
+    for (int d = 0; d < D; ++d)
+    {
+        ofMass[d] = V / M * J[grid.direction(d)];
+    }
     forAll(nodes, i)
     {
-        const scalar part = share[i] * V / M;
-        for (int d = 0; d < D && share[i] > 0; ++d)
+        if (share[i] > 0)
         {
-            impulse_[stride * nodes[i] + d] -= part * J[grid.direction(d)];
+            const lanes<4> left = ofNode(impulse_.cdata(), stride, nodes[i]) - share[i] * ofMass;
+            for (int d = 0; d < D; ++d)
+            {
+                impulse_[stride * nodes[i] + d] = left[d];
+            }
         }
     }
 }
@@ -201,7 +228,6 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
 {
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
     const int stride = field.stride();
-    setShares(phasei);
     startImpulse(field);
     const scalar* U = atCells(phasei);
     const bool exact = ahead_.size();

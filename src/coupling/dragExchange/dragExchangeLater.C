@@ -67,7 +67,6 @@ void Foam::mpm::dragExchange::payNodes(const label phasei)
 {
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
     const int stride = field.stride();
-    setShares(phasei);
     startImpulse(field);
 
     // J of half of the velocities before and after, of the nodes
@@ -129,7 +128,6 @@ void Foam::mpm::dragExchange::payBody(const label phasei)
 void Foam::mpm::dragExchange::findPresent(const label phasei)
 {
     const velocityField& field = points_.fields()[points_.fieldOf(phasei)];
-    setShares(phasei);
     const scalar* U = atCells(phasei);
     forDragged(
         phasei,

@@ -14,12 +14,23 @@ addToRunTimeSelectionTable(solidFraction, latticeFraction, dictionary);
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::mpm::latticeFraction::faceVolume(const label facei) const
+void Foam::mpm::latticeFraction::makeFaces()
 {
-    const label celli = mesh_.faceOwner()[facei];
-    return lattice_.grid().radial() < 0
-        ? mesh_.V()[celli]
-        : mag(mesh_.faceAreas()[facei]) * lattice_.grid().width(celli, lattice_.direction(facei));
+    const pointGrid& grid = lattice_.grid();
+    forAll(faces_, f)
+    {
+        const int d = lattice_.direction(f);
+        if (d < 0)
+        {
+            continue;
+        }
+        const label c = mesh_.faceOwner()[f];
+        const scalar S = mag(mesh_.faceAreas()[f]);
+        faces_[f].at = lattice_.nPlaces() * d + lattice_.facePlace(f);
+        faces_[f].sign = lattice_.sign(f);
+        faces_[f].S = S;
+        faces_[f].V = grid.radial() < 0 ? mesh_.V()[c] : S * grid.width(c, d);
+    }
 }
 
 template<int n>
@@ -96,7 +107,7 @@ void Foam::mpm::latticeFraction::sumFaces(scalarList& face) const
     // The solid is mirrored at walls
     for (const label facei : lattice_.walls())
     {
-        scalar* q = face.data() + pointKernels::faceStride * at(facei);
+        scalar* q = face.data() + pointKernels::faceStride * faces_[facei].at;
         q[pointKernels::volume] *= 2;
         q[pointKernels::mass] *= 2;
         q[pointKernels::flux] = 0;
@@ -105,42 +116,37 @@ void Foam::mpm::latticeFraction::sumFaces(scalarList& face) const
 
 void Foam::mpm::latticeFraction::updateFaces(const scalar dt)
 {
-    live_.forFaces([&](const label f) { updateFace(f, dt); });
-}
+    // Of a cell's volume: rounding of the sums
+    constexpr scalar nothing = 1e-15;
 
-void Foam::mpm::latticeFraction::updateFace(const label f, const scalar dt)
-{
-    if (lattice_.direction(f) < 0)
+    for (const label f : live_.faces())
     {
-        return;
+        const faceOfPlace& of = faces_[f];
+        const scalar* old = at(face_, f);
+        const scalar* now = at(faceNew_, f);
+        const scalar sumOld = max(old[pointKernels::volume], scalar(0));
+        const scalar sumNow = max(now[pointKernels::volume], scalar(0));
+        if (sumOld + sumNow <= nothing * of.V)
+        {
+            thetaS0_[f] = thetaS_[f] = phiS_[f] = uS_[f] = 0;
+            dragLimit_[f] = 0;
+            continue;
+        }
+
+        const scalar part = (1 - eps_) / of.V;
+        const scalar mean = 0.5 * part * (sumOld + sumNow);
+        thetaS0_[f] = min(part * sumOld, most_);
+        thetaS_[f] = min(mean, most_);
+        dragLimit_[f] = mean;
+
+        // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
+        // adds up in the gas fraction
+        uS_[f] = of.sign * part * now[pointKernels::flux] / (mean * dt);
+        phiS_[f] = uS_[f] * thetaS_[f] * of.S;
+
+        const scalar m = old[pointKernels::mass] + now[pointKernels::mass];
+        rhoS_[f] = m / (sumOld + sumNow);
     }
-    const label i = pointKernels::faceStride * at(f);
-    const scalar* old = face_.cdata() + i;
-    const scalar* now = faceNew_.cdata() + i;
-    const scalar sumOld = old[pointKernels::volume];
-    const scalar sumNow = now[pointKernels::volume];
-    if (sumOld <= 0 && sumNow <= 0)
-    {
-        thetaS0_[f] = thetaS_[f] = phiS_[f] = uS_[f] = 0;
-        dragLimit_[f] = 0;
-        return;
-    }
-
-    const scalar V = faceVolume(f);
-    const scalar S = mag(mesh_.faceAreas()[f]);
-    const scalar mean = 0.5 * (1 - eps_) * (sumOld + sumNow) / V;
-    thetaS0_[f] = min((1 - eps_) * sumOld / V, most_);
-    thetaS_[f] = min(mean, most_);
-    dragLimit_[f] = mean;
-
-    // S/V is 1/h; the lattice's own 1/h differs from it by rounding, which
-    // adds up in the gas fraction
-    phiS_[f] = lattice_.sign(f) * (thetaS_[f] / mean) * (1 - eps_) * now[pointKernels::flux] * S
-        / (V * dt);
-    uS_[f] = phiS_[f] / (thetaS_[f] * S);
-
-    const scalar m = old[pointKernels::mass] + now[pointKernels::mass];
-    rhoS_[f] = m / (sumOld + sumNow);
 }
 
 void Foam::mpm::latticeFraction::updateCells()
@@ -169,24 +175,27 @@ void Foam::mpm::latticeFraction::limitDrag()
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
-    for (const label c : live_.cells())
+    const auto forCells = [&](const auto& f)
     {
-        scalar most = 0;
-        for (const label f : mesh_.cells()[c])
+        for (const label facei : live_.faces())
         {
-            most = max(most, dragLimit_[f]);
+            f(facei, own[facei]);
+            if (facei < nei.size())
+            {
+                f(facei, nei[facei]);
+            }
         }
-        largest_[c] = most;
-    }
+    };
+    forCells([&](const label, const label c) { largest_[c] = 0; });
+    forCells([&](const label f, const label c) { largest_[c] = max(largest_[c], dragLimit_[f]); });
     scalarField behind;
     syncTools::swapBoundaryCellList(mesh_, largest_, behind);
-    live_.forFaces(
-        [&](const label f)
-        {
-            const label i = f - nei.size();
-            const scalar most = max(largest_[own[f]], i < 0 ? largest_[nei[f]] : behind[i]);
-            dragLimit_[f] = most > 0 ? thetaS_[f] / most : 0;
-        });
+    for (const label f : live_.faces())
+    {
+        const label i = f - nei.size();
+        const scalar most = max(largest_[own[f]], i < 0 ? largest_[nei[f]] : behind[i]);
+        dragLimit_[f] = most > 0 ? thetaS_[f] / most : 0;
+    }
 }
 
 void Foam::mpm::latticeFraction::findSurface()
@@ -194,12 +203,12 @@ void Foam::mpm::latticeFraction::findSurface()
     surface_.find(
         [&](const label f) -> vector
         {
-            if (lattice_.direction(f) < 0)
+            if (faces_[f].at < 0)
             {
                 return Zero;
             }
-            const scalar v = face_[pointKernels::faceStride * at(f) + pointKernels::volume];
-            return min((1 - eps_) * v / faceVolume(f), most_) * mesh_.faceAreas()[f];
+            const scalar v = at(face_, f)[pointKernels::volume];
+            return min((1 - eps_) * v / faces_[f].V, most_) * mesh_.faceAreas()[f];
         },
         [](const label) { return false; });
 }
@@ -214,16 +223,15 @@ void Foam::mpm::latticeFraction::sumJumps(
     const auto set = [&](const label f)
     {
         const label i = f - nei.size();
-        G[at(f)] = jump(f, p[own[f]], i < 0 ? p[nei[f]] : pBehind[i]);
+        G[faces_[f].at] = jump(f, p[own[f]], i < 0 ? p[nei[f]] : pBehind[i]);
     };
-    live_.forFaces(
-        [&](const label f)
+    for (const label f : live_.faces())
+    {
+        if (f < nei.size())
         {
-            if (f < nei.size())
-            {
-                set(f);
-            }
-        });
+            set(f);
+        }
+    }
     for (const label f : lattice_.coupled())
     {
         set(f);
@@ -242,6 +250,7 @@ Foam::mpm::latticeFraction::latticeFraction(
     lattice_(points.grid()),
     kernels_(pointKernels::New(lattice_)),
     live_(points, lattice_),
+    faces_(mesh_.nFaces()),
     face_(pointKernels::faceStride * lattice_.nPlaces() * points.grid().nDim(), scalar(0)),
     faceNew_(face_.size(), scalar(0)),
     cell_(pointKernels::cellStride * lattice_.nPlaces(), scalar(0)),
@@ -251,6 +260,7 @@ Foam::mpm::latticeFraction::latticeFraction(
     G_(lattice_.nPlaces() * points.grid().nDim(), scalar(0)),
     largest_(mesh_.nCells(), 0)
 {
+    makeFaces();
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -285,15 +295,14 @@ void Foam::mpm::latticeFraction::setPressure(const UList<scalar>& p, const UList
         p, pBehind,
         [&](const label f, const scalar pO, const scalar pN) -> scalar
         {
-            const scalar V = faceVolume(f);
-            const scalar sum = face_[pointKernels::faceStride * at(f) + pointKernels::volume];
-            const scalar theta = (1 - eps_) * sum / V;
+            const faceOfPlace& of = faces_[f];
+            const scalar theta = (1 - eps_) * at(face_, f)[pointKernels::volume] / of.V;
             if (!(theta > 0))
             {
                 return 0;
             }
             const scalar clip = min(scalar(1), most_ / theta);
-            return (1 - eps_) * clip * lattice_.sign(f) * (pN - pO) * mag(mesh_.faceAreas()[f]) / V;
+            return (1 - eps_) * clip * of.sign * (pN - pO) * of.S / of.V;
         },
         G_);
 }
@@ -309,11 +318,8 @@ void Foam::mpm::latticeFraction::gather(const label phasei, const scalarField* p
             [&](const label f, const scalar pO, const scalar pN) -> scalar
             {
                 // v/h is the area; v holds V K_f
-                const scalar v =
-                    ownFace_[phasei][pointKernels::faceStride * at(f) + pointKernels::volume];
-                return v > 0 && pO != pN
-                    ? lattice_.sign(f) * (pN - pO) * mag(mesh_.faceAreas()[f]) / v
-                    : 0;
+                const scalar v = at(ownFace_[phasei], f)[pointKernels::volume];
+                return v > 0 && pO != pN ? faces_[f].sign * (pN - pO) * faces_[f].S / v : 0;
             },
             ownG_);
         add<1>(G_, ownG_);

@@ -15,6 +15,7 @@ void Foam::mpm::liveCells::add(const label celli, const label step)
     if (reached_[celli] < 0)
     {
         cells_.append(celli);
+        changed_ = true;
     }
     reached_[celli] = max(reached_[celli], step);
 }
@@ -95,6 +96,44 @@ void Foam::mpm::liveCells::listPlaces()
     }
 }
 
+void Foam::mpm::liveCells::listFaces()
+{
+    if (!changed_)
+    {
+        return;
+    }
+    changed_ = false;
+    const polyMesh& mesh = lattice_.grid().mesh();
+    const labelUList& own = mesh.faceOwner();
+    const label nInternal = mesh.nInternalFaces();
+    const auto list = [&](const label f)
+    {
+        if (lattice_.direction(f) >= 0)
+        {
+            faces_.append(f);
+        }
+    };
+    faces_.clear();
+    if (2 * cells_.size() > reached_.size())
+    {
+        for (label f = 0; f < mesh.nFaces(); ++f)
+        {
+            list(f);
+        }
+        return;
+    }
+    for (const label c : cells_)
+    {
+        for (const label f : mesh.cells()[c])
+        {
+            if (f >= nInternal || own[f] == c || !has(own[f]))
+            {
+                list(f);
+            }
+        }
+    }
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLattice& lattice) :
@@ -105,7 +144,8 @@ Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLatti
     now_(0),
     listing_(0),
     placeListed_(lattice.nPlaces(), label(-1)),
-    groupListed_(lattice.same().size(), label(-1))
+    groupListed_(lattice.same().size(), label(-1)),
+    changed_(true)
 {
     const int D = lattice_.grid().nDim();
     around_.setSize(D == 1 ? 3 : D == 2 ? 9 : 27);
@@ -168,6 +208,7 @@ void Foam::mpm::liveCells::update(const bool moved)
     listPlaces();
     if (!moved)
     {
+        listFaces();
         return;
     }
     label n = 0;
@@ -182,5 +223,7 @@ void Foam::mpm::liveCells::update(const bool moved)
             reached_[c] = -1;
         }
     }
+    changed_ = changed_ || n < cells_.size();
     cells_.setSize(n);
+    listFaces();
 }

@@ -31,11 +31,23 @@ class boxKernels : public pointKernels
         T n1[DIM][2], n2[DIM][3];
     };
 
+    //- Values of a point: those of a place's faces in a direction below, two
+    //  directions where there are more than one
+    typedef std::conditional_t<DIM == 1, quad, lanePair<4>> values;
+
+    //- Sums over the points of a cell, for the splines of the cells around it;
+    //  for the hats of the radius
+    template<class Value>
+    struct sums
+    {
+        Value cell[nCells];
+        Value radial[HOOP ? nFaces : 1];
+    };
+
     //- Places around a cell
     struct around
     {
         label cell[nCells];
-        label face[DIM][nFaces];
         scalar lower[DIM], invWidth[DIM];
 
         //- Of a wedge's lower and upper face: r^2, 1/d_f, 2 r_f h/d_f, 1/r_f;
@@ -87,23 +99,6 @@ class boxKernels : public pointKernels
                 rest /= 3;
             }
             s.cell[n] = at;
-        }
-        for (int d = 0; d < DIM; ++d)
-        {
-            for (int n = 0; n < nFaces; ++n)
-            {
-                label at = place + (n % 2) * sums_.stride(d);
-                int rest = n / 2;
-                for (int e = 0; e < DIM; ++e)
-                {
-                    if (e != d)
-                    {
-                        at += step[e][rest % 3];
-                        rest /= 3;
-                    }
-                }
-                s.face[d][n] = at;
-            }
         }
     }
 
@@ -163,47 +158,179 @@ class boxKernels : public pointKernels
         return k;
     }
 
-    //- Add values of the first n lanes times the kernel, four per face
-    static MPM_INLINE void
-    addFaces(const factors& K, const int d, const T (&q)[3], const int n, quad (&acc)[nFaces])
+    //- Steps in sums::cell along d, and the first of a line of three cells along it
+    static constexpr int along(const int d) { return d == 0 ? 1 : d == 1 ? 3 : 9; }
+
+    static constexpr int lineStart(const int d, const int line)
     {
-        alignas(64) double Q[W][4], k[nFaces][W];
-        for (int l = 0; l < W; ++l)
+        return line / along(d) * 3 * along(d) + line % along(d);
+    }
+
+    //- Place of the face of direction d at the lower end of a line's middle cell
+    label placeOf(const around& s, const int d, const int line) const
+    {
+        return s.cell[lineStart(d, line) + along(d)];
+    }
+
+    //- Values q of each of n points to the sums
+    template<class Value>
+    MPM_INLINE void add(const factors& K, const Value (&q)[W], const int n, sums<Value>& to) const
+    {
+        alignas(64) double k[nCells][W];
+        for (int c = 0; c < nCells; ++c)
         {
-            Q[l][0] = q[0][l];
-            Q[l][1] = q[1][l];
-            Q[l][2] = q[2][l];
-            Q[l][3] = 0;
-        }
-        for (int f = 0; f < nFaces; ++f)
-        {
-            store<W>(k[f], faceKernel(K, d, f));
+            store<W>(k[c], cellKernel(K, c));
         }
         for (int l = 0; l < n; ++l)
         {
-            const quad v = mpm::load<4>(Q[l]);
-            for (int f = 0; f < nFaces; ++f)
+            for (int c = 0; c < nCells; ++c)
             {
-                acc[f] += k[f][l] * v;
+                to.cell[c] += k[c][l] * q[l];
+            }
+        }
+        for (int f = 0; HOOP && f < nFaces; ++f)
+        {
+            const T kernel = faceKernel(K, radial_, f);
+            for (int l = 0; l < n; ++l)
+            {
+                to.radial[f] += kernel[l] * q[l];
             }
         }
     }
 
-    void flushFaces(const around& s, quad (&acc)[DIM][nFaces], scalar* face) const
+    //- Call f(place, side, sum) for the faces of direction d, sum of the half of the values
+    //  that has theirs. A hat is one of the splines of three cells in a row,
+    //  n1 = (n2_0 + n2_1 + n2_2)/2 -+ (n2_2 - n2_0)
+    template<class Value, class Function>
+    MPM_INLINE void
+    forFaces(const around& s, const int d, const sums<Value>& of, const Function& f) const
     {
-        for (int f = 0; HOOP && f < nFaces; ++f)
+        const auto part = [&](const Value& q)
         {
-            acc[radial_][f][int(flux)] *= s.invR[f % 2];
-        }
-        for (int d = 0; d < DIM; ++d)
-        {
-            scalar* to = face + size_t(faceStride) * sums_.nPlaces() * d;
-            for (int f = 0; f < nFaces; ++f)
+            if constexpr (std::is_same<Value, quad>::value)
             {
-                scalar* q = to + size_t(faceStride) * s.face[d][f];
-                mpm::store<4>(q, mpm::load<4>(q) + acc[d][f]);
+                return q;
+            }
+            else
+            {
+                return halfOf<4>(q, d > 0);
+            }
+        };
+        for (int line = 0; line < nFaces / 2; ++line)
+        {
+            const label at = placeOf(s, d, line);
+            quad low, high;
+            if (HOOP && d == radial_)
+            {
+                low = part(of.radial[2 * line]);
+                high = part(of.radial[2 * line + 1]);
+            }
+            else
+            {
+                const Value* q = of.cell + lineStart(d, line);
+                const quad a = part(q[0]), b = part(q[along(d)]), c = part(q[2 * along(d)]);
+                const quad half = 0.5 * (a + b + c);
+                low = half - (c - a);
+                high = half + (c - a);
+            }
+            f(at, 0, low);
+            f(at + sums_.stride(d), 1, high);
+        }
+    }
+
+    //- Of the flux at a face of the radius
+    scalar scaleOf(const around& s, const int d, const int side) const
+    {
+        return HOOP && d == radial_ ? s.invR[side] : 1;
+    }
+
+    //- The rows of W values, one of them per point
+    static MPM_INLINE void spread(const T (&row)[4], quad (&q)[W])
+    {
+        for (int h = 0; h < W / 4; ++h)
+        {
+            quad r[4];
+            for (int i = 0; i < 4; ++i)
+            {
+                if constexpr (W == 4)
+                {
+                    r[i] = row[i];
+                }
+                else
+                {
+                    r[i] = halfOf<4>(row[i], h);
+                }
+            }
+            transpose<4>(r);
+            for (int i = 0; i < 4; ++i)
+            {
+                q[4 * h + i] = r[i];
             }
         }
+    }
+
+    //- Volume, flux in each direction, mass and change of volume, one set per point
+    static MPM_INLINE void
+    spread(const T& v, const T (&flux)[DIM], const T& m, const T& dv, values (&q)[W])
+    {
+        const T low[4] = {v, flux[0], m, dv};
+        if constexpr (DIM == 1)
+        {
+            spread(low, q);
+        }
+        else
+        {
+            const T high[4] = {v, flux[1], m, flux[DIM - 1]};
+            quad a[W], b[W];
+            spread(low, a);
+            spread(high, b);
+            for (int l = 0; l < W; ++l)
+            {
+                q[l] = joined<4>(a[l], b[l]);
+            }
+        }
+    }
+
+    //- sum over cells of kernels times values
+    static MPM_INLINE T atPoints(const factors& K, const scalar (&P)[nCells])
+    {
+        T line[nCells / 3];
+        for (int r = 0; r < nCells / 3; ++r)
+        {
+            line[r] = K.n2[0][0] * P[3 * r] + K.n2[0][1] * P[3 * r + 1] + K.n2[0][2] * P[3 * r + 2];
+        }
+        return contracted(K, 0, line);
+    }
+
+    //- The same over the faces of direction d
+    static MPM_INLINE T atPoints(const factors& K, const int d, const scalar (&G)[nFaces])
+    {
+        T line[nCells / 3];
+        for (int r = 0; r < nCells / 3; ++r)
+        {
+            line[r] = K.n1[d][0] * G[2 * r] + K.n1[d][1] * G[2 * r + 1];
+        }
+        return contracted(K, d, line);
+    }
+
+    //- Sums along the directions other than d
+    static MPM_INLINE T contracted(const factors& K, const int d, T (&line)[nCells / 3])
+    {
+        int n = nCells / 3;
+        for (int e = 0; e < DIM; ++e)
+        {
+            if (e == d)
+            {
+                continue;
+            }
+            n /= 3;
+            for (int r = 0; r < n; ++r)
+            {
+                line[r] = K.n2[e][0] * line[3 * r] + K.n2[e][1] * line[3 * r + 1]
+                    + K.n2[e][2] * line[3 * r + 2];
+            }
+        }
+        return line[0];
     }
 
 public:
@@ -224,7 +351,7 @@ public:
         {
             around s;
             prepare(cloud.cells()[k], s);
-            quad acc[DIM][nFaces] = {};
+            sums<quad> acc = {};
             const label end = cloud.start()[k + 1];
             for (label p = cloud.start()[k]; p < end; p += W)
             {
@@ -232,6 +359,7 @@ public:
                 factors K;
                 evaluate(s, x, p, n, K);
                 const T vp = 0.5 * load<W>(v + p);
+                T row[4] = {};
                 for (int d = 0; d < DIM; ++d)
                 {
                     T w = load<W>(way[d] + p);
@@ -240,11 +368,20 @@ public:
                         // Half the change of r^2
                         w *= load<W>(x[d] + p) + 0.5 * w;
                     }
-                    const T q[3] = {T{}, vp * w, T{}};
-                    addFaces(K, d, q, n, acc[d]);
+                    row[d] = vp * w;
                 }
+                quad q[W];
+                spread(row, q);
+                add(K, q, n, acc);
             }
-            flushFaces(s, acc, face);
+            for (int d = 0; d < DIM; ++d)
+            {
+                scalar* to = face + size_t(faceStride) * sums_.nPlaces() * d;
+                forFaces(
+                    s, d, acc,
+                    [&](const label place, const int side, const quad& q)
+                    { to[size_t(faceStride) * place + flux] += q[d] * scaleOf(s, d, side); });
+            }
         }
     }
 
@@ -265,16 +402,15 @@ public:
         {
             around s;
             prepare(cloud.cells()[k], s);
-            quad acc[DIM][nFaces] = {};
-            T dilated[nCells] = {}, filled[nCells] = {};
+            sums<values> acc = {};
             const label end = cloud.start()[k + 1];
             for (label p = cloud.start()[k]; p < end; p += W)
             {
                 const int n = int(min(label(W), end - p));
                 factors K;
                 evaluate(s, x, p, n, K);
-                const T vp = loadPart<W>(v + p, n);
-                const T mp = load<W>(m + p);
+                const T vp = load<W>(v + p);
+                T ways[DIM];
                 for (int d = 0; d < DIM; ++d)
                 {
                     T w = load<W>(way[d] + p);
@@ -282,34 +418,34 @@ public:
                     {
                         w *= load<W>(x[d] + p) - 0.5 * w;
                     }
-                    const T q[3] = {vp, 0.5 * vp * w, mp};
-                    addFaces(K, d, q, n, acc[d]);
+                    ways[d] = 0.5 * vp * w;
                 }
-                T filling = vp;
-                T dv = oldVolume ? vp - loadPart<W>(oldVolume + p, n) : T{};
-                for (int l = n; l < W; ++l)
-                {
-                    filling[l] = dv[l] = 0;
-                }
-                for (int c = 0; c < nCells; ++c)
-                {
-                    const T kernel = cellKernel(K, c);
-                    dilated[c] += kernel * dv;
-                    filled[c] += kernel * filling;
-                }
+                values q[W];
+                spread(vp, ways, load<W>(m + p), oldVolume ? vp - load<W>(oldVolume + p) : T{}, q);
+                add(K, q, n, acc);
             }
-            flushFaces(s, acc, face);
+            for (int d = 0; d < DIM; ++d)
+            {
+                scalar* to = face + size_t(faceStride) * sums_.nPlaces() * d;
+                forFaces(
+                    s, d, acc,
+                    [&](const label place, const int side, quad q)
+                    {
+                        if (d == 2)
+                        {
+                            q[int(flux)] = q[3];
+                        }
+                        q[int(flux)] *= scaleOf(s, d, side);
+                        scalar* at = to + size_t(faceStride) * place;
+                        mpm::store<4>(at, mpm::load<4>(at) + q);
+                    });
+            }
             for (int c = 0; c < nCells; ++c)
             {
-                scalar* q = cell + size_t(cellStride) * s.cell[c];
-                scalar a = 0, b = 0;
-                for (int l = 0; l < W; ++l)
-                {
-                    a += dilated[c][l];
-                    b += filled[c][l];
-                }
-                q[dilation] += a;
-                q[fraction] += b;
+                scalar* at = cell + size_t(cellStride) * s.cell[c];
+                quad q;
+                std::memcpy(&q, &acc.cell[c], sizeof(q));
+                mpm::store<4>(at, mpm::load<4>(at) + q);
             }
         }
     }
@@ -331,19 +467,19 @@ public:
             around s;
             prepare(cloud.cells()[k], s);
             scalar Pc[nCells], Gf[DIM][nFaces];
+            const scalar own = P[s.cell[nCells / 2]];
             for (int c = 0; c < nCells; ++c)
             {
-                Pc[c] = P[s.cell[c]];
+                // Beyond the cell's own: a uniform one is exact
+                Pc[c] = P[s.cell[c]] - own;
             }
             for (int d = 0; d < DIM; ++d)
             {
+                const scalar* of = G + sums_.nPlaces() * d;
                 for (int f = 0; f < nFaces; ++f)
                 {
-                    Gf[d][f] = G[sums_.nPlaces() * d + s.face[d][f]];
-                    if (HOOP && d == radial_)
-                    {
-                        Gf[d][f] *= s.invR[f % 2];
-                    }
+                    Gf[d][f] =
+                        of[placeOf(s, d, f / 2) + f % 2 * sums_.stride(d)] * scaleOf(s, d, f % 2);
                 }
             }
             const label end = cloud.start()[k + 1];
@@ -353,22 +489,11 @@ public:
                 factors K;
                 evaluate(s, x, p, n, K);
 
-                // Around the cell's own pressure: a uniform one is exact
-                const scalar own = Pc[nCells / 2];
-                T Pp = {};
-                for (int c = 0; c < nCells; ++c)
-                {
-                    Pp += cellKernel(K, c) * (Pc[c] - own);
-                }
-                storePart<W>(pressure + p, Pp + own, n);
+                storePart<W>(pressure + p, atPoints(K, Pc) + own, n);
                 const T vp = load<W>(v + p);
                 for (int d = 0; d < DIM; ++d)
                 {
-                    T g = {};
-                    for (int f = 0; f < nFaces; ++f)
-                    {
-                        g += faceKernel(K, d, f) * Gf[d][f];
-                    }
+                    T g = atPoints(K, d, Gf[d]);
                     if (HOOP && d == radial_)
                     {
                         g *= load<W>(x[d] + p);

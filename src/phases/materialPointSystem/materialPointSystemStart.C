@@ -98,6 +98,7 @@ void Foam::mpm::materialPointSystem::readPhases()
     phases_.setSize(names.size());
     fieldOf_.setSize(names.size());
     cellChanges_.setSize(names.size());
+    shares_.setSize(names.size());
     if (properties_.found("outflow"))
     {
         outflow_.reset(new outflowPatches(requiredDict(properties_, "outflow"), grid_));
@@ -425,7 +426,8 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh, rows* fr
     waveRate_(0),
     nRedone_(0),
     dt_(0),
-    tentative_(false)
+    tentative_(false),
+    sharesHold_(false)
 {
     readGravity();
     requireClosed(properties_.objectPath());

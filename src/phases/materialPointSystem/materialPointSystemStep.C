@@ -71,6 +71,17 @@ void Foam::mpm::materialPointSystem::activate(const bool changed)
     }
 }
 
+void Foam::mpm::materialPointSystem::projectPhase(
+    const label phasei, const pointGridTransfer::states state, scalar* mU)
+{
+    materialPointCloud& cloud = phases_[phasei].cloud();
+    if (coupling_)
+    {
+        shares_[phasei].setSize(gridTransfer_->nStencil() * cloud.cells().size());
+    }
+    gridTransfer_->project(cloud, state, mU, shares_[phasei].data());
+}
+
 void Foam::mpm::materialPointSystem::projectAll(const pointGridTransfer::states state)
 {
     const noTraps guard;
@@ -84,10 +95,10 @@ void Foam::mpm::materialPointSystem::projectAll(const pointGridTransfer::states 
         // Nodes of rigid phases have a velocity without their mass
         if (!phases_[phasei].motion())
         {
-            gridTransfer_->project(
-                phases_[phasei].cloud(), state, fields_[fieldOf_[phasei]].momentumNew());
+            projectPhase(phasei, state, fields_[fieldOf_[phasei]].momentumNew());
         }
     }
+    sharesHold_ = coupling_;
     parts_.within(&stepPart::projected, state);
     for (velocityField& field : fields_)
     {
@@ -259,6 +270,7 @@ void Foam::mpm::materialPointSystem::reject()
             field.reject();
         }
         updateWaveRate();
+        sharesHold_ = false;
     }
     if (stressUpdate_->early())
     {
@@ -322,6 +334,25 @@ bool Foam::mpm::materialPointSystem::advance(const scalar dt, scalar& factor)
     updateVaryingWaves();
 
     return true;
+}
+
+const Foam::scalarList& Foam::mpm::materialPointSystem::massShares(const label phasei)
+{
+    if (!sharesHold_)
+    {
+        // After a step that is redone, and at the start
+        forAll(phases_, i)
+        {
+            if (!phases_[i].motion())
+            {
+                const velocityField& field = fields_[fieldOf_[i]];
+                scalarList mU(field.stride() * grid_.nNodes(), scalar(0));
+                projectPhase(i, pointGridTransfer::current, mU.data());
+            }
+        }
+        sharesHold_ = true;
+    }
+    return shares_[phasei];
 }
 
 void Foam::mpm::materialPointSystem::projectAnew(const scalar dt)

@@ -59,11 +59,11 @@ void shapeTransfer<Shape, DIM, HOOP>::weights(
 
 template<template<int> class Shape, int DIM, bool HOOP>
 void shapeTransfer<Shape, DIM, HOOP>::project(
-    materialPointCloud& cloud, const states state, scalar* mU) const
+    materialPointCloud& cloud, const states state, scalar* mU, scalar* share) const
 {
     if (cloud.affine())
     {
-        projectAffine(cloud, state, mU);
+        projectAffine(cloud, state, mU, share);
         return;
     }
 
@@ -78,12 +78,13 @@ void shapeTransfer<Shape, DIM, HOOP>::project(
             {
                 q[d] = q[DIM] * load<W>(U.q[d] + p);
             }
-        });
+        },
+        share);
 }
 
 template<template<int> class Shape, int DIM, bool HOOP>
 void shapeTransfer<Shape, DIM, HOOP>::projectAffine(
-    materialPointCloud& cloud, const states state, scalar* mU) const
+    materialPointCloud& cloud, const states state, scalar* mU, scalar* share) const
 {
     const geometry geo(cloud, state == tentative);
     const scalar* mass = cloud.mass()[0];
@@ -108,7 +109,11 @@ void shapeTransfer<Shape, DIM, HOOP>::projectAffine(
             }
             shape_.scatterAffine(celli, s, X, L, q, A, n, acc);
         },
-        [&](const stencil& s) { shapeType::flush(acc, s.nodes, mU); });
+        [&](const stencil& s)
+        {
+            keepShares(acc, s, DIM, share);
+            shapeType::flush(acc, s.nodes, mU);
+        });
 }
 
 template<template<int> class Shape, int DIM, bool HOOP>
@@ -169,33 +174,6 @@ void shapeTransfer<Shape, DIM, HOOP>::forStencils(
         shape_.prepare(cloud.cells()[k], s);
         f(k, labelUList(const_cast<label*>(s.nodes), shapeType::count(s)));
     }
-}
-
-template<template<int> class Shape, int DIM, bool HOOP>
-void shapeTransfer<Shape, DIM, HOOP>::massShares(materialPointCloud& cloud, scalar* share) const
-{
-    const geometry geo(cloud, false);
-    const scalar* mass = cloud.mass()[0];
-
-    accumulator acc;
-    forGroups(
-        cloud, [&](const stencil&) { acc.clear(); },
-        [&](const stencil& s, label, const label p, const int n)
-        {
-            T X[DIM], L[DIM];
-            geo.load(p, X, L);
-            weightsType S;
-            shape_.evaluate(s, X, L, S);
-            const T q[1] = {load<W>(mass + p)};
-            shapeType::template scatter<1>(S, q, n, acc);
-        },
-        [&](const stencil& s)
-        {
-            for (int i = 0; i < shapeType::maxNodes; ++i)
-            {
-                *share++ = i < shapeType::count(s) ? shapeType::nodeSum(acc, i, 0) : 0;
-            }
-        });
 }
 
 template<template<int> class Shape, int DIM, bool HOOP>
