@@ -254,7 +254,7 @@ Foam::mpm::eulerianFlow::eulerianFlow(
     group_(group),
     g_(g),
     energy_(false),
-    faces_{mesh, {}, {}, {}, {}, {}},
+    faces_{mesh, {}, {}, {}, {}, {}, {}},
     coupled_(mesh),
     theta_(mesh.nCells(), 1),
     rho_(mesh.nCells()),

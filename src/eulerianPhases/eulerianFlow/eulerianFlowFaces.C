@@ -97,9 +97,11 @@ void Foam::mpm::eulerianFlow::setFaces()
 
     faces_.Vb.setSize(mesh_.nFaces() - nInternal);
     faces_.magS.setSize(mesh_.nFaces());
+    faces_.invMagS.setSize(mesh_.nFaces());
     forAll(faces_.magS, f)
     {
         faces_.magS[f] = mag(mesh_.faceAreas()[f]);
+        faces_.invMagS[f] = 1 / max(faces_.magS[f], VSMALL);
     }
     forAll(faces_.Vb, i)
     {
@@ -134,6 +136,12 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
                 near_[nei[f]] = true;
             }
         }
+    }
+
+    changes_.setSize(nCells);
+    for (label c = 0; c < nCells; ++c)
+    {
+        changes_[c] = near_[c] || pores.dilation[c] != 0;
     }
 
     scalarField behind(Wb_.size());

@@ -11,7 +11,12 @@ void Foam::mpm::eulerianGas::keepIsentrope(const label celli, const scalar p)
     const scalar iGm1 = 1 / (gamma - 1);
     const scalar kinetic = 0.5 * magSqr(rhoU_[celli]) / rho_[celli];
     const scalar pNew = (gamma - 1) * (rhoE_[celli] - kinetic) / theta_[celli];
-    const scalar pIsentropic = p * std::pow(rho_[celli] / (theta_[celli] * W_[celli].rho), gamma);
+    const scalar ratio = rho_[celli] / (theta_[celli] * W_[celli].rho);
+    if (gamma <= 2 && pNew >= 0.3 * p * max(sqr(ratio), scalar(1)))
+    {
+        return;
+    }
+    const scalar pIsentropic = p * std::pow(ratio, gamma);
     if (!(pNew >= 0.3 * pIsentropic))
     {
         const scalar E = iGm1 * theta_[celli] * pIsentropic + kinetic;
@@ -37,7 +42,13 @@ void Foam::mpm::eulerianGas::sumFaces(const scalar dt, const solidOnFaces* pores
     if (Porous)
     {
         volumes_.setSize(mesh_.nCells());
-        volumes_ = volumes{0, 0, 0};
+        forAll(volumes_, c)
+        {
+            if (thetaChanges(c))
+            {
+                volumes_[c] = volumes{0, 0, 0};
+            }
+        }
     }
 
     // Nominal flux in the work next to solid keeps p uniform when the limiter
@@ -59,7 +70,7 @@ void Foam::mpm::eulerianGas::sumFaces(const scalar dt, const solidOnFaces* pores
         {
             to.rhoE += sign * s.rhoE;
         }
-        if (Porous)
+        if (Porous && thetaChanges(c))
         {
             volumes& v = volumes_[c];
             v.phi += sign * phi_[f];
@@ -67,13 +78,15 @@ void Foam::mpm::eulerianGas::sumFaces(const scalar dt, const solidOnFaces* pores
             v.solid += sign * pores->phiS[f];
         }
     };
+    const auto room = [&](const label f, const bool near)
+    { return Porous && near ? 1 - pores->thetaS0[f] : 1; };
 
     for (label f = 0; f < nInternal; ++f)
     {
         const label P = own[f], N = nei[f];
         const bool out = limited[f] > 0;
         const sums s(flux(f, upwind ? all.cell(out ? P : N) : (out ? all.own(f) : all.nei(f))));
-        const scalar theta = Porous ? 1 - pores->thetaS0[f] : 1;
+        const scalar theta = room(f, Porous && (near_[P] || near_[N]));
         add(P, 1, s, f, theta);
         add(N, -1, s, f, theta);
     }
@@ -88,7 +101,7 @@ void Foam::mpm::eulerianGas::sumFaces(const scalar dt, const solidOnFaces* pores
                 f,
                 upwind ? (out ? all.cell(P) : all.behind(f - nInternal))
                        : (out ? all.own(f) : all.nei(f))));
-            const scalar theta = Porous ? 1 - pores->thetaS0[f] : 1;
+            const scalar theta = room(f, true);
             add(P, 1, s, f, theta);
             if (books)
             {
@@ -147,7 +160,7 @@ bool Foam::mpm::eulerianGas::newStates(const scalar dt, const solidOnFaces* pore
         {
             rhoE_[c] += dt * (rhoUOld & g_) - h * s.rhoE;
         }
-        if (Porous)
+        if (Porous && thetaChanges(c))
         {
             changeTheta<Energy>(c, h, *pores);
             if (Energy && near_[c])

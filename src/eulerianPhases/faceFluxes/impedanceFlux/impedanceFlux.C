@@ -44,14 +44,29 @@ void Foam::mpm::impedanceFlux::insideFaces(
             {R.w, factor * qR, z, R.w.p, thetaR, VR}, solid->dt, solid->pores, 0, 1, to);
     };
 
-    // Face between two states
+    // Face between two states: Z = z/|S|
+    const auto between = [&](const label f, const state& L, const state& R, const scalar Z)
+    {
+        const scalar uL = L.w.u & S[f], uR = R.w.u & S[f];
+        phi[f] = 0.5 * (uL + uR + (L.w.p - R.w.p) / Z);
+        pStar[f] = 0.5 * (L.w.p + R.w.p + Z * (uL - uR));
+    };
     const auto open = [&](const label f, const state& L, const state& R)
     {
-        const scalar z = std::sqrt(factor * max(L.w.rho * states.q(L), R.w.rho * states.q(R)));
-        const scalar uL = L.w.u & S[f], uR = R.w.u & S[f];
-        phi[f] = 0.5 * (uL + uR + (L.w.p - R.w.p) * magS[f] / z);
-        pStar[f] = 0.5 * (L.w.p + R.w.p + z * (uL - uR) / magS[f]);
+        const scalar z2 = max(L.w.rho * states.q(L), R.w.rho * states.q(R));
+        between(f, L, R, std::sqrt(factor * z2) * faces_.invMagS[f]);
     };
+
+    // A root per cell, not per face
+    scalar* const z = z_.data();
+    if (upwind)
+    {
+        for (label c = 0; c < nCells; ++c)
+        {
+            const state L(states.cell(c));
+            z[c] = std::sqrt(factor * L.w.rho * states.q(L));
+        }
+    }
 
     for (label f = 0; f < nInternal; ++f)
     {
@@ -62,7 +77,7 @@ void Foam::mpm::impedanceFlux::insideFaces(
         }
         else if (upwind)
         {
-            open(f, states.cell(P), states.cell(N));
+            between(f, states.cell(P), states.cell(N), max(z[P], z[N]) * faces_.invMagS[f]);
         }
         else
         {
