@@ -132,17 +132,32 @@ class boxKernels : public pointKernels
         }
     }
 
-    //- Kernels (times V) of cells and of the faces of direction d
-    static MPM_INLINE T cellKernel(const factors& K, const int n)
+    //- Kernels (times V) of the cells, in order
+    static MPM_INLINE void cellKernels(const factors& K, double (&k)[nCells][W])
     {
-        T k = K.n2[0][n % 3];
-        if constexpr (DIM > 1)
-            k *= K.n2[1][(n / 3) % 3];
-        if constexpr (DIM > 2)
-            k *= K.n2[2][n / 9];
-        return k;
+        constexpr int nY = DIM > 1 ? 3 : 1, nZ = DIM > 2 ? 3 : 1;
+        for (int z = 0; z < nZ; ++z)
+        {
+            for (int y = 0; y < nY; ++y)
+            {
+                T row = broadcast<W>(1);
+                if constexpr (DIM > 1)
+                {
+                    row = K.n2[1][y];
+                }
+                if constexpr (DIM > 2)
+                {
+                    row *= K.n2[2][z];
+                }
+                for (int x = 0; x < 3; ++x)
+                {
+                    store<W>(k[(nY * z + y) * 3 + x], row * K.n2[0][x]);
+                }
+            }
+        }
     }
 
+    //- That of face n of direction d
     static MPM_INLINE T faceKernel(const factors& K, const int d, const int n)
     {
         T k = K.n1[d][n % 2];
@@ -177,12 +192,11 @@ class boxKernels : public pointKernels
     MPM_INLINE void add(const factors& K, const Value (&q)[W], const int n, sums<Value>& to) const
     {
         alignas(64) double k[nCells][W];
-        for (int c = 0; c < nCells; ++c)
-        {
-            store<W>(k[c], cellKernel(K, c));
-        }
+        cellKernels(K, k);
         for (int l = 0; l < n; ++l)
         {
+            // Without a loop the sums stay in registers
+#pragma GCC unroll 27
             for (int c = 0; c < nCells; ++c)
             {
                 to.cell[c] += k[c][l] * q[l];
@@ -291,14 +305,43 @@ class boxKernels : public pointKernels
         }
     }
 
+    //- q_0 a_0 + q_1 a_1 + q_2 a_2 for each row of three values
+    template<int N, class Value>
+    static MPM_INLINE void contract(const T (&a)[3], const Value (&q)[3 * N], T (&to)[N])
+    {
+        for (int r = 0; r < N; ++r)
+        {
+            to[r] = a[0] * q[3 * r] + a[1] * q[3 * r + 1] + a[2] * q[3 * r + 2];
+        }
+    }
+
+    //- Sums along the directions other than d
+    static MPM_INLINE T contracted(const factors& K, const int d, const T (&line)[nCells / 3])
+    {
+        if constexpr (DIM == 1)
+        {
+            return line[0];
+        }
+        else if constexpr (DIM == 2)
+        {
+            T sum[1];
+            contract<1>(K.n2[d == 0], line, sum);
+            return sum[0];
+        }
+        else
+        {
+            T row[3], sum[1];
+            contract<3>(K.n2[d == 0], line, row);
+            contract<1>(K.n2[d == 2 ? 1 : 2], row, sum);
+            return sum[0];
+        }
+    }
+
     //- sum over cells of kernels times values
     static MPM_INLINE T atPoints(const factors& K, const scalar (&P)[nCells])
     {
         T line[nCells / 3];
-        for (int r = 0; r < nCells / 3; ++r)
-        {
-            line[r] = K.n2[0][0] * P[3 * r] + K.n2[0][1] * P[3 * r + 1] + K.n2[0][2] * P[3 * r + 2];
-        }
+        contract<nCells / 3>(K.n2[0], P, line);
         return contracted(K, 0, line);
     }
 
@@ -311,26 +354,6 @@ class boxKernels : public pointKernels
             line[r] = K.n1[d][0] * G[2 * r] + K.n1[d][1] * G[2 * r + 1];
         }
         return contracted(K, d, line);
-    }
-
-    //- Sums along the directions other than d
-    static MPM_INLINE T contracted(const factors& K, const int d, T (&line)[nCells / 3])
-    {
-        int n = nCells / 3;
-        for (int e = 0; e < DIM; ++e)
-        {
-            if (e == d)
-            {
-                continue;
-            }
-            n /= 3;
-            for (int r = 0; r < n; ++r)
-            {
-                line[r] = K.n2[e][0] * line[3 * r] + K.n2[e][1] * line[3 * r + 1]
-                    + K.n2[e][2] * line[3 * r + 2];
-            }
-        }
-        return line[0];
     }
 
 public:
@@ -476,10 +499,11 @@ public:
             for (int d = 0; d < DIM; ++d)
             {
                 const scalar* of = G + sums_.nPlaces() * d;
-                for (int f = 0; f < nFaces; ++f)
+                for (int line = 0; line < nFaces / 2; ++line)
                 {
-                    Gf[d][f] =
-                        of[placeOf(s, d, f / 2) + f % 2 * sums_.stride(d)] * scaleOf(s, d, f % 2);
+                    const scalar* q = of + placeOf(s, d, line);
+                    Gf[d][2 * line] = q[0] * scaleOf(s, d, 0);
+                    Gf[d][2 * line + 1] = q[sums_.stride(d)] * scaleOf(s, d, 1);
                 }
             }
             const label end = cloud.start()[k + 1];
