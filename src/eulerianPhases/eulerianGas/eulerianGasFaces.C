@@ -112,12 +112,19 @@ void Foam::mpm::eulerianGas::updateBoundaryStates()
         forAll(patches, patchi)
         {
             const polyPatch& pp = patches[patchi];
-            for (label i = 0; pp.coupled() && i < pp.size(); ++i)
+            if (!pp.coupled())
+            {
+                continue;
+            }
+            fvPatchScalarField& rho0 = rho0_.boundaryFieldRef()[patchi];
+            fvPatchVectorField& U = U_.boundaryFieldRef()[patchi];
+            fvPatchScalarField& p = p_.boundaryFieldRef()[patchi];
+            forAll(pp, i)
             {
                 const gasState& w = Wb_[pp.start() - nInternal + i];
-                rho0_.boundaryFieldRef()[patchi][i] = w.rho;
-                U_.boundaryFieldRef()[patchi][i] = w.u;
-                p_.boundaryFieldRef()[patchi][i] = w.p;
+                rho0[i] = w.rho;
+                U[i] = w.u;
+                p[i] = w.p;
             }
         }
     }
