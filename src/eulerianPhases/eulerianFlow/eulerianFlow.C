@@ -254,7 +254,8 @@ Foam::mpm::eulerianFlow::eulerianFlow(
     group_(group),
     g_(g),
     energy_(false),
-    faces_{mesh, {}, {}, {}, {}, {}, {}},
+    region_(mesh),
+    faces_{mesh, region_, {}, {}, {}, {}, {}, {}},
     coupled_(mesh),
     theta_(mesh.nCells(), 1),
     rho_(mesh.nCells()),
@@ -262,7 +263,7 @@ Foam::mpm::eulerianFlow::eulerianFlow(
     W_(mesh.nCells()),
     Wb_(mesh.nFaces() - mesh.nInternalFaces(), gasState{1, Zero, 1}),
     thetaB_(Wb_.size(), 1),
-    reconstruction_(mesh, coupled_, faces_.boundary, faces_.coupled),
+    reconstruction_(mesh, region_, coupled_, faces_.boundary, faces_.coupled),
     p_(startField<volScalarField>("p", states, word::null)),
     U_(startField<volVectorField>("U", states, group)),
     psi_(computed("psi")),
@@ -300,6 +301,7 @@ void Foam::mpm::eulerianFlow::addSources(
         sources_.append(source{c, momentum[c], ahead.size() ? ahead[c] : vector(Zero), energy[c]});
     }
     addSources(sources_.size() - cells.size(), 1);
+    region_.join();
     velocityChanged();
 }
 
@@ -308,6 +310,7 @@ void Foam::mpm::eulerianFlow::addSources(const label first, const scalar share)
     for (label i = first; i < sources_.size(); ++i)
     {
         const source& s = sources_[i];
+        region_.touch(s.c);
         rhoU_[s.c] += share * s.momentum;
         rhoE_[s.c] += share * s.energy;
         W_[s.c].u = (rhoU_[s.c] + mag(share) * s.ahead) / rho_[s.c];
@@ -394,6 +397,39 @@ void Foam::mpm::eulerianFlow::correct()
     }
     updateFields();
     updateBoundaryStates();
+    if (region_.next(
+            W_, Wb_, faces_.boundary,
+            [&](const label c)
+            { return theta_[c] == 1 && !(near_.size() && near_[c]) && magSqr(rhoU_[c]) == 0; }))
+    {
+        leaveAlone();
+    }
+}
+
+void Foam::mpm::eulerianFlow::leaveAlone()
+{
+    const label nInternal = mesh_.nInternalFaces();
+    forAll(out_, c)
+    {
+        if (!region_.has(c))
+        {
+            out_[c] = 0;
+        }
+    }
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const label c = mesh_.faceOwner()[f];
+        if (!region_.has(c) && !region_.has(mesh_.faceNeighbour()[f]))
+        {
+            phi_[f] = 0;
+            pStar_[f] = W_[c].p;
+            if (phiLimited_.size())
+            {
+                phiLimited_[f] = 0;
+            }
+        }
+    }
+    reconstruction_.leaveAlone();
 }
 
 void Foam::mpm::eulerianFlow::writeFields()

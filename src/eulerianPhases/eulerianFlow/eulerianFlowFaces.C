@@ -122,27 +122,27 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
     const labelUList& nei = mesh_.faceNeighbour();
 
     near_.setSize(nCells + Wb_.size());
-    for (label c = 0; c < nCells; ++c)
+    region_.forCells([&](const label c) { near_[c] = theta_[c] < full; });
+    const auto mark = [&](const label c)
     {
-        near_[c] = theta_[c] < full;
-    }
+        near_[c] = true;
+        region_.touch(c);
+    };
     for (label f = 0; f < mesh_.nFaces(); ++f)
     {
         if (pores.at(f))
         {
-            near_[own[f]] = true;
+            mark(own[f]);
             if (f < nInternal)
             {
-                near_[nei[f]] = true;
+                mark(nei[f]);
             }
         }
     }
+    region_.join();
 
     changes_.setSize(nCells);
-    for (label c = 0; c < nCells; ++c)
-    {
-        changes_[c] = near_[c] || pores.dilation[c] != 0;
-    }
+    region_.forCells([&](const label c) { changes_[c] = near_[c] || pores.dilation[c] != 0; });
 
     scalarField behind(Wb_.size());
     forAll(behind, i)
@@ -237,33 +237,27 @@ void Foam::mpm::eulerianFlow::limitOutflow(const scalar dt, const solidOnFaces* 
     };
 
     limits_ = false;
-    forAll(out_, c)
-    {
-        if (dt * out_[c] > most(c) * V[c])
-        {
-            limits_ = true;
-            break;
-        }
-    }
+    region_.forCells([&](const label c) { limits_ = limits_ || dt * out_[c] > most(c) * V[c]; });
     reduce(limits_, orOp<bool>());
     if (!limits_)
     {
         return;
     }
 
-    forAll(out_, c)
-    {
-        const scalar allowed = most(c) * V[c] / dt;
-        if (out_[c] > allowed)
+    region_.forCells(
+        [&](const label c)
         {
-            out_[c] = allowed / out_[c];
-            ++fixups_.limited;
-        }
-        else
-        {
-            out_[c] = 1;
-        }
-    }
+            const scalar allowed = most(c) * V[c] / dt;
+            if (out_[c] > allowed)
+            {
+                out_[c] = allowed / out_[c];
+                ++fixups_.limited;
+            }
+            else
+            {
+                out_[c] = 1;
+            }
+        });
     scalarField behind(Wb_.size(), 1);
     for (const label f : faces_.coupled)
     {
@@ -273,12 +267,13 @@ void Foam::mpm::eulerianFlow::limitOutflow(const scalar dt, const solidOnFaces* 
 
     // 0 on faces of empty patches and wedges, which the loops below leave out
     phiLimited_.setSize(phi_.size(), 0);
-    for (label f = 0; f < nInternal; ++f)
-    {
-        const label donor = phi_[f] > 0 ? own[f] : nei[f];
-        phiLimited_[f] = phi_[f] * out_[donor];
-        fixups_.heldBack += dt * mag(phi_[f] - phiLimited_[f]) * W_[donor].rho;
-    }
+    region_.forFaces(
+        [&](const label f)
+        {
+            const label donor = phi_[f] > 0 ? own[f] : nei[f];
+            phiLimited_[f] = phi_[f] * out_[donor];
+            fixups_.heldBack += dt * mag(phi_[f] - phiLimited_[f]) * W_[donor].rho;
+        });
     for (const labelList* list : {&faces_.coupled, &faces_.boundary})
     {
         for (const label f : *list)

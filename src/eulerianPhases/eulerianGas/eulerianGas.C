@@ -156,7 +156,9 @@ void Foam::mpm::eulerianGas::primitives()
         found = closure_.correct(
             conserved(), faceRates_,
             {W_, t_, p_.primitiveFieldRef(), U_.primitiveFieldRef(), rho0_.primitiveFieldRef(),
-             hasT ? T_->primitiveFieldRef().data() : nullptr});
+             hasT ? T_->primitiveFieldRef().data() : nullptr},
+            region_);
+        region_.join();
     }
     setRate(found.rate, found.bad);
 }
@@ -184,6 +186,26 @@ void Foam::mpm::eulerianGas::readViscosity(const dictionary& dict)
     viscous_.reset(new viscousFlux(mesh_, faces_, coupled_));
     viscous_->mu = mu_;
     viscous_->kappa = kappa_;
+}
+
+void Foam::mpm::eulerianGas::readRegion(const dictionary& dict)
+{
+    if (!dict.getOrDefault<bool>("activeRegion", false))
+    {
+        return;
+    }
+    const char* why = mag(g_) > 0 ? "gravity acts on it"
+        : viscous_                ? "it is viscous"
+        : t_.size()               ? "it has an equationOfState"
+                                  : nullptr;
+    if (why)
+    {
+        FatalIOErrorInFunction(dict)
+            << "activeRegion of " << name_ << ": " << why
+            << ", and no cell is left alone. Remove activeRegion." << exit(FatalIOError);
+    }
+    const bool upwind = reconstruction_.upwind();
+    region_.use(upwind ? 1 : 2, !upwind && reconstruction_.byCells());
 }
 
 const Foam::volScalarField* Foam::mpm::eulerianGas::transport(scalarField& rhoCv)
@@ -221,7 +243,7 @@ Foam::mpm::eulerianGas::eulerianGas(
     wordList valid(thermo_.keywords());
     valid.append(wordList(
         {"type", "mu", "Pr", "kappa", "viscous", "poreFloor", "faceDrag", "faceFlux",
-         "solidFraction"}));
+         "solidFraction", "activeRegion"}));
     valid.append(faceFlux_->keywords());
     checkKeywords(dict, valid);
 
@@ -233,6 +255,7 @@ Foam::mpm::eulerianGas::eulerianGas(
     setEnergy(thermo_.hasEnergy());
     checkConditions();
     readViscosity(dict);
+    readRegion(dict);
     start(states);
     if (T_ && !restarted_ && thermo_.isGammaLaw())
     {

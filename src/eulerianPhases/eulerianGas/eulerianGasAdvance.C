@@ -38,17 +38,18 @@ void Foam::mpm::eulerianGas::sumFaces(const scalar dt, const solidOnFaces* pores
     const bool upwind = all.upwind();
     const scalarField& limited = phiLimited();
 
-    sums_ = sums{0, Zero, 0};
+    region_.forCells([&](const label c) { sums_[c] = sums{0, Zero, 0}; });
     if (Porous)
     {
         volumes_.setSize(mesh_.nCells());
-        forAll(volumes_, c)
-        {
-            if (thetaChanges(c))
+        region_.forCells(
+            [&](const label c)
             {
-                volumes_[c] = volumes{0, 0, 0};
-            }
-        }
+                if (thetaChanges(c))
+                {
+                    volumes_[c] = volumes{0, 0, 0};
+                }
+            });
     }
 
     // Nominal flux in the work next to solid keeps p uniform when the limiter
@@ -81,15 +82,16 @@ void Foam::mpm::eulerianGas::sumFaces(const scalar dt, const solidOnFaces* pores
     const auto room = [&](const label f, const bool near)
     { return Porous && near ? 1 - pores->thetaS0[f] : 1; };
 
-    for (label f = 0; f < nInternal; ++f)
-    {
-        const label P = own[f], N = nei[f];
-        const bool out = limited[f] > 0;
-        const sums s(flux(f, upwind ? all.cell(out ? P : N) : (out ? all.own(f) : all.nei(f))));
-        const scalar theta = room(f, Porous && (near_[P] || near_[N]));
-        add(P, 1, s, f, theta);
-        add(N, -1, s, f, theta);
-    }
+    region_.forFaces(
+        [&](const label f)
+        {
+            const label P = own[f], N = nei[f];
+            const bool out = limited[f] > 0;
+            const sums s(flux(f, upwind ? all.cell(out ? P : N) : (out ? all.own(f) : all.nei(f))));
+            const scalar theta = room(f, Porous && (near_[P] || near_[N]));
+            add(P, 1, s, f, theta);
+            add(N, -1, s, f, theta);
+        });
     for (const labelList* list : {&faces_.coupled, &faces_.boundary})
     {
         const bool books = flows_ && list == &faces_.boundary;
@@ -148,31 +150,32 @@ bool Foam::mpm::eulerianGas::newStates(const scalar dt, const solidOnFaces* pore
 
     const ownPressure::conserved now(conserved());
     bool positive = true;
-    forAll(sums_, c)
-    {
-        const sums& s = sums_[c];
-        const scalar h = dt / V[c];
-        const scalar rhoOld = rho_[c];
-        const vector rhoUOld(rhoU_[c]);
-        rho_[c] -= h * s.rho;
-        rhoU_[c] += dt * rhoOld * g_ - h * s.rhoU;
-        if (Energy)
+    region_.forCells(
+        [&](const label c)
         {
-            rhoE_[c] += dt * (rhoUOld & g_) - h * s.rhoE;
-        }
-        if (Porous && thetaChanges(c))
-        {
-            changeTheta<Energy>(c, h, *pores);
-            if (Energy && near_[c])
+            const sums& s = sums_[c];
+            const scalar h = dt / V[c];
+            const scalar rhoOld = rho_[c];
+            const vector rhoUOld(rhoU_[c]);
+            rho_[c] -= h * s.rho;
+            rhoU_[c] += dt * rhoOld * g_ - h * s.rhoU;
+            if (Energy)
             {
-                keepIsentrope(c, W_[c].p);
+                rhoE_[c] += dt * (rhoUOld & g_) - h * s.rhoE;
             }
-        }
-        if (Energy)
-        {
-            positive = positive && ownPressure::isPositive(now, c);
-        }
-    }
+            if (Porous && thetaChanges(c))
+            {
+                changeTheta<Energy>(c, h, *pores);
+                if (Energy && near_[c])
+                {
+                    keepIsentrope(c, W_[c].p);
+                }
+            }
+            if (Energy)
+            {
+                positive = positive && ownPressure::isPositive(now, c);
+            }
+        });
     return positive;
 }
 

@@ -138,6 +138,10 @@ void Foam::mpm::eulerianGas::report() const
     {
         Info << nl << "    where theta > 0.5: p " << freeMin << " to " << freeMax;
     }
+    if (region_.used())
+    {
+        Info << ", " << total(region_.size()) << " of " << total(mesh_.nCells()) << " cells active";
+    }
     Info << endl;
     reportFilled();
 }

@@ -5,9 +5,8 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::mpm::ownPressure::found Foam::mpm::ownPressure::gammaLaw(
-    const conserved& from, const faceRates& rates, const primitives& to) const
+    const conserved& from, const faceRates& rates, const primitives& to, activeRegion& region) const
 {
-    const label n = from.rho.size();
     const scalar* const theta = from.theta.cdata();
     const scalar* const rho = from.rho.cdata();
     const vector* const rhoU = from.rhoU.cdata();
@@ -24,29 +23,37 @@ Foam::mpm::ownPressure::found Foam::mpm::ownPressure::gammaLaw(
     const bool energy = thermo_.hasEnergy();
 
     found result{0, -1};
-    for (label c = 0; c < n; ++c)
+    region.forCells(
+        [&](const label c)
+        {
+            gasState& w = W[c];
+            const gasState before(w);
+            const scalar iTheta = 1 / theta[c];
+            w.rho = rho[c] * iTheta;
+            w.u = rhoU[c] / rho[c];
+            w.p = energy ? (gamma - 1) * (rhoE[c] - 0.5 * (rhoU[c] & w.u)) * iTheta
+                         : thermo_.pIsentropic(w.rho);
+
+            p[c] = w.p;
+            U[c] = w.u;
+            rho0[c] = w.rho;
+            if (T)
+            {
+                T[c] = w.p / (w.rho * R);
+            }
+
+            const scalar r =
+                (cmptMag(w.u) & rate[c]) + std::sqrt(gamma * w.p / w.rho) * rateOfAll[c];
+            if (!(w.rho > 0 && w.p > 0 && r < GREAT))
+            {
+                result.bad = result.bad < 0 ? c : result.bad;
+            }
+            result.rate = max(result.rate, r);
+            region.set(c, r, w.rho != before.rho || w.p != before.p || w.u != before.u);
+        });
+    if (region.used())
     {
-        gasState& w = W[c];
-        const scalar iTheta = 1 / theta[c];
-        w.rho = rho[c] * iTheta;
-        w.u = rhoU[c] / rho[c];
-        w.p = energy ? (gamma - 1) * (rhoE[c] - 0.5 * (rhoU[c] & w.u)) * iTheta
-                     : thermo_.pIsentropic(w.rho);
-
-        p[c] = w.p;
-        U[c] = w.u;
-        rho0[c] = w.rho;
-        if (T)
-        {
-            T[c] = w.p / (w.rho * R);
-        }
-
-        const scalar r = (cmptMag(w.u) & rate[c]) + std::sqrt(gamma * w.p / w.rho) * rateOfAll[c];
-        if (!(w.rho > 0 && w.p > 0 && r < GREAT))
-        {
-            result.bad = result.bad < 0 ? c : result.bad;
-        }
-        result.rate = max(result.rate, r);
+        result.rate = region.largestRate();
     }
     return result;
 }

@@ -155,30 +155,31 @@ void Foam::mpm::reconstruction::gradient(const phase& of)
     const labelUList& nei = mesh_.faceNeighbour();
     const label nInternal = mesh_.nInternalFaces();
 
-    grad_ = gradients{Zero, Zero, Zero};
+    region_.forCells([&](const label c) { grad_[c] = gradients{Zero, Zero, Zero}; });
 
-    for (label f = 0; f < nInternal; ++f)
-    {
-        const gasState& P = W[own[f]];
-        const gasState& N = W[nei[f]];
-        const scalar wf = w[f];
-        const vector rho((wf * P.rho + (1 - wf) * N.rho) * S[f]);
-        const vector p((wf * P.p + (1 - wf) * N.p) * S[f]);
-        const tensor u(S[f] * (wf * P.u + (1 - wf) * N.u));
-        gradients& gP = grad_[own[f]];
-        gradients& gN = grad_[nei[f]];
-        gP.rho += rho;
-        gP.p += p;
-        gP.u += u;
-        gN.rho -= rho;
-        gN.p -= p;
-        gN.u -= u;
-        if (jump)
+    region_.forFaces(
+        [&](const label f)
         {
-            gP.p -= (1 - wf) * jump[f] * S[f];
-            gN.p -= wf * jump[f] * S[f];
-        }
-    }
+            const gasState& P = W[own[f]];
+            const gasState& N = W[nei[f]];
+            const scalar wf = w[f];
+            const vector rho((wf * P.rho + (1 - wf) * N.rho) * S[f]);
+            const vector p((wf * P.p + (1 - wf) * N.p) * S[f]);
+            const tensor u(S[f] * (wf * P.u + (1 - wf) * N.u));
+            gradients& gP = grad_[own[f]];
+            gradients& gN = grad_[nei[f]];
+            gP.rho += rho;
+            gP.p += p;
+            gP.u += u;
+            gN.rho -= rho;
+            gN.p -= p;
+            gN.u -= u;
+            if (jump)
+            {
+                gP.p -= (1 - wf) * jump[f] * S[f];
+                gN.p -= wf * jump[f] * S[f];
+            }
+        });
     for (const label f : boundary_)
     {
         const gasState& B = Wb[f - nInternal];
@@ -215,13 +216,14 @@ void Foam::mpm::reconstruction::gradient(const phase& of)
     }
 
     const scalarField& V = mesh_.V();
-    forAll(grad_, c)
-    {
-        const scalar iV = 1 / V[c];
-        grad_[c].rho *= iV;
-        grad_[c].p *= iV;
-        grad_[c].u *= iV;
-    }
+    region_.forCells(
+        [&](const label c)
+        {
+            const scalar iV = 1 / V[c];
+            grad_[c].rho *= iV;
+            grad_[c].p *= iV;
+            grad_[c].u *= iV;
+        });
 }
 
 template<template<class> class Limiter, class Scalar, class Vector>
@@ -253,14 +255,15 @@ void Foam::mpm::reconstruction::limited(const phase& of)
         return r;
     };
 
-    for (label f = 0; f < nInternal; ++f)
-    {
-        const label P = own[f], N = nei[f];
-        const vector d(C[N] - C[P]);
-        const scalar rest = jump ? jump[f] : 0;
-        faces_[f].own = side(W[P], W[N], grad_[P], w[f], d, rest);
-        faces_[f].nei = side(W[N], W[P], grad_[N], 1 - w[f], -d, -rest);
-    }
+    region_.forFaces(
+        [&](const label f)
+        {
+            const label P = own[f], N = nei[f];
+            const vector d(C[N] - C[P]);
+            const scalar rest = jump ? jump[f] : 0;
+            faces_[f].own = side(W[P], W[N], grad_[P], w[f], d, rest);
+            faces_[f].nei = side(W[N], W[P], grad_[N], 1 - w[f], -d, -rest);
+        });
     for (const label f : coupledList_)
     {
         const label patchi = mesh_.boundaryMesh().whichPatch(f);
@@ -342,9 +345,13 @@ void Foam::mpm::reconstruction::refuseTetrahedra() const
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::reconstruction::reconstruction(
-    const fvMesh& mesh, const coupledFaces& coupled, const labelList& boundaryFaces,
-    const labelList& coupledFaceList) :
-    mesh_(mesh), coupled_(coupled), boundary_(boundaryFaces), coupledList_(coupledFaceList)
+    const fvMesh& mesh, const activeRegion& region, const coupledFaces& coupled,
+    const labelList& boundaryFaces, const labelList& coupledFaceList) :
+    mesh_(mesh),
+    region_(region),
+    coupled_(coupled),
+    boundary_(boundaryFaces),
+    coupledList_(coupledFaceList)
 {
     readSchemes();
 
@@ -391,6 +398,24 @@ Foam::mpm::reconstruction::reconstruction(
 Foam::mpm::reconstruction::~reconstruction() = default;
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::reconstruction::leaveAlone()
+{
+    forAll(rates_, c)
+    {
+        if (!region_.has(c))
+        {
+            rates_[c] = rates{0, 0, 0, Zero, Zero};
+        }
+    }
+    forAll(grad_, c)
+    {
+        if (!region_.has(c))
+        {
+            grad_[c] = gradients{Zero, Zero, Zero};
+        }
+    }
+}
 
 Foam::string Foam::mpm::reconstruction::description() const
 {

@@ -15,11 +15,12 @@ void Foam::mpm::reconstruction::fromSlopes()
     const labelUList& nei = mesh_.faceNeighbour();
     const auto side = [&](const label f, const label c)
     { return limitedGradients::fromLanes(slopes.at(c, Cf[f] - C[c])); };
-    for (label f = 0; f < mesh_.nInternalFaces(); ++f)
-    {
-        faces_[f].own = side(f, own[f]);
-        faces_[f].nei = side(f, nei[f]);
-    }
+    region_.forFaces(
+        [&](const label f)
+        {
+            faces_[f].own = side(f, own[f]);
+            faces_[f].nei = side(f, nei[f]);
+        });
     for (const label f : coupledList_)
     {
         faces_[f].own = side(f, own[f]);
@@ -58,14 +59,15 @@ void Foam::mpm::reconstruction::setNearSolid(const UList<gasState>& W, const IsN
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
-    for (label f = 0; f < mesh_.nInternalFaces(); ++f)
-    {
-        if (isNear(f))
+    region_.forFaces(
+        [&](const label f)
         {
-            faces_[f].own = W[own[f]];
-            faces_[f].nei = W[nei[f]];
-        }
-    }
+            if (isNear(f))
+            {
+                faces_[f].own = W[own[f]];
+                faces_[f].nei = W[nei[f]];
+            }
+        });
     for (const label f : coupledList_)
     {
         if (isNear(f))
@@ -86,7 +88,7 @@ void Foam::mpm::reconstruction::changes(
     const UList<gasState>& W = of.W;
     const scalar gamma = General ? 0 : of.thermo->gamma();
 
-    rates_ = rates{0, 0, 0, Zero, Zero};
+    region_.forCells([&](const label c) { rates_[c] = rates{0, 0, 0, Zero, Zero}; });
     const auto add = [&](const label c, const gasState& w, const vector& s)
     {
         const gasState& W0 = W[c];
@@ -100,11 +102,12 @@ void Foam::mpm::reconstruction::changes(
         r.u += us * du;
         r.gradP += dp * s;
     };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        add(own[f], faces_[f].own, S[f]);
-        add(nei[f], faces_[f].nei, -S[f]);
-    }
+    region_.forFaces(
+        [&](const label f)
+        {
+            add(own[f], faces_[f].own, S[f]);
+            add(nei[f], faces_[f].nei, -S[f]);
+        });
     for (const label f : coupledList_)
     {
         add(own[f], faces_[f].own, S[f]);
@@ -125,15 +128,16 @@ void Foam::mpm::reconstruction::changes(
     }
 
     const scalarField& V = mesh_.V();
-    forAll(rates_, c)
-    {
-        rates& r = rates_[c];
-        const gasState& w = W[c];
-        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5 * dt / V[c];
-        r.rho = h * (r.rho + w.rho * r.div);
-        r.u = h * (r.u + r.gradP / w.rho);
-        r.p = h * (r.p + (General ? of.t[c].K : gamma * w.p) * r.div);
-    }
+    region_.forCells(
+        [&](const label c)
+        {
+            rates& r = rates_[c];
+            const gasState& w = W[c];
+            const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5 * dt / V[c];
+            r.rho = h * (r.rho + w.rho * r.div);
+            r.u = h * (r.u + r.gradP / w.rho);
+            r.p = h * (r.p + (General ? of.t[c].K : gamma * w.p) * r.div);
+        });
 }
 
 template<bool General>
@@ -146,27 +150,28 @@ void Foam::mpm::reconstruction::slopeChanges(
     const labelUList& own = mesh_.faceOwner();
     const scalar gamma = General ? 0 : of.thermo->gamma();
 
-    rates_ = rates{0, 0, 0, Zero, Zero};
+    region_.forCells([&](const label c) { rates_[c] = rates{0, 0, 0, Zero, Zero}; });
     for (const label f : wedge_)
     {
         // u_r/r
         rates_[own[f]].div -= (W[own[f]].u & S[f]) / V[own[f]];
     }
-    forAll(rates_, c)
-    {
-        const gasState& w = W[c];
-        const limitedGradients::state x = slopes_->slope(c, 0), y = slopes_->slope(c, 1),
-                                      z = slopes_->slope(c, 2),
-                                      along = x * w.u.x() + y * w.u.y() + z * w.u.z();
+    region_.forCells(
+        [&](const label c)
+        {
+            const gasState& w = W[c];
+            const limitedGradients::state x = slopes_->slope(c, 0), y = slopes_->slope(c, 1),
+                                          z = slopes_->slope(c, 2),
+                                          along = x * w.u.x() + y * w.u.y() + z * w.u.z();
 
-        rates& r = rates_[c];
-        const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5 * dt;
-        const scalar div = r.div + x[1] + y[2] + z[3];
-        const gasState change = limitedGradients::fromLanes(along);
-        r.rho = h * (change.rho + w.rho * div);
-        r.u = h * (change.u + vector(x[4], y[4], z[4]) / w.rho);
-        r.p = h * (change.p + (General ? of.t[c].K : gamma * w.p) * div);
-    }
+            rates& r = rates_[c];
+            const scalar h = nearSolid && (*nearSolid)[c] ? 0 : -0.5 * dt;
+            const scalar div = r.div + x[1] + y[2] + z[3];
+            const gasState change = limitedGradients::fromLanes(along);
+            r.rho = h * (change.rho + w.rho * div);
+            r.u = h * (change.u + vector(x[4], y[4], z[4]) / w.rho);
+            r.p = h * (change.p + (General ? of.t[c].K : gamma * w.p) * div);
+        });
 }
 
 template<bool General>
@@ -210,14 +215,15 @@ void Foam::mpm::reconstruction::predict(
             s = w;
         }
     };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        if (!isNear(f))
+    region_.forFaces(
+        [&](const label f)
         {
-            ahead(own[f], faces_[f].own);
-            ahead(nei[f], faces_[f].nei);
-        }
-    }
+            if (!isNear(f))
+            {
+                ahead(own[f], faces_[f].own);
+                ahead(nei[f], faces_[f].nei);
+            }
+        });
     sidesOfBoundary(of, nearSolid);
     for (const label f : boundary_)
     {

@@ -61,31 +61,44 @@ void Foam::mpm::impedanceFlux::insideFaces(
     scalar* const z = z_.data();
     if (upwind)
     {
-        for (label c = 0; c < nCells; ++c)
+        const auto set = [&](const label c)
         {
             const state L(states.cell(c));
             z[c] = std::sqrt(factor * L.w.rho * states.q(L));
-        }
-    }
-
-    for (label f = 0; f < nInternal; ++f)
-    {
-        const label P = own[f], N = nei[f];
-        if (Porous && (solid->near[P] || solid->near[N]))
+        };
+        if (zOfAll_ && !faces_.region.all())
         {
-            porous(f, states.cell(P), states.cell(N), solid->theta[N], V[N]);
-        }
-        else if (upwind)
-        {
-            between(f, states.cell(P), states.cell(N), max(z[P], z[N]) * faces_.invMagS[f]);
+            faces_.region.forCells(set);
         }
         else
         {
-            open(f, states.own(f), states.nei(f));
+            for (label c = 0; c < nCells; ++c)
+            {
+                set(c);
+            }
         }
-        out[P] += max(phi[f], scalar(0));
-        out[N] -= min(phi[f], scalar(0));
+        zOfAll_ = !faces_.region.all();
     }
+
+    faces_.region.forFaces(
+        [&](const label f)
+        {
+            const label P = own[f], N = nei[f];
+            if (Porous && (solid->near[P] || solid->near[N]))
+            {
+                porous(f, states.cell(P), states.cell(N), solid->theta[N], V[N]);
+            }
+            else if (upwind)
+            {
+                between(f, states.cell(P), states.cell(N), max(z[P], z[N]) * faces_.invMagS[f]);
+            }
+            else
+            {
+                open(f, states.own(f), states.nei(f));
+            }
+            out[P] += max(phi[f], scalar(0));
+            out[N] -= min(phi[f], scalar(0));
+        });
 
     for (const label f : faces_.coupled)
     {
@@ -153,10 +166,19 @@ void Foam::mpm::impedanceFlux::boundaryFaces(
     }
 }
 
+void Foam::mpm::impedanceFlux::clear(const result& to) const
+{
+    faces_.region.forCells([&](const label c) { to.out[c] = 0; });
+    for (const label f : faces_.boundary)
+    {
+        to.out[faces_.mesh.faceOwner()[f]] = 0;
+    }
+}
+
 template<bool General>
 void Foam::mpm::impedanceFlux::all(const gasStates<General>& states, const result& to) const
 {
-    to.out = 0;
+    clear(to);
     insideFaces<false, General, false>(states, nullptr, to);
     boundaryFaces<false>(states, nullptr, to);
 }
@@ -176,7 +198,7 @@ void Foam::mpm::impedanceFlux::flux(const gasStates<true>& states, const result&
 void Foam::mpm::impedanceFlux::flux(
     const gasStates<false>& states, const besideSolid& solid, const result& to) const
 {
-    to.out = 0;
+    clear(to);
     if (solid.pores.area)
     {
         insideFaces<true, false, true>(states, &solid, to);
