@@ -56,7 +56,7 @@ def differing(a, b):
     lacking, n = [], 0
     for root, _, names in os.walk(a.path):
         part = os.path.relpath(root, a.path)
-        if not re.match(r"(processor\d+/)?[\d.e-]+(/|$)", part) or part.endswith("uniform"):
+        if not re.match(r"(processor\d+/)?\d[\d.e-]*(/|$)", part) or part.endswith("uniform"):
             continue
         for name in names:
             n += 1
