@@ -4,7 +4,7 @@ or cube of air and moves with it; GIMP, FLIP, MUSL, first-order gas, sticking dr
     coupledStep.py
 
 prints for each scene ns per (cell + point) and step, and the time of the coupling
-and the gas over that of the points' part; and the same of a block at 300 m/s in 125
+and the gas over that of the points' part; and the same of a block at 300 m/s in 300
 times its volume of air at rest, with activeRegion and without it. Run it on an idle machine (etc/prepare
 sourced). Best of three. Uintah MPM-ICE needs 960 (linear, first order) to 1905 ns.
 """
@@ -25,7 +25,7 @@ SCENES = (("2D, block in a quarter", 2, 128, 0.5, 300),
 
 
 #: The same in air at rest, with the gas' entries
-STILL = tuple((f"3D, block in still air{name}", 3, 64, 0.2, 100, gas)
+STILL = tuple((f"3D, block in still air{name}", 3, 80, 0.15, 100, gas)
               for name, gas in (("", {}), (", activeRegion", {"activeRegion": "yes"})))
 
 

@@ -265,6 +265,12 @@ Foam::mpm::latticeFraction::latticeFraction(
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::mpm::latticeFraction::show(solidOnFaces& pores) const
+{
+    solidFraction::show(pores);
+    pores.faces = &live_.faces();
+}
+
 void Foam::mpm::latticeFraction::keepOwn(const label phasei)
 {
     solidFraction::keepOwn(phasei);

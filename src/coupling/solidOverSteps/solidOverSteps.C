@@ -103,6 +103,7 @@ Foam::mpm::solidOnFaces Foam::mpm::solidOverSteps::mean(const solidOnFaces& last
         area_[f] /= dt_;
     }
     solidOnFaces all(last);
+    all.faces = nullptr;
     all.thetaS0 = thetaS0_.cdata();
     all.thetaS = thetaS_.cdata();
     all.phiS = phiS_.cdata();

@@ -128,17 +128,16 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
         near_[c] = true;
         region_.touch(c);
     };
-    for (label f = 0; f < mesh_.nFaces(); ++f)
-    {
-        if (pores.at(f))
+    pores.forSolid(
+        mesh_.nFaces(),
+        [&](const label f)
         {
             mark(own[f]);
             if (f < nInternal)
             {
                 mark(nei[f]);
             }
-        }
-    }
+        });
     region_.join();
 
     changes_.setSize(nCells);
