@@ -108,11 +108,12 @@ def refused(table):
         try:
             case.run("materialPointFoam")
             message = ""
-        except RunFailed as e:
-            message = " ".join(str(e).split())
-        table.check(f"activeRegion with {label}: refused with a reason",
-                    "Remove activeRegion" in message and "phaseProperties" in message,
-                    message[:200])
+        except RunFailed:
+            message = case.log().split("FOAM FATAL IO ERROR")[-1]
+        table.check(f"activeRegion with {label}: refused with a reason and its place",
+                    "Remove activeRegion" in message
+                    and re.search(r"phaseProperties\S* (at|from) line", message) is not None,
+                    " ".join(message.split())[:200])
 
 
 if __name__ == "__main__":
