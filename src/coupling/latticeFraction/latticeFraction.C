@@ -207,8 +207,7 @@ void Foam::mpm::latticeFraction::findSurface()
             {
                 return Zero;
             }
-            const scalar v = at(face_, f)[pointKernels::volume];
-            return min((1 - eps_) * v / faces_[f].V, most_) * mesh_.faceAreas()[f];
+            return blocked(f) * mesh_.faceAreas()[f];
         },
         [](const label) { return false; });
 }
@@ -261,6 +260,7 @@ Foam::mpm::latticeFraction::latticeFraction(
     largest_(mesh_.nCells(), 0)
 {
     makeFaces();
+    gasPush_.setSize(mesh_.nCells(), Zero);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -311,6 +311,26 @@ void Foam::mpm::latticeFraction::setPressure(const UList<scalar>& p, const UList
             return (1 - eps_) * clip * of.sign * (pN - pO) * of.S / of.V;
         },
         G_);
+    pushAnew(p, pBehind);
+}
+
+Foam::vector Foam::mpm::latticeFraction::pushOf(
+    const label celli, const UList<scalar>& p, const UList<scalar>& pBehind) const
+{
+    return pushOn(
+        celli, p, pBehind,
+        [&](const label f) -> vector { return (1 - blocked(f)) * mesh_.faceAreas()[f]; });
+}
+
+void Foam::mpm::latticeFraction::pushAnew(const UList<scalar>& p, const UList<scalar>& pBehind)
+{
+    // Share of gas in a nearly full cell
+    constexpr scalar full = 0.1;
+
+    for (const label c : live_.cells())
+    {
+        gasPush_[c] = (*gasTheta_)[c] < full ? pushOf(c, p, pBehind) : vector(Zero);
+    }
 }
 
 void Foam::mpm::latticeFraction::gather(const label phasei, const scalarField* pOwn)

@@ -66,10 +66,19 @@ Foam::mpm::solidFraction::solidFraction(
     surface_(points, mesh_),
     own_(points.phases().size()),
     oldVolume_(points.phases().size()),
+    isBetween_(mesh_.nFaces(), false),
     gasTheta_(nullptr),
     gasThetaBehind_(nullptr),
     gasWalls_(nullptr)
 {
+    std::fill_n(isBetween_.begin(), mesh_.nInternalFaces(), true);
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        for (label i = 0; pp.coupled() && i < pp.size(); ++i)
+        {
+            isBetween_[pp.start() + i] = true;
+        }
+    }
     for (materialPointPhase& phase : points.phases())
     {
         phase.cloud().needGas();

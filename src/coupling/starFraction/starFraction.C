@@ -336,7 +336,6 @@ Foam::mpm::starFraction::starFraction(materialPointSystem& points, const diction
     area_(mesh_.nFaces(), Zero),
     areaNew_(mesh_.nFaces(), Zero),
     velocityOfFaces_(mesh_.nFaces(), Zero),
-    isBetween_(mesh_.nFaces(), false),
     ofSector_(points.grid().radial() < 0 ? bitSet() : gridNodes::emptyFaces(mesh_)),
     soundLimit_(mesh_.nFaces(), Zero),
     dense_(points.phases().size()),
@@ -345,7 +344,6 @@ Foam::mpm::starFraction::starFraction(materialPointSystem& points, const diction
     failed_(old_.size(), false)
 {
     gasPush_.setSize(mesh_.nCells(), Zero);
-    std::fill_n(isBetween_.begin(), mesh_.nInternalFaces(), true);
     const bitSet isEmpty(gridNodes::emptyFaces(mesh_));
     scalarField limit(mesh_.nCells());
     forAll(limit, c)
@@ -360,10 +358,6 @@ Foam::mpm::starFraction::starFraction(materialPointSystem& points, const diction
     DynamicList<label> sides;
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        for (label i = 0; pp.coupled() && i < pp.size(); ++i)
-        {
-            isBetween_[pp.start() + i] = true;
-        }
         for (label i = 0; !pp.coupled() && i < pp.size(); ++i)
         {
             if (!isEmpty.test(pp.start() + i))

@@ -322,7 +322,18 @@ void Foam::mpm::eulerianFlow::addHeat(const UList<label>& cells, const UList<sca
 {
     forAll(cells, i)
     {
-        rhoE_[cells[i]] += energy[i];
+        const label c = cells[i];
+        scalar heat = energy[i];
+        if (heat < 0 && !canGet(c, heat))
+        {
+            for (int n = 0; n < 4 && !canGet(c, heat); ++n)
+            {
+                heat *= 0.5;
+            }
+            heat = canGet(c, heat) ? heat : 0;
+            bookFixup(c, (heat - energy[i]) * mesh_.V()[c]);
+        }
+        rhoE_[c] += heat;
     }
 }
 

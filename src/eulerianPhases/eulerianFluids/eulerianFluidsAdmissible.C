@@ -41,6 +41,18 @@ void Foam::mpm::eulerianFluids::contentOf(const label c, const label i, content&
     }
 }
 
+bool Foam::mpm::eulerianFluids::canGet(const label c, const scalar heat) const
+{
+    // Above the energy beyond which no fluid is torn; without such a one anything goes
+    scalar energy = rhoE_[c] - 0.5 * magSqr(rhoU_[c]) / rho_[c];
+    for (label k = 0; k < n_; ++k)
+    {
+        const scalar part = part_[n_ * c + k];
+        energy -= part > 0 ? part * min(mixture_.surely(k), ROOTVGREAT) : 0;
+    }
+    return keepsEnergy(energy, heat);
+}
+
 bool Foam::mpm::eulerianFluids::isState(const label k, const label c) const
 {
     const scalar rho = rho_[c];

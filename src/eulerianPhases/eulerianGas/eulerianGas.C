@@ -188,6 +188,11 @@ void Foam::mpm::eulerianGas::readViscosity(const dictionary& dict)
     viscous_->kappa = kappa_;
 }
 
+bool Foam::mpm::eulerianGas::canGet(const label c, const scalar heat) const
+{
+    return !thermo_.isGammaLaw() || keepsEnergy(rhoE_[c] - 0.5 * magSqr(rhoU_[c]) / rho_[c], heat);
+}
+
 void Foam::mpm::eulerianGas::readRegion(const dictionary& dict)
 {
     if (!dict.getOrDefault<bool>("activeRegion", false))
