@@ -64,14 +64,11 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     }
     const vector ug((gas_.rhoU()[celli] + given) / rho);
     vector seen(Us - ug), relative(seen);
-    if (ahead_.size())
+    seen -= ahead_[celli] / rho;
+    relative -= (before_ + dt) / rho * fraction_.gasPush()[celli];
+    if (before_ > 0)
     {
-        seen -= ahead_[celli] / rho;
-        relative -= (before_ + dt) / rho * fraction_.gasPush()[celli];
-        if (before_ > 0)
-        {
-            seen -= aheadBefore_[celli] / rho;
-        }
+        seen -= aheadBefore_[celli] / rho;
     }
 
     const scalar solid = fraction_.theta()[celli];
@@ -119,10 +116,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     const scalar shared = M < GREAT ? rho * M / (rho + M) : rho;
     const scalar a = dt * K / shared;
     const vector J(a / (1 + a) * shared * relative);
-    if (ahead_.size())
-    {
-        ahead_[celli] += a / (1 + a) * shared * (seen - relative);
-    }
+    ahead_[celli] += a / (1 + a) * shared * (seen - relative);
     held_[celli] += surface ? 0 : rho * M * a / (rho * (1 + a) + M);
 
     J_[celli] += J;
@@ -215,10 +209,7 @@ void Foam::mpm::dragExchange::clear()
     {
         J_[c] = Zero;
         Q_[c] = 0;
-        if (ahead_.size())
-        {
-            ahead_[c] = Zero;
-        }
+        ahead_[c] = Zero;
         Kc_[c] = held_[c] = 0;
     }
     cells_.clear();
@@ -230,7 +221,6 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     const int stride = field.stride();
     startImpulse(field);
     const scalar* U = atCells(phasei);
-    const bool exact = ahead_.size();
     given_.clear();
     forDragged(
         phasei,
@@ -242,16 +232,9 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
             const scalar V = fraction_.mesh().V()[celli];
             const vector J(impulse(phasei, celli, M / V, mU / M, thetaS, A, dt));
             take(nodes, share, stride, V, M, J);
-            if (exact)
-            {
-                given_.append(given{J, (mU - V * J) / M});
-            }
+            given_.append(given{J, (mU - V * J) / M});
         });
     addImpulse(phasei);
-    if (!exact)
-    {
-        return;
-    }
 
     // U_s after is that of the nodes, which other cells move and hold too
     U = atCells(phasei);
@@ -345,6 +328,7 @@ Foam::mpm::dragExchange::dragExchange(
     form_(solidOnFaces::none),
     J_(fraction.mesh().nCells(), Zero),
     Q_(fraction.mesh().nCells(), 0),
+    ahead_(fraction.mesh().nCells(), Zero),
     before_(0),
     Kc_(fraction.mesh().nCells(), 0),
     held_(fraction.mesh().nCells(), 0),
@@ -373,7 +357,6 @@ Foam::mpm::dragExchange::dragExchange(
 void Foam::mpm::dragExchange::exchange(const scalar dt)
 {
     clear();
-    ahead_.setSize(fraction_.gasPush().size(), Zero);
     present_.clear();
     work_ = toBodies_ = 0;
     if (normalOnly_)
@@ -486,10 +469,7 @@ void Foam::mpm::dragExchange::keep(const scalar dt)
         }
         Jbefore_[c] += J_[c];
         Qbefore_[c] += Q_[c];
-        if (ahead_.size())
-        {
-            aheadBefore_[c] += ahead_[c];
-        }
+        aheadBefore_[c] += ahead_[c];
     }
     before_ += dt;
 }
@@ -517,10 +497,7 @@ void Foam::mpm::dragExchange::addToGas()
         hasBefore_[c] = false;
         Jbefore_[c] = Zero;
         Qbefore_[c] = 0;
-        if (aheadBefore_.size())
-        {
-            aheadBefore_[c] = Zero;
-        }
+        aheadBefore_[c] = Zero;
     }
     cellsBefore_.clear();
     before_ = 0;

@@ -260,7 +260,6 @@ Foam::mpm::latticeFraction::latticeFraction(
     largest_(mesh_.nCells(), 0)
 {
     makeFaces();
-    gasPush_.setSize(mesh_.nCells(), Zero);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

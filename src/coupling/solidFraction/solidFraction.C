@@ -63,6 +63,7 @@ Foam::mpm::solidFraction::solidFraction(
     dragLimit_(mesh_.nFaces(), 0),
     theta_(mesh_.nCells(), 0),
     dilation_(mesh_.nCells(), 0),
+    gasPush_(mesh_.nCells(), Zero),
     surface_(points, mesh_),
     own_(points.phases().size()),
     oldVolume_(points.phases().size()),

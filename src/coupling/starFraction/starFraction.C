@@ -343,7 +343,6 @@ Foam::mpm::starFraction::starFraction(materialPointSystem& points, const diction
     around1_(mesh_.nCells(), Zero),
     failed_(old_.size(), false)
 {
-    gasPush_.setSize(mesh_.nCells(), Zero);
     const bitSet isEmpty(gridNodes::emptyFaces(mesh_));
     scalarField limit(mesh_.nCells());
     forAll(limit, c)
