@@ -313,22 +313,38 @@ void Foam::mpm::latticeFraction::setPressure(const UList<scalar>& p, const UList
     pushAnew(p, pBehind);
 }
 
-Foam::vector Foam::mpm::latticeFraction::pushOf(
-    const label celli, const UList<scalar>& p, const UList<scalar>& pBehind) const
-{
-    return pushOn(
-        celli, p, pBehind,
-        [&](const label f) -> vector { return (1 - blocked(f)) * mesh_.faceAreas()[f]; });
-}
-
 void Foam::mpm::latticeFraction::pushAnew(const UList<scalar>& p, const UList<scalar>& pBehind)
 {
     // Share of gas in a nearly full cell
     constexpr scalar full = 0.1;
 
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const scalarField& V = mesh_.V();
+    const vectorField& S = mesh_.faceAreas();
     for (const label c : live_.cells())
     {
-        gasPush_[c] = (*gasTheta_)[c] < full ? pushOf(c, p, pBehind) : vector(Zero);
+        gasPush_[c] = Zero;
+    }
+    for (const label f : live_.faces())
+    {
+        const label i = f - nei.size();
+        const scalar thetaO = (*gasTheta_)[own[f]];
+        const scalar thetaN = i < 0 ? (*gasTheta_)[nei[f]] : (*gasThetaBehind_)[i];
+        if (!isBetween_[f] || !(min(thetaO, thetaN) < full))
+        {
+            continue;
+        }
+        const scalar jump = (i < 0 ? p[nei[f]] : pBehind[i]) - p[own[f]];
+        const vector push((1 - blocked(f)) * jump / (thetaO + thetaN) * S[f]);
+        if (thetaO < full)
+        {
+            gasPush_[own[f]] -= thetaO / V[own[f]] * push;
+        }
+        if (i < 0 && thetaN < full)
+        {
+            gasPush_[nei[f]] -= thetaN / V[nei[f]] * push;
+        }
     }
 }
 
