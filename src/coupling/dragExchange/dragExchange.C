@@ -221,6 +221,7 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     const int stride = field.stride();
     startImpulse(field);
     const scalar* U = atCells(phasei);
+    const bool exact = fraction_.pushes();
     given_.clear();
     forDragged(
         phasei,
@@ -232,9 +233,16 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
             const scalar V = fraction_.mesh().V()[celli];
             const vector J(impulse(phasei, celli, M / V, mU / M, thetaS, A, dt));
             take(nodes, share, stride, V, M, J);
-            given_.append(given{J, (mU - V * J) / M});
+            if (exact)
+            {
+                given_.append(given{J, (mU - V * J) / M});
+            }
         });
     addImpulse(phasei);
+    if (!exact)
+    {
+        return;
+    }
 
     // U_s after is that of the nodes, which other cells move and hold too
     U = atCells(phasei);

@@ -70,7 +70,8 @@ Foam::mpm::solidFraction::solidFraction(
     isBetween_(mesh_.nFaces(), false),
     gasTheta_(nullptr),
     gasThetaBehind_(nullptr),
-    gasWalls_(nullptr)
+    gasWalls_(nullptr),
+    oneGas_(false)
 {
     std::fill_n(isBetween_.begin(), mesh_.nInternalFaces(), true);
     for (const polyPatch& pp : mesh_.boundaryMesh())
