@@ -11,6 +11,7 @@
               the scenes
     memory    one of them does not depend on what memory held before, to the last digit
     stops     points at walls are put back; a volume that turns over stops with its point
+    pores     gas in the pores of bodies that collide goes on
 
     test.py [fluids|solids] [first last]     other seeds than 0 to 39, and 0 to 19 and 65
 """
@@ -187,13 +188,24 @@ def stops(table, _):
                 "stressUpdate USL with shapeFunction linear" in case.log("materialPointFoam"))
 
 
+def pores(table, _):
+    """Air squeezed at the axis of a wedge between bodies (latticeFraction: gasPush), which
+    stopped by fix-ups; water in pores that owed more heat than it had (addHeat)."""
+    for seed in (309, 344, 161):
+        scene = solidScenes.draw(seed)
+        case = solidScenes.write(scene, 200, f"pores{seed}")
+        why, slow = run(scene, case, 60)
+        table.check(f"solids {seed}: the gas in their pores goes on", why is None and not slow,
+                    why or "")
+
+
 def main():
     table = Report("randomScenes")
     words = [a for a in sys.argv[1:] if not a.isdigit()]
     numbers = [int(a) for a in sys.argv[1:] if a.isdigit()]
     # In 65 the fluids' steps are made of halves beside the solids
     for part, seeds in ((fluids, range(40)), (solids, [*range(20), 65]), (memory, None),
-                        (stops, None)):
+                        (stops, None), (pores, None)):
         if not words or part.__name__ in words:
             part(table, range(*numbers) if numbers else seeds)
     return table.finish()
