@@ -221,7 +221,7 @@ void Foam::mpm::dragExchange::dragNodes(const label phasei, const scalar dt)
     const int stride = field.stride();
     startImpulse(field);
     const scalar* U = atCells(phasei);
-    const bool exact = fraction_.pushes();
+    const bool exact = fraction_.dragByNodes();
     given_.clear();
     forDragged(
         phasei,

@@ -172,7 +172,7 @@ Foam::mpm::gasCoupling::gasCoupling(
             << " material points a phase of type gas needs thermo perfectGas or"
             << " isentropic." << nl << "With this equation:  type fluid;" << exit(FatalIOError);
     }
-    fraction_->beside(gas.theta(), gas.thetaBehind(), gas.walls(), gas.oneThermo());
+    fraction_->beside(gas.theta(), gas.thetaBehind(), gas.walls());
     fraction_->show(pores_);
     drag_.show(pores_);
 

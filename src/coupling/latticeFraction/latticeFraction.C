@@ -318,10 +318,6 @@ void Foam::mpm::latticeFraction::pushAnew(const UList<scalar>& p, const UList<sc
     // Share of gas in a nearly full cell
     constexpr scalar full = 0.1;
 
-    if (!oneGas_)
-    {
-        return;
-    }
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
     const scalarField& V = mesh_.V();

@@ -103,7 +103,19 @@ void Foam::mpm::pressureForce::dryPressure(const label phasei)
     {
         std::fill(pressure, pressure + cloud.size(), scalar(0));
     }
-    else if (const column* damage = cloud.damage())
+    else
+    {
+        const scalar* v = cloud.volume()[0];
+        const scalar* ofGas = (*cloud.gasVolume())[0];
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            if (ofGas[p] < v[p])
+            {
+                pressure[p] = 0;
+            }
+        }
+    }
+    if (const column* damage = cloud.damage())
     {
         for (label p = 0; p < cloud.size(); ++p)
         {

@@ -17,25 +17,37 @@ defineRunTimeSelectionTable(solidFraction, dictionary);
 
 void Foam::mpm::solidFraction::updateVolumes()
 {
+    // Volume over that of the unstressed material beyond which no solid holds together
+    constexpr scalar apart = 1.25;
+
     for (materialPointPhase& phase : points_.phases())
     {
         materialPointCloud& cloud = phase.cloud();
+        const scalar rho = phase.rho();
         const scalar* v = cloud.volume()[0];
         const scalar* m = cloud.mass()[0];
         scalar* to = (*cloud.gasVolume())[0];
-        if (phase.grains())
+        if (phase.grains() || phase.motion())
         {
-            const scalar rho = phase.rho();
             for (label p = 0; p < cloud.size(); ++p)
             {
-                to[p] = m[p] / rho;
+                to[p] = phase.grains() ? m[p] / rho : v[p];
             }
             continue;
         }
-        std::copy(v, v + cloud.size(), to);
+
+        const bool pushes = phase.law().pushesGrown();
+        const scalar least = -3 * phase.referencePressure();
+        const column& sigma = cloud.stress();
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            const bool grown = rho * v[p] > apart * m[p];
+            to[p] = grown && !(pushes && sigma[0][p] + sigma[1][p] + sigma[2][p] < least)
+                ? apart * m[p] / rho
+                : v[p];
+        }
         if (const column* damage = cloud.damage())
         {
-            const scalar rho = phase.law().rho();
             for (label p = 0; p < cloud.size(); ++p)
             {
                 if ((*damage)[0][p] >= 1)
@@ -70,8 +82,7 @@ Foam::mpm::solidFraction::solidFraction(
     isBetween_(mesh_.nFaces(), false),
     gasTheta_(nullptr),
     gasThetaBehind_(nullptr),
-    gasWalls_(nullptr),
-    oneGas_(false)
+    gasWalls_(nullptr)
 {
     std::fill_n(isBetween_.begin(), mesh_.nInternalFaces(), true);
     for (const polyPatch& pp : mesh_.boundaryMesh())

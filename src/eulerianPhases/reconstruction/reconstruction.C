@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "reconstruction.H"
+#include "boxSides.H"
 #include "limitedGradients.H"
 #include "dictionaryTools.H"
 #include "nearWords.H"
@@ -378,7 +379,18 @@ Foam::mpm::reconstruction::reconstruction(
             skew_.clear();
         }
         grad_.setSize(!byCells_ && (own_.size() || skew_.size()) ? mesh.nCells() : 0);
-        rates_.setSize(mesh.nCells());
+        if (own_.size() && !byCells_ && returnReduce(wedge_.empty(), andOp<bool>()))
+        {
+            boxes_ = boxSides::New(mesh, region);
+        }
+        if (boxes_)
+        {
+            grad_.clear();
+        }
+        else
+        {
+            rates_.setSize(mesh.nCells());
+        }
         swap_.setSize(mesh.nFaces() - mesh.nInternalFaces());
     }
     if (!upwind_ && !byCells_ && own_.empty())
@@ -459,6 +471,11 @@ void Foam::mpm::reconstruction::update(
             slopes_->update(W, Wb);
         }
         fromSlopes();
+        halfStep(dt, of, nearSolid);
+        return;
+    }
+    if (boxes_)
+    {
         halfStep(dt, of, nearSolid);
         return;
     }

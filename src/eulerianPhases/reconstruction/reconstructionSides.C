@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "reconstruction.H"
+#include "boxSides.H"
 #include "limitedGradients.H"
 #include "leastSquaresVectors.H"
 
@@ -228,29 +229,60 @@ void Foam::mpm::reconstruction::predict(
     for (const label f : boundary_)
     {
         ahead(own[f], faces_[f].own);
-        faces_[f].nei = of.Wb[f - nInternal];
     }
     for (const label f : wedge_)
     {
         faces_[f].own = W[own[f]];
         ahead(own[f], faces_[f].own);
     }
-    if (!coupled_.empty())
+    for (const label f : coupledList_)
     {
-        for (const label f : coupledList_)
+        if (!isNear(f))
         {
-            if (!isNear(f))
-            {
-                ahead(own[f], faces_[f].own);
-            }
-            swap_[f - nInternal] = faces_[f].own;
-        }
-        coupled_.swap(swap_);
-        for (const label f : coupledList_)
-        {
-            faces_[f].nei = swap_[f - nInternal];
+            ahead(own[f], faces_[f].own);
         }
     }
+    sidesBehind(of);
+}
+
+void Foam::mpm::reconstruction::sidesBehind(const phase& of)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    for (const label f : boundary_)
+    {
+        faces_[f].nei = of.Wb[f - nInternal];
+    }
+    if (coupled_.empty())
+    {
+        return;
+    }
+    for (const label f : coupledList_)
+    {
+        swap_[f - nInternal] = faces_[f].own;
+    }
+    coupled_.swap(swap_);
+    for (const label f : coupledList_)
+    {
+        faces_[f].nei = swap_[f - nInternal];
+    }
+}
+
+void Foam::mpm::reconstruction::predictOnBoxes(
+    const scalar dt, const phase& of, const boolUList* nearSolid)
+{
+    boxes_->update(own_, dt, of, nearSolid, faces_);
+    for (const labelList* list : {&boundary_, &coupledList_})
+    {
+        for (const label f : *list)
+        {
+            const label c = mesh_.faceOwner()[f];
+            if (!region_.has(c))
+            {
+                faces_[f].own = of.W[c];
+            }
+        }
+    }
+    sidesBehind(of);
 }
 
 void Foam::mpm::reconstruction::setTerms(const phase& of)
@@ -301,18 +333,26 @@ void Foam::mpm::reconstruction::setTerms(const phase& of)
 void Foam::mpm::reconstruction::halfStep(
     const scalar dt, const phase& of, const boolUList* nearSolid)
 {
-    if (of.thermo && of.thermo->isGammaLaw())
+    const bool gamma = of.thermo && of.thermo->isGammaLaw();
+    if (boxes_)
+    {
+        predictOnBoxes(dt, of, nearSolid);
+    }
+    else if (gamma)
     {
         predict<false>(dt, of, nearSolid);
     }
     else
     {
-        terms_.setSize(faces_.size());
         predict<true>(dt, of, nearSolid);
-        if (of.thermo)
-        {
-            setTerms(of);
-        }
+    }
+    if (!gamma)
+    {
+        terms_.setSize(faces_.size());
+    }
+    if (!gamma && of.thermo)
+    {
+        setTerms(of);
     }
 }
 

@@ -11,7 +11,7 @@
               the scenes
     memory    one of them does not depend on what memory held before, to the last digit
     stops     points at walls are put back; a volume that turns over stops with its point
-    pores     gas in the pores of bodies that collide goes on
+    pores     gas in the pores of bodies that collide goes on; so do points drawn apart
 
     test.py [fluids|solids] [first last]     other seeds than 0 to 39, and 0 to 19 and 65
 """
@@ -190,8 +190,9 @@ def stops(table, _):
 
 def pores(table, _):
     """Air squeezed at the axis of a wedge between bodies (latticeFraction: gasPush), which
-    stopped by fix-ups; water in pores that owed more heat than it had (addHeat)."""
-    for seed in (309, 344, 161):
+    stopped by fix-ups, and water; water in pores that owed more heat than it had (addHeat);
+    points drawn apart, which overfilled their cells (solidFraction: updateVolumes)."""
+    for seed in (309, 344, 395, 161, 202, 226, 456):
         scene = solidScenes.draw(seed)
         case = solidScenes.write(scene, 200, f"pores{seed}")
         why, slow = run(scene, case, 60)
