@@ -2,6 +2,7 @@
 
 #include "boxSides.H"
 #include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -53,13 +54,13 @@ struct SuperBee
 
 bool Foam::mpm::boxSides::find()
 {
-    // Share of a width by which boxes may differ
-    constexpr scalar tolerance = 1e-6;
+    // Of an area or a way along an axis
+    constexpr scalar straight = 1 - 1e-12;
 
     const vectorField& S = mesh_.faceAreas();
-    const vectorField& Cf = mesh_.faceCentres();
     const vectorField& C = mesh_.cellCentres();
-    const scalarField& V = mesh_.V();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
     const label nInternal = mesh_.nInternalFaces();
 
     nDim_ = 0;
@@ -67,47 +68,53 @@ bool Foam::mpm::boxSides::find()
     {
         if (mesh_.geometricD()[d] > 0)
         {
-            direction_[nDim_] = d;
-            inverse_[nDim_] = 0;
-            ++nDim_;
+            direction_[nDim_++] = d;
         }
     }
-    if (nDim_ != mesh_.nSolutionD())
-    {
-        return false;
-    }
-
-    boolList empty(mesh_.nFaces() - nInternal, false);
+    boolList skipped(mesh_.nFaces() - nInternal, false);
+    bool wedge = false;
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
+        const bool side = isA<wedgePolyPatch>(pp);
+        wedge = wedge || side;
         for (label i = 0; i < pp.size(); ++i)
         {
-            empty[pp.start() - nInternal + i] = isA<emptyPolyPatch>(pp);
+            skipped[pp.start() - nInternal + i] = side || isA<emptyPolyPatch>(pp);
             coupled_[pp.start() - nInternal + i] = pp.coupled();
         }
     }
+    const auto along = [&](const vector& v)
+    {
+        const scalar least = straight * mag(v);
+        int d = 0;
+        while (d < nDim_ && mag(v[direction_[d]]) < least)
+        {
+            ++d;
+        }
+        return d;
+    };
 
     links_.setSize(nDim_ * mesh_.nCells(), link{{0, 0}, {-1, -1}});
-    forAll(V, c)
+    wedgeSides_.setSize(wedge ? mesh_.nCells() : 0, FixedList<label, 2>(label(-1)));
+    for (label c = 0; c < mesh_.nCells(); ++c)
     {
         for (const label f : mesh_.cells()[c])
         {
             const label i = f - nInternal;
-            if (i >= 0 && empty[i])
+            if (i >= 0 && skipped[i])
             {
+                if (wedge)
+                {
+                    wedgeSides_[c][wedgeSides_[c][0] >= 0] = f;
+                }
                 continue;
             }
-            const bool owner = mesh_.faceOwner()[f] == c;
-            const scalar area = mag(S[f]);
-            int d = 0;
-            while (d < nDim_ && mag(S[f][direction_[d]]) < (1 - sqr(tolerance)) * area)
-            {
-                ++d;
-            }
-            if (d == nDim_)
+            const int d = along(S[f]);
+            if (d == nDim_ || (i < 0 && along(C[nei[f]] - C[own[f]]) != d))
             {
                 return false;
             }
+            const bool owner = own[f] == c;
             const bool above = (S[f][direction_[d]] > 0) == owner;
             link& l = links_[nDim_ * c + d];
             if (l.side[above] >= 0)
@@ -115,21 +122,12 @@ bool Foam::mpm::boxSides::find()
                 return false;
             }
             l.side[above] = owner ? 2 * f : 2 * f + 1;
-            l.of[above] = i >= 0 ? -1 - i : owner ? mesh_.faceNeighbour()[f] : mesh_.faceOwner()[f];
-
-            // Of one width with all others, half of it to its faces
-            const scalar inverse = area / V[c];
-            inverse_[d] = inverse_[d] > 0 ? inverse_[d] : inverse;
-            if (mag(inverse - inverse_[d]) > tolerance * inverse_[d]
-                || mag(mag(Cf[f] - C[c]) * inverse - 0.5) > tolerance)
-            {
-                return false;
-            }
+            l.of[above] = i >= 0 ? -1 - i : owner ? nei[f] : own[f];
         }
     }
     for (const link& l : links_)
     {
-        if (l.side[0] < 0 || l.side[1] < 0)
+        if (l.side[1] < 0 || (l.side[0] < 0 && !wedge))
         {
             return false;
         }
@@ -137,7 +135,66 @@ bool Foam::mpm::boxSides::find()
     return true;
 }
 
-template<class Limiter, bool General, bool Near>
+void Foam::mpm::boxSides::measure()
+{
+    // Share of a width by which boxes of one size may differ
+    constexpr scalar tolerance = 1e-9;
+
+    const scalarField& V = mesh_.V();
+    const label nInternal = mesh_.nInternalFaces();
+    const surfaceScalarField& weights = mesh_.surfaceInterpolation::weights();
+    const surfaceScalarField& deltas = mesh_.surfaceInterpolation::deltaCoeffs();
+
+    // Of the neighbour seen from the owner; distance of the centres
+    scalarField v(mesh_.nFaces(), 1), d(mesh_.nFaces(), 0);
+    for (label f = 0; f < nInternal; ++f)
+    {
+        v[f] = 1 - weights[f];
+        d[f] = 1 / deltas[f];
+    }
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        for (label i = 0; patch.coupled() && i < patch.size(); ++i)
+        {
+            v[patch.start() + i] = 1 - patch.weights()[i];
+            d[patch.start() + i] = mag(patch.delta()()[i]);
+        }
+    }
+
+    widths_.setSize(links_.size());
+    bool uniform = wedgeSides_.empty();
+    forAll(links_, at)
+    {
+        const link& l = links_[at];
+        widths& w = widths_[at];
+        const int dir = at % nDim_;
+        for (int i = 0; i < 2; ++i)
+        {
+            const label f = l.side[i] >> 1;
+            const bool none = l.side[i] < 0;
+            w.v[i] = none ? 0 : l.side[i] & 1 ? 1 - v[f] : v[f];
+            w.inverse[i] = none ? 0 : mag(mesh_.faceAreas()[f]) / V[at / nDim_];
+        }
+        for (int i = 0; i < 2; ++i)
+        {
+            const scalar to = l.side[i] < 0 ? 0 : 2 * d[l.side[i] >> 1];
+            w.own[i] = to * w.inverse[i] * w.v[i] - 1;
+            w.other[i] = to * w.inverse[1 - i] * w.v[1 - i];
+            if (at < nDim_)
+            {
+                inverse_[dir] = w.inverse[i];
+            }
+            uniform = uniform && mag(w.inverse[i] - inverse_[dir]) < tolerance * inverse_[dir]
+                && (mag(w.v[i] - 0.5) < tolerance || w.v[i] == 1);
+        }
+    }
+    if (uniform)
+    {
+        widths_.clear();
+    }
+}
+
+template<class Limiter, bool General, bool Near, bool Uniform>
 void Foam::mpm::boxSides::loop(
     const scalar dt, const reconstruction::phase& of, const boolUList* nearSolid,
     gasState* sides) const
@@ -148,6 +205,13 @@ void Foam::mpm::boxSides::loop(
     const scalar gamma = General ? 0 : of.thermo->gamma();
     const label nCells = mesh_.nCells();
     const int D = nDim_;
+
+    // v limiter(r) of the difference o at a face i, with q at the other one; oo, oq: products
+    const auto share = [](const widths& w, const int i, const scalar oo, const scalar oq)
+    {
+        return Uniform ? 0.5 * Limiter::weight(oq, oo)
+                       : w.v[i] * Limiter::weight(w.own[i] * oo + w.other[i] * oq, oo);
+    };
 
     region_.forCells(
         [&](const label c)
@@ -161,63 +225,81 @@ void Foam::mpm::boxSides::loop(
             vector ofU(Zero), gradP(Zero);
             for (int d = 0; d < D; ++d)
             {
-                // From below to the cell, from the cell to above
+                // From below to the cell, from the cell to above. In boxes of one size the cell
+                // behind a boundary is as far away as others
                 const link& l = links[d];
+                const widths& width = widths_.cdata()[Uniform ? 0 : D * c + d];
                 gasState by[2];
                 bool behind[2];
                 for (int i = 0; i < 2; ++i)
                 {
                     const label b = l.of[i];
-                    const gasState& n = b < 0 ? Wb[-1 - b] : W[b];
-                    const scalar rest =
-                        jump ? (l.side[i] & 1 ? -jump[l.side[i] >> 1] : jump[l.side[i] >> 1]) : 0;
-                    behind[i] = b < 0 && !coupled_[-1 - b];
-                    const scalar s = (i ? 1 : -1) * (behind[i] ? 2 : 1);
+                    const bool none = !Uniform && l.side[i] < 0;
+                    const gasState& n = none ? w : b < 0 ? Wb[-1 - b] : W[b];
+                    const scalar rest = jump && !none
+                        ? (l.side[i] & 1 ? -jump[l.side[i] >> 1] : jump[l.side[i] >> 1])
+                        : 0;
+                    behind[i] = none || (b < 0 && !coupled_[-1 - b]);
+                    const scalar s = (i ? 1 : -1) * (Uniform && behind[i] ? 2 : 1);
                     by[i].rho = s * (n.rho - w.rho);
                     by[i].u = s * (n.u - w.u);
                     by[i].p = s * (n.p - rest - w.p);
                 }
-                const gasState& b = by[0];
-                const gasState& a = by[1];
-                const scalar rho = 0.5 * Limiter::weight(a.rho * b.rho, sqr(a.rho)) * a.rho;
-                const scalar p = 0.5 * Limiter::weight(a.p * b.p, sqr(a.p)) * a.p;
-                const scalar ab = a.u & b.u;
-                slope[d][0] = gasState{-rho, -0.5 * Limiter::weight(ab, magSqr(b.u)) * b.u, -p};
-                slope[d][1] = gasState{rho, 0.5 * Limiter::weight(ab, magSqr(a.u)) * a.u, p};
 
                 gasState change{0, Zero, 0};
+                const scalar rhos = by[0].rho * by[1].rho, ps = by[0].p * by[1].p,
+                             us = by[0].u & by[1].u;
                 for (int i = 0; i < 2; ++i)
                 {
-                    gasState& s = slope[d][i];
+                    const gasState& o = by[i];
                     const label n = l.of[i];
                     const scalar sign = i ? 1 : -1;
+                    gasState& s = slope[d][i];
                     still[d][i] =
                         Near && !behind[i] && (near || (*nearSolid)[n < 0 ? nCells - 1 - n : n]);
-                    if (behind[i])
+                    if (behind[i] || still[d][i])
                     {
                         s = gasState{0, Zero, 0};
-                        change.rho += 0.5 * by[i].rho;
-                        change.u += 0.5 * by[i].u;
-                        change.p += 0.5 * by[i].p;
                     }
-                    else if (still[d][i])
+                    else if (Uniform && i && !behind[0] && !still[d][0])
                     {
-                        s = gasState{0, Zero, 0};
+                        s.rho = -slope[d][0].rho;
+                        s.p = -slope[d][0].p;
+                        s.u = share(width, i, magSqr(o.u), us) * o.u;
                     }
                     else
                     {
-                        change.rho += sign * s.rho;
-                        change.u += sign * s.u;
-                        change.p += sign * s.p;
+                        s.rho = sign * share(width, i, sqr(o.rho), rhos) * o.rho;
+                        s.p = sign * share(width, i, sqr(o.p), ps) * o.p;
+                        s.u = sign * share(width, i, magSqr(o.u), us) * o.u;
+                    }
+
+                    // Of the face less that of the cell
+                    const scalar k = Uniform ? inverse_[d] : width.inverse[i];
+                    if (behind[i])
+                    {
+                        const scalar half = Uniform ? 0.5 * k : k;
+                        change.rho += half * o.rho;
+                        change.u += half * o.u;
+                        change.p += half * o.p;
+                    }
+                    else
+                    {
+                        change.rho += sign * k * s.rho;
+                        change.u += sign * k * s.u;
+                        change.p += sign * k * s.p;
                     }
                 }
                 const int k = direction_[d];
-                const scalar flow = inverse_[d] * w.u[k];
-                div += inverse_[d] * change.u[k];
-                ofRho += flow * change.rho;
-                ofU += flow * change.u;
-                ofP += flow * change.p;
-                gradP[k] = inverse_[d] * change.p;
+                div += change.u[k];
+                if (!Uniform)
+                {
+                    div += w.u[k] * (width.inverse[1] - width.inverse[0]);
+                }
+                ofRho += w.u[k] * change.rho;
+                ofU += w.u[k] * change.u;
+                ofP += w.u[k] * change.p;
+                gradP[k] = change.p;
             }
 
             const scalar h = near ? 0 : -0.5 * dt;
@@ -226,14 +308,27 @@ void Foam::mpm::boxSides::loop(
                 w.p + h * (ofP + (General ? of.t[c].K : gamma * w.p) * div)};
             const scalar leastRho = 0.1 * w.rho;
             const scalar leastP = General ? w.p - 0.9 * of.t[c].strength : 0.1 * w.p;
+            const auto kept = [&](const gasState& to)
+            { return to.rho < leastRho || to.p < leastP ? w : to; };
             for (int d = 0; d < D; ++d)
             {
                 for (int i = 0; i < 2; ++i)
                 {
                     const gasState& s = slope[d][i];
-                    const gasState to{ahead.rho + s.rho, ahead.u + s.u, ahead.p + s.p};
-                    sides[links[d].side[i]] =
-                        still[d][i] || to.rho < leastRho || to.p < leastP ? w : to;
+                    const label side = links[d].side[i];
+                    if (Uniform || side >= 0)
+                    {
+                        sides[side] = still[d][i]
+                            ? w
+                            : kept({ahead.rho + s.rho, ahead.u + s.u, ahead.p + s.p});
+                    }
+                }
+            }
+            if (!Uniform && wedgeSides_.size())
+            {
+                for (const label f : wedgeSides_[c])
+                {
+                    sides[2 * f] = kept(ahead);
                 }
             }
         });
@@ -244,23 +339,20 @@ void Foam::mpm::boxSides::choose(
     const scalar dt, const reconstruction::phase& of, const boolUList* nearSolid,
     gasState* sides) const
 {
-    const bool gamma = of.thermo && of.thermo->isGammaLaw();
-    if (gamma && nearSolid)
+    const auto chosen = [&](auto general, auto near, auto uniform)
     {
-        loop<Limiter, false, true>(dt, of, nearSolid, sides);
-    }
-    else if (gamma)
+        loop<Limiter, decltype(general)::value, decltype(near)::value, decltype(uniform)::value>(
+            dt, of, nearSolid, sides);
+    };
+    const auto ofNear = [&](auto general, auto near)
     {
-        loop<Limiter, false, false>(dt, of, nearSolid, sides);
-    }
-    else if (nearSolid)
-    {
-        loop<Limiter, true, true>(dt, of, nearSolid, sides);
-    }
-    else
-    {
-        loop<Limiter, true, false>(dt, of, nearSolid, sides);
-    }
+        widths_.empty() ? chosen(general, near, std::true_type())
+                        : chosen(general, near, std::false_type());
+    };
+    const auto ofGeneral = [&](auto general)
+    { nearSolid ? ofNear(general, std::true_type()) : ofNear(general, std::false_type()); };
+    of.thermo&& of.thermo->isGammaLaw() ? ofGeneral(std::false_type())
+                                        : ofGeneral(std::true_type());
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -272,6 +364,10 @@ Foam::mpm::boxSides::New(const fvMesh& mesh, const activeRegion& region)
     if (!returnReduce(found->find(), andOp<bool>()))
     {
         found.clear();
+    }
+    else
+    {
+        found->measure();
     }
     return found;
 }

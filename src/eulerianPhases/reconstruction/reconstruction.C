@@ -379,7 +379,7 @@ Foam::mpm::reconstruction::reconstruction(
             skew_.clear();
         }
         grad_.setSize(!byCells_ && (own_.size() || skew_.size()) ? mesh.nCells() : 0);
-        if (own_.size() && !byCells_ && returnReduce(wedge_.empty(), andOp<bool>()))
+        if (own_.size() && !byCells_)
         {
             boxes_ = boxSides::New(mesh, region);
         }

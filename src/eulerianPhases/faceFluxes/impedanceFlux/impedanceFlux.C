@@ -25,7 +25,6 @@ void Foam::mpm::impedanceFlux::insideFaces(
     const labelUList& nei = mesh.faceNeighbour();
     const vector* const S = mesh.faceAreas().cdata();
     const scalarField& V = mesh.V();
-    const scalar* const magS = faces_.magS.cdata();
     const bool upwind = states.upwind();
     const scalar factor = states.factor();
     scalar* const phi = to.phi.data();
