@@ -3,6 +3,7 @@
 #include "boxSides.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -95,7 +96,7 @@ bool Foam::mpm::boxSides::find()
     };
 
     links_.setSize(nDim_ * mesh_.nCells(), link{{0, 0}, {-1, -1}});
-    wedgeSides_.setSize(wedge ? mesh_.nCells() : 0, FixedList<label, 2>(label(-1)));
+    wedgeSides_.setSize(wedge ? mesh_.nCells() : 0, FixedList<label, 4>(label(-1)));
     for (label c = 0; c < mesh_.nCells(); ++c)
     {
         for (const label f : mesh_.cells()[c])
@@ -105,7 +106,8 @@ bool Foam::mpm::boxSides::find()
             {
                 if (wedge)
                 {
-                    wedgeSides_[c][wedgeSides_[c][0] >= 0] = f;
+                    FixedList<label, 4>& sides = wedgeSides_[c];
+                    *std::find(sides.begin(), sides.end() - 1, -1) = f;
                 }
                 continue;
             }
@@ -328,7 +330,10 @@ void Foam::mpm::boxSides::loop(
             {
                 for (const label f : wedgeSides_[c])
                 {
-                    sides[2 * f] = kept(ahead);
+                    if (f >= 0)
+                    {
+                        sides[2 * f] = kept(ahead);
+                    }
                 }
             }
         });

@@ -250,6 +250,8 @@ Foam::mpm::eulerianFlow::eulerianFlow(
     const fvMesh& mesh, const word& name, const word& group, const vector& g,
     const fieldStates* states) :
     mesh_(mesh),
+    V_(mesh.V()),
+    S_(mesh.faceAreas()),
     name_(name),
     group_(group),
     g_(g),
@@ -331,7 +333,7 @@ void Foam::mpm::eulerianFlow::addHeat(const UList<label>& cells, const UList<sca
                 heat *= 0.5;
             }
             heat = canGet(c, heat) ? heat : 0;
-            bookFixup(c, (heat - energy[i]) * mesh_.V()[c]);
+            bookFixup(c, (heat - energy[i]) * V_[c]);
         }
         rhoE_[c] += heat;
     }

@@ -77,8 +77,8 @@ void Foam::mpm::eulerianFlow::setFaces()
     faceRates_.all.setSize(mesh_.nCells(), 0);
     const auto add = [&](const label f, const label c)
     {
-        const vector& S = mesh_.faceAreas()[f];
-        const scalar h = 0.5 / mesh_.V()[c];
+        const vector& S = S_[f];
+        const scalar h = 0.5 / V_[c];
         faceRates_.directions[c] += h * cmptMag(S);
         faceRates_.all[c] += h * mag(S);
     };
@@ -100,12 +100,12 @@ void Foam::mpm::eulerianFlow::setFaces()
     faces_.invMagS.setSize(mesh_.nFaces());
     forAll(faces_.magS, f)
     {
-        faces_.magS[f] = mag(mesh_.faceAreas()[f]);
+        faces_.magS[f] = mag(S_[f]);
         faces_.invMagS[f] = 1 / max(faces_.magS[f], VSMALL);
     }
     forAll(faces_.Vb, i)
     {
-        faces_.Vb[i] = mesh_.V()[mesh_.faceOwner()[nInternal + i]];
+        faces_.Vb[i] = V_[mesh_.faceOwner()[nInternal + i]];
     }
     coupled_.swap(faces_.Vb);
 }
@@ -215,8 +215,7 @@ void Foam::mpm::eulerianFlow::addWedgeSides(const boolList* first)
             const label P = mesh_.faceOwner()[f];
             if (!(first && (*first)[P]))
             {
-                sums_[P].rhoU +=
-                    (reconstruction_.faces()[f].own.p - W_[P].p) * mesh_.faceAreas()[f];
+                sums_[P].rhoU += (reconstruction_.faces()[f].own.p - W_[P].p) * S_[f];
             }
         }
     }

@@ -197,7 +197,7 @@ void Foam::mpm::eulerianFluids::restore(const scalar dt)
     }
     forAll(sums_, c)
     {
-        const scalar h = dt / mesh_.V()[c];
+        const scalar h = dt / V_[c];
         rho_[c] += h * sums_[c].rho;
         rhoU_[c] += h * sums_[c].rhoU;
         rhoE_[c] += h * sums_[c].rhoE;
@@ -286,7 +286,7 @@ bool Foam::mpm::eulerianFluids::boundFaces(const solidOnFaces* pores)
         }
         if (faces_.wall[i])
         {
-            const vector& S = mesh_.faceAreas()[f];
+            const vector& S = S_[f];
             pStar_[f] = W_[P].p + (jump_.size() ? weight_[f] : scalar(0))
                 + z_[P] * ((W_[P].u - Wb_[i].u) & S) / faces_.magS[f];
         }
@@ -322,7 +322,7 @@ void Foam::mpm::eulerianFluids::addBounded(
     contentOf(P, -1, L);
     contentOf(N, i, R);
     const scalar magS = faces_.magS[f];
-    const vector n(mesh_.faceAreas()[f] / magS);
+    const vector n(S_[f] / magS);
     const scalar uL = L.w->u & n, uR = R.w->u & n;
     const scalar wP = jump_.size() ? weight_[f] : scalar(0);
     const scalar pL = L.w->p + wP, pR = R.w->p + (jump_.size() ? wP - jump_[f] : scalar(0));
@@ -373,7 +373,7 @@ void Foam::mpm::eulerianFluids::addBounded(
             if (slot >= 0)
             {
                 fluidMixture::share& to = shares_[n_ * slot + k];
-                const scalar h = sign * dt / mesh_.V()[c];
+                const scalar h = sign * dt / V_[c];
                 to.A -= h * volume;
                 to.m -= h * m;
                 to.e0 -= h * e;

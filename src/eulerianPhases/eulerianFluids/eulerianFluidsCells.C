@@ -176,7 +176,7 @@ void Foam::mpm::eulerianFluids::addFluids(
         const auto add = [&](const label slot, const label c, const scalar sign)
         {
             fluidMixture::share& to = shares_[n_ * slot + k];
-            const scalar h = sign * dt / mesh_.V()[c];
+            const scalar h = sign * dt / V_[c];
             to.A -= h * volume;
             to.m -= h * m;
             to.e0 -= h * e;
@@ -207,7 +207,7 @@ void Foam::mpm::eulerianFluids::addFace(
 {
     // The pressure acts on what the solid leaves of the face
     sums& to = sums_[c];
-    vector open(mesh_.faceAreas()[f]);
+    vector open(S_[f]);
     if (pores)
     {
         open *= 1 - pores->thetaS0[f];
@@ -352,7 +352,7 @@ void Foam::mpm::eulerianFluids::keepIsentrope(
     if (!(pNew >= 0.3 * pIsentropic))
     {
         const scalar E = theta_[c] * pIsentropic / (gamma - 1) + kinetic;
-        bookFixup(c, (E - rhoE_[c]) * mesh_.V()[c]);
+        bookFixup(c, (E - rhoE_[c]) * V_[c]);
         rhoE_[c] = E;
         ++fixups_.isentropic;
     }

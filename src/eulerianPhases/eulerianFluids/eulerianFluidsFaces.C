@@ -82,7 +82,7 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
             }
             w.p = p[i];
             w.u = U[i];
-            const bool closed = faces_.wall[b] && (w.u & mesh_.faceAreas()[pp.start() + i]) >= 0;
+            const bool closed = faces_.wall[b] && (w.u & S_[pp.start() + i]) >= 0;
             if (ofCell || closed)
             {
                 alpha[0] = -1;
@@ -313,7 +313,7 @@ static inline Foam::scalar lowMachShare(
 inline void Foam::mpm::eulerianFluids::face(
     const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR)
 {
-    const vector& S = mesh_.faceAreas()[f];
+    const vector& S = S_[f];
     const scalar magS = faces_.magS[f];
     const scalar uL = (L.u & S) / magS, uR = (R.u & S) / magS;
     const scalar sum = zL + zR;
@@ -414,7 +414,7 @@ void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
     for (const label f : faces_.boundary)
     {
         const label P = mesh_.faceOwner()[f], i = f - nInternal;
-        const vector& S = mesh_.faceAreas()[f];
+        const vector& S = S_[f];
         const bool first = upwind || first_[P];
         const bool close = pores && near_[P];
         const gasState& L = first ? W_[P] : reconstruction_.faces()[f].own;

@@ -78,7 +78,7 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
                    << "A smaller maxCoGas in system/controlDict helps.";
                 whyBad_ = os.str();
             }
-            dropped_ += of.m * mesh_.V()[c];
+            dropped_ += of.m * V_[c];
             of = {0, 0, 0};
         }
         else
@@ -87,7 +87,7 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
             // can't be squared
             const scalar trace = max(1e-30 * rho_[c] * of.A - of.m, scalar(0));
             of.m += trace;
-            dropped_ -= trace * mesh_.V()[c];
+            dropped_ -= trace * V_[c];
             only = k;
             ++several;
             (isGas(k) ? gas : other) = true;
@@ -224,7 +224,7 @@ bool Foam::mpm::eulerianFluids::heatCell(
         {
             return false;
         }
-        bookFixup(c, (E - rhoE_[c]) * mesh_.V()[c]);
+        bookFixup(c, (E - rhoE_[c]) * V_[c]);
         rhoE_[c] = E;
         p = P;
         ++relaxed_;
@@ -233,7 +233,7 @@ bool Foam::mpm::eulerianFluids::heatCell(
     if (p > most)
     {
         const scalar E = mixture_.at(part, mass, most, F).energy + kinetic;
-        bookFixup(c, (E - rhoE_[c]) * mesh_.V()[c]);
+        bookFixup(c, (E - rhoE_[c]) * V_[c]);
         rhoE_[c] = E;
         p = most;
         ++voids_;
@@ -241,7 +241,7 @@ bool Foam::mpm::eulerianFluids::heatCell(
     if (gas && wet == 1 && p < least)
     {
         const scalar E = mixture_.raise(share, p, least, part);
-        bookFixup(c, E * mesh_.V()[c]);
+        bookFixup(c, E * V_[c]);
         rhoE_[c] += E;
         ++voids_;
     }
@@ -382,7 +382,7 @@ void Foam::mpm::eulerianFluids::burn(const scalar dt)
             {
                 continue;
             }
-            const scalar h = dt / mesh_.V()[c];
+            const scalar h = dt / V_[c];
             const scalar m = s < 0 ? rho_[c] - h * sums_[c].rho : shares_[n_ * s + k].m;
             const scalar was = burnt_[n_ * c + k];
             const scalar mF = mass_[n_ * c + k] * was - h * burntOut_[j][c];
@@ -431,7 +431,7 @@ Foam::scalar Foam::mpm::eulerianFluids::burntShare(const label k) const
     scalar all = 0, burnt = 0;
     forAll(W_, c)
     {
-        const scalar m = mesh_.V()[c] * mass_[n_ * c + k];
+        const scalar m = V_[c] * mass_[n_ * c + k];
         all += m;
         burnt += m * burnt_[n_ * c + k];
     }

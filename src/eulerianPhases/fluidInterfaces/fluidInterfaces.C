@@ -309,11 +309,14 @@ void Foam::mpm::fluidInterfaces::setMeans(const contents& of)
     pointMeans_.setSize(nShares_ * mesh.nPoints());
     shares_.setSize(nShares_ * mesh.nCells());
     marked_ = false;
-    for (const label c : cells_)
+    forAll(cells_, s)
     {
-        for (const label p : mesh.cellPoints()[c])
+        if (isSharp(s))
         {
-            marked_[p] = true;
+            for (const label p : mesh.cellPoints()[cells_[s]])
+            {
+                marked_[p] = true;
+            }
         }
     }
     const bool sync = Pstream::parRun() || !coupled_.empty();
@@ -331,10 +334,13 @@ void Foam::mpm::fluidInterfaces::setMeans(const contents& of)
     const labelListList& pointCells = mesh.pointCells();
     forAll(marked_, p)
     {
-        scalar* mean = pointMeans_.begin() + nShares_ * p;
-        std::fill_n(mean, nShares_, 0.0);
+        if (marked_[p] || sync)
+        {
+            std::fill_n(pointMeans_.begin() + nShares_ * p, nShares_, 0.0);
+        }
         if (marked_[p])
         {
+            scalar* mean = pointMeans_.begin() + nShares_ * p;
             const scalar* w = weights_.cdata() + weightStart_[p];
             for (const label c : pointCells[p])
             {
@@ -383,7 +389,7 @@ void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
             vector& g = gradient_[nShares_ * s + k];
             g = Zero;
             const scalar own = shares_[nShares_ * c + k];
-            if (!(own > wisp && own < 1 - wisp))
+            if (!(own > wisp && own < 1 - wisp) || !(interface_[nShares_ * s + k] > 0))
             {
                 continue;
             }
@@ -417,7 +423,12 @@ void Foam::mpm::fluidInterfaces::setGradients(const contents& of)
 
 Foam::mpm::fluidInterfaces::fluidInterfaces(
     const gasFaces& faces, const coupledFaces& coupled, const label nFluids) :
-    faces_(faces), coupled_(coupled), n_(nFluids), nShares_(nFluids == 2 ? 1 : nFluids)
+    faces_(faces),
+    V_(faces.mesh.V()),
+    S_(faces.mesh.faceAreas()),
+    coupled_(coupled),
+    n_(nFluids),
+    nShares_(nFluids == 2 ? 1 : nFluids)
 {
     setWidths();
     setWeights();
@@ -449,6 +460,8 @@ void Foam::mpm::fluidInterfaces::setTransverse(const contents& of, const scalarF
     const label nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
+    const vectorField& S = mesh.faceAreas();
+    const cellList& cells = mesh.cells();
     transverse_.setSize(nShares_ * cells_.size());
     forAll(cells_, s)
     {
@@ -457,7 +470,7 @@ void Foam::mpm::fluidInterfaces::setTransverse(const contents& of, const scalarF
         {
             transverse_[nShares_ * s + k] = Zero;
         }
-        for (const label f : mesh.cells()[c])
+        for (const label f : cells[c])
         {
             const bool isOwn = own[f] == c;
             const scalar in = isOwn ? -phi[f] : phi[f];
@@ -466,13 +479,13 @@ void Foam::mpm::fluidInterfaces::setTransverse(const contents& of, const scalarF
             {
                 continue;
             }
-            const symmTensor nn(sqr(mesh.faceAreas()[f]) * (in / sqr(faces_.magS[f])));
+            const symmTensor nn(sqr(S[f]) * (in * sqr(faces_.invMagS[f])));
+            const scalar* there = f >= nInternal
+                ? of.alphaB.cdata() + n_ * (f - nInternal)
+                : shares_.cdata() + nShares_ * (isOwn ? nei[f] : own[f]);
             for (label k = 0; k < nShares_; ++k)
             {
-                const scalar there = f >= nInternal ? of.alphaB[n_ * (f - nInternal) + k]
-                                                    : of.part[n_ * (isOwn ? nei[f] : own[f]) + k]
-                        / of.theta[isOwn ? nei[f] : own[f]];
-                transverse_[nShares_ * s + k] += (there - of.part[n_ * c + k] / of.theta[c]) * nn;
+                transverse_[nShares_ * s + k] += (there[k] - shares_[nShares_ * c + k]) * nn;
             }
         }
     }
@@ -488,15 +501,14 @@ inline Foam::scalar Foam::mpm::fluidInterfaces::halfStep(
 void Foam::mpm::fluidInterfaces::sharesOfCell(
     const contents& of, const label f, const label c, const scalar dt, scalar* alpha) const
 {
-    const vector n(faces_.mesh.faceAreas()[f] / faces_.magS[f]);
+    const vector n(S_[f] / faces_.magS[f]);
     scalar sum = 0;
     for (label k = 0; k < n_; ++k)
     {
         alpha[k] = of.part[n_ * c + k] / of.theta[c];
         if (k < nShares_ && alpha[k] > wisp && alpha[k] < 1 - wisp)
         {
-            alpha[k] =
-                halfStep(alpha[k], slot_[c], k, n, 0.5 * dt / (faces_.mesh.V()[c] * of.theta[c]));
+            alpha[k] = halfStep(alpha[k], slot_[c], k, n, 0.5 * dt / (V_[c] * of.theta[c]));
         }
         else if (alpha[k] <= wisp)
         {
@@ -518,7 +530,6 @@ void Foam::mpm::fluidInterfaces::shares(
     const contents& of, const label f, const label D, const bool fromOwner, const scalar dt,
     const scalar phi, const scalar out, const scalar* receiver, scalar* alpha) const
 {
-    const fvMesh& mesh = faces_.mesh;
     const scalar* part = of.part.cdata() + n_ * D;
     const scalar theta = of.theta[D];
     if (single_[D] >= 0)
@@ -531,8 +542,8 @@ void Foam::mpm::fluidInterfaces::shares(
     }
 
     const label s = slot_[D];
-    const scalar V = mesh.V()[D];
-    const vector n((fromOwner ? 1 : -1) * mesh.faceAreas()[f] / faces_.magS[f]);
+    const scalar V = V_[D];
+    const vector n((fromOwner ? 1 : -1) * S_[f] / faces_.magS[f]);
     const scalar h = fromOwner ? widthOwn_[f] : widthNei_[f];
     const scalar lambda = min(scalar(1), mag(phi) * dt / (theta * faces_.magS[f] * h));
     for (label k = 0; k < nShares_; ++k)
@@ -541,12 +552,13 @@ void Foam::mpm::fluidInterfaces::shares(
         if (a > wisp && a < 1 - wisp)
         {
             a = halfStep(a, s, k, n, 0.5 * dt / (V * theta));
+            const scalar sharpness = interface_[nShares_ * s + k];
             const vector& g = gradient_[nShares_ * s + k];
-            const scalar size = mag(g), own = part[k] / theta;
-            const scalar along = (g & n) / max(size, VSMALL);
+            const scalar size = sharpness > 0 ? mag(g) : 0, own = part[k] / theta;
             const scalar contrast = size * h / (V * own * (1 - own));
-            const scalar b = beta * mag(along) * interface_[nShares_ * s + k]
-                * min(max((contrast - mixed) / (sharp - mixed), 0.0), 1.0);
+            const scalar along = contrast > mixed ? (g & n) / max(size, VSMALL) : 0;
+            const scalar b =
+                beta * mag(along) * sharpness * min((contrast - mixed) / (sharp - mixed), 1.0);
             if (b > 1e-3)
             {
                 a = tangent(a, along > 0 ? 1 : -1, b, lambda);
