@@ -342,6 +342,7 @@ Foam::mpm::dragExchange::dragExchange(
     held_(fraction.mesh().nCells(), 0),
     K_(fraction.mesh().nFaces(), 0),
     inertia_(fraction.mesh().nFaces(), 0),
+    coupled_(false),
     levels_(dynamic_cast<const twoLevelShares*>(&points.gridTransfer())),
     work_(0),
     toBodies_(0),
@@ -358,6 +359,11 @@ Foam::mpm::dragExchange::dragExchange(
         }
     }
     form_ = readForm(requiredDict(phaseProperties, gas.name()));
+    for (const polyPatch& pp : fraction.mesh().boundaryMesh())
+    {
+        coupled_ = coupled_ || pp.coupled();
+    }
+    reduce(coupled_, orOp<bool>());
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -416,33 +422,36 @@ void Foam::mpm::dragExchange::updateFaces()
     {
         K_[f] = max(Kc_[own[f]], Kc_[nei[f]]);
         inertia_[f] = min(mass(own[f]), mass(nei[f]));
+        faces_.append(f);
     };
     for (const label f : faces_)
     {
         K_[f] = inertia_[f] = 0;
     }
     faces_.clear();
-    if (2 * cells_.size() > mesh.nCells())
+
+    // Once: with the owner where that has drag
+    const lduAddressing& of = mesh.lduAddr();
+    const labelUList& ownStart = of.ownerStartAddr();
+    const labelUList& neiStart = of.losortStartAddr();
+    const labelUList& ofNei = of.losortAddr();
+    for (const label c : cells_)
     {
-        forAll(nei, f)
+        for (label f = ownStart[c]; f < ownStart[c + 1]; ++f)
         {
             set(f);
         }
-        faces_ = identity(nei.size());
-    }
-    else
-    {
-        for (const label c : cells_)
+        for (label i = neiStart[c]; i < neiStart[c + 1]; ++i)
         {
-            for (const label f : mesh.cells()[c])
+            if (!(Kc_[own[ofNei[i]]] > 0))
             {
-                if (f < nei.size() && !(K_[f] > 0))
-                {
-                    set(f);
-                    faces_.append(f);
-                }
+                set(ofNei[i]);
             }
         }
+    }
+    if (!coupled_)
+    {
+        return;
     }
 
     const label n = mesh.nFaces() - nei.size();

@@ -31,7 +31,83 @@ void Foam::mpm::impedanceFlux::insideFaces(
     scalar* const pStar = to.pStar.data();
     scalar* const out = to.out.data();
 
-    // Face next to solid
+    // Faces next to solid: by lanes where areas are numbers
+    typedef lanes<registerLanes> T;
+    constexpr int W = registerLanes;
+    union block
+    {
+        porousState<T> t;
+        scalar at[7][W];
+    };
+    union areas
+    {
+        porousArea<T> t;
+        scalar at[8][W];
+    };
+    block left, right;
+    areas area;
+    label group[W];
+    int nGroup = 0;
+    const auto flush = [&](const int n)
+    {
+        // Empty lanes repeat the last face
+        for (int l = n; l < W; ++l)
+        {
+            for (int i = 0; i < 7; ++i)
+            {
+                left.at[i][l] = left.at[i][n - 1];
+                right.at[i][l] = right.at[i][n - 1];
+            }
+            for (int i = 0; i < 8; ++i)
+            {
+                area.at[i][l] = area.at[i][n - 1];
+            }
+        }
+        const solidOnFaces& pores = solid->pores;
+        const porousResult<T> r(beside(
+            left.t, right.t, area.t, solid->dt, 0, 1, pores.K ? pores.fd : solidOnFaces::none));
+        const T flow = r.theta * r.u * area.t.magS;
+        for (int l = 0; l < n; ++l)
+        {
+            const label f = group[l];
+            phi[f] = flow[l];
+            pStar[f] = r.pStar[l];
+            out[own[f]] += max(phi[f], scalar(0));
+            out[nei[f]] -= min(phi[f], scalar(0));
+        }
+        nGroup = 0;
+    };
+    const auto gather = [&](const label f)
+    {
+        const label P = own[f], N = nei[f];
+        const state L(states.cell(P)), R(states.cell(N));
+        const scalar KL = factor * states.q(L), KR = factor * states.q(R);
+        const scalar z = std::sqrt(max(L.w.rho * KL, R.w.rho * KR));
+        const int l = nGroup++;
+        const auto put = [&](block& b, const state& s, const scalar K, const label c)
+        {
+            b.at[0][l] = s.w.rho;
+            b.at[1][l] = (s.w.u & S[f]) * faces_.invMagS[f];
+            b.at[2][l] = K;
+            b.at[3][l] = z;
+            b.at[4][l] = s.w.p;
+            b.at[5][l] = solid->theta[c];
+            b.at[6][l] = V[c];
+        };
+        put(left, L, KL, P);
+        put(right, R, KR, N);
+        const porousArea<scalar> a(areaOf<false>(f, solid->pores));
+        const scalar* from = &a.magS;
+        for (int i = 0; i < 8; ++i)
+        {
+            area.at[i][l] = from[i];
+        }
+        group[l] = f;
+        if (nGroup == W)
+        {
+            flush(W);
+        }
+    };
     const auto porous =
         [&](const label f, const state& L, const state& R, const scalar thetaR, const scalar VR)
     {
@@ -85,6 +161,11 @@ void Foam::mpm::impedanceFlux::insideFaces(
             const label P = own[f], N = nei[f];
             if (Porous && (solid->near[P] || solid->near[N]))
             {
+                if (!Vector)
+                {
+                    gather(f);
+                    return;
+                }
                 porous(f, states.cell(P), states.cell(N), solid->theta[N], V[N]);
             }
             else if (upwind)
@@ -98,6 +179,11 @@ void Foam::mpm::impedanceFlux::insideFaces(
             out[P] += max(phi[f], scalar(0));
             out[N] -= min(phi[f], scalar(0));
         });
+
+    if (nGroup)
+    {
+        flush(nGroup);
+    }
 
     for (const label f : faces_.coupled)
     {
