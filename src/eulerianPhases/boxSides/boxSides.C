@@ -143,6 +143,7 @@ void Foam::mpm::boxSides::measure()
     constexpr scalar tolerance = 1e-9;
 
     const scalarField& V = mesh_.V();
+    const vectorField& S = mesh_.faceAreas();
     const label nInternal = mesh_.nInternalFaces();
     const surfaceScalarField& weights = mesh_.surfaceInterpolation::weights();
     const surfaceScalarField& deltas = mesh_.surfaceInterpolation::deltaCoeffs();
@@ -156,43 +157,57 @@ void Foam::mpm::boxSides::measure()
     }
     for (const fvPatch& patch : mesh_.boundary())
     {
-        for (label i = 0; patch.coupled() && i < patch.size(); ++i)
+        if (!patch.coupled())
+        {
+            continue;
+        }
+        const scalarField way(mag(patch.delta()));
+        forAll(way, i)
         {
             v[patch.start() + i] = 1 - patch.weights()[i];
-            d[patch.start() + i] = mag(patch.delta()()[i]);
+            d[patch.start() + i] = way[i];
         }
     }
 
-    widths_.setSize(links_.size());
-    bool uniform = wedgeSides_.empty();
-    forAll(links_, at)
+    const auto of = [&](const label at)
     {
         const link& l = links_[at];
-        widths& w = widths_[at];
-        const int dir = at % nDim_;
+        widths w;
         for (int i = 0; i < 2; ++i)
         {
             const label f = l.side[i] >> 1;
             const bool none = l.side[i] < 0;
             w.v[i] = none ? 0 : l.side[i] & 1 ? 1 - v[f] : v[f];
-            w.inverse[i] = none ? 0 : mag(mesh_.faceAreas()[f]) / V[at / nDim_];
+            w.inverse[i] = none ? 0 : mag(S[f]) / V[at / nDim_];
         }
         for (int i = 0; i < 2; ++i)
         {
             const scalar to = l.side[i] < 0 ? 0 : 2 * d[l.side[i] >> 1];
             w.own[i] = to * w.inverse[i] * w.v[i] - 1;
             w.other[i] = to * w.inverse[1 - i] * w.v[1 - i];
-            if (at < nDim_)
-            {
-                inverse_[dir] = w.inverse[i];
-            }
-            uniform = uniform && mag(w.inverse[i] - inverse_[dir]) < tolerance * inverse_[dir]
+        }
+        return w;
+    };
+
+    bool uniform = wedgeSides_.empty();
+    for (label at = 0; uniform && at < links_.size(); ++at)
+    {
+        const widths w(of(at));
+        scalar& inverse = inverse_[at % nDim_];
+        inverse = at < nDim_ ? w.inverse[0] : inverse;
+        for (int i = 0; i < 2; ++i)
+        {
+            uniform = uniform && mag(w.inverse[i] - inverse) < tolerance * inverse
                 && (mag(w.v[i] - 0.5) < tolerance || w.v[i] == 1);
         }
     }
-    if (uniform)
+    if (!uniform)
     {
-        widths_.clear();
+        widths_.setSize(links_.size());
+        forAll(widths_, at)
+        {
+            widths_[at] = of(at);
+        }
     }
 }
 

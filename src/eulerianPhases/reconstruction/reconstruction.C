@@ -7,12 +7,6 @@
 #include "nearWords.H"
 #include "surfaceFields.H"
 #include "surfaceInterpolationScheme.H"
-#include "NVDTVD.H"
-#include "NVDVTVDV.H"
-#include "vanLeer.H"
-#include "vanAlbada.H"
-#include "Minmod.H"
-#include "SuperBee.H"
 #include "StringStream.H"
 #include "wedgePolyPatch.H"
 
@@ -145,138 +139,6 @@ void Foam::mpm::reconstruction::readSchemes()
     }
 }
 
-void Foam::mpm::reconstruction::gradient(const phase& of)
-{
-    const UList<gasState>& W = of.W;
-    const UList<gasState>& Wb = of.Wb;
-    const scalar* const jump = of.jump ? of.jump->cdata() : nullptr;
-    const vectorField& S = mesh_.faceAreas();
-    const scalarField& w = mesh_.weights();
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-    const label nInternal = mesh_.nInternalFaces();
-
-    region_.forCells([&](const label c) { grad_[c] = gradients{Zero, Zero, Zero}; });
-
-    region_.forFaces(
-        [&](const label f)
-        {
-            const gasState& P = W[own[f]];
-            const gasState& N = W[nei[f]];
-            const scalar wf = w[f];
-            const vector rho((wf * P.rho + (1 - wf) * N.rho) * S[f]);
-            const vector p((wf * P.p + (1 - wf) * N.p) * S[f]);
-            const tensor u(S[f] * (wf * P.u + (1 - wf) * N.u));
-            gradients& gP = grad_[own[f]];
-            gradients& gN = grad_[nei[f]];
-            gP.rho += rho;
-            gP.p += p;
-            gP.u += u;
-            gN.rho -= rho;
-            gN.p -= p;
-            gN.u -= u;
-            if (jump)
-            {
-                gP.p -= (1 - wf) * jump[f] * S[f];
-                gN.p -= wf * jump[f] * S[f];
-            }
-        });
-    for (const label f : boundary_)
-    {
-        const gasState& B = Wb[f - nInternal];
-        gradients& g = grad_[own[f]];
-        g.rho += B.rho * S[f];
-        g.p += (jump ? B.p - jump[f] : B.p) * S[f];
-        g.u += S[f] * B.u;
-    }
-    for (const label f : coupledList_)
-    {
-        const label patchi = mesh_.boundaryMesh().whichPatch(f);
-        const scalar wf =
-            mesh_.weights().boundaryField()[patchi][f - mesh_.boundaryMesh()[patchi].start()];
-        const gasState& P = W[own[f]];
-        const gasState& N = Wb[f - nInternal];
-        gradients& g = grad_[own[f]];
-        g.rho += (wf * P.rho + (1 - wf) * N.rho) * S[f];
-        g.p += (wf * P.p + (1 - wf) * N.p) * S[f];
-        g.u += S[f] * (wf * P.u + (1 - wf) * N.u);
-        if (jump)
-        {
-            g.p -= (1 - wf) * jump[f] * S[f];
-        }
-    }
-
-    // Between the sides of a wedge nothing changes
-    for (const label f : wedge_)
-    {
-        const gasState& P = W[own[f]];
-        gradients& g = grad_[own[f]];
-        g.rho += P.rho * S[f];
-        g.p += P.p * S[f];
-        g.u += S[f] * P.u;
-    }
-
-    const scalarField& V = mesh_.V();
-    region_.forCells(
-        [&](const label c)
-        {
-            const scalar iV = 1 / V[c];
-            grad_[c].rho *= iV;
-            grad_[c].p *= iV;
-            grad_[c].u *= iV;
-        });
-}
-
-template<template<class> class Limiter, class Scalar, class Vector>
-void Foam::mpm::reconstruction::limited(const phase& of)
-{
-    const UList<gasState>& W = of.W;
-    const UList<gasState>& Wb = of.Wb;
-    const scalar* const jump = of.jump ? of.jump->cdata() : nullptr;
-    IStringStream none("");
-    const Limiter<Scalar> limit(none);
-    const Limiter<Vector> limitV(none);
-
-    const vectorField& C = mesh_.cellCentres();
-    const scalarField& w = mesh_.weights();
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-    const label nInternal = mesh_.nInternalFaces();
-
-    // Of the side of P: W_P + limiter (1 - w) (W_N - W_P)
-    const auto side = [&](const gasState& P, const gasState& N, const gradients& g, const scalar wf,
-                          const vector& d, const scalar rest) -> gasState
-    {
-        gasState r;
-        const scalar v = 1 - wf;
-        r.rho = P.rho + v * limit.limiter(wf, 1, P.rho, N.rho, g.rho, g.rho, d) * (N.rho - P.rho);
-        const scalar p = N.p - rest;
-        r.p = P.p + v * limit.limiter(wf, 1, P.p, p, g.p, g.p, d) * (p - P.p);
-        r.u = P.u + v * limitV.limiter(wf, 1, P.u, N.u, g.u, g.u, d) * (N.u - P.u);
-        return r;
-    };
-
-    region_.forFaces(
-        [&](const label f)
-        {
-            const label P = own[f], N = nei[f];
-            const vector d(C[N] - C[P]);
-            const scalar rest = jump ? jump[f] : 0;
-            faces_[f].own = side(W[P], W[N], grad_[P], w[f], d, rest);
-            faces_[f].nei = side(W[N], W[P], grad_[N], 1 - w[f], -d, -rest);
-        });
-    for (const label f : coupledList_)
-    {
-        const label patchi = mesh_.boundaryMesh().whichPatch(f);
-        const label i = f - mesh_.boundaryMesh()[patchi].start();
-        const label P = own[f];
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        faces_[f].own = side(
-            W[P], Wb[f - nInternal], grad_[P], patch.weights()[i], patch.delta()()[i],
-            jump ? jump[f] : 0);
-    }
-}
-
 Foam::surfaceScalarField Foam::mpm::reconstruction::direction(const scalar sign) const
 {
     return surfaceScalarField(
@@ -373,24 +235,14 @@ Foam::mpm::reconstruction::reconstruction(
         {
             measureSkew();
         }
-        if (own_.size() && skew_.size())
-        {
-            byCells_ = true;
-            skew_.clear();
-        }
-        grad_.setSize(!byCells_ && (own_.size() || skew_.size()) ? mesh.nCells() : 0);
         if (own_.size() && !byCells_)
         {
             boxes_ = boxSides::New(mesh, region);
+            byCells_ = !boxes_;
+            skew_.clear();
         }
-        if (boxes_)
-        {
-            grad_.clear();
-        }
-        else
-        {
-            rates_.setSize(mesh.nCells());
-        }
+        grad_.setSize(skew_.size() ? mesh.nCells() : 0);
+        rates_.setSize(boxes_ ? 0 : mesh.nCells());
         swap_.setSize(mesh.nFaces() - mesh.nInternalFaces());
     }
     if (!upwind_ && !byCells_ && own_.empty())
@@ -483,34 +335,7 @@ void Foam::mpm::reconstruction::update(
     {
         leastSquares(W, Wb);
     }
-    else if (own_.size())
-    {
-        gradient(of);
-    }
-
-    if (own_.empty())
-    {
-        interpolated(rho, U, p);
-    }
-    else
-    {
-        if (own_ == "vanLeer")
-        {
-            limited<vanLeerLimiter, NVDTVD, NVDVTVDV>(of);
-        }
-        else if (own_ == "vanAlbada")
-        {
-            limited<vanAlbadaLimiter, NVDTVD, NVDVTVDV>(of);
-        }
-        else if (own_ == "Minmod")
-        {
-            limited<MinmodLimiter, NVDTVD, NVDVTVDV>(of);
-        }
-        else
-        {
-            limited<SuperBeeLimiter, NVDTVD, NVDVTVDV>(of);
-        }
-    }
+    interpolated(rho, U, p);
     if (skew_.size())
     {
         addSkew(W, Wb);

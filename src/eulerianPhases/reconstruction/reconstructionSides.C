@@ -116,11 +116,6 @@ void Foam::mpm::reconstruction::changes(
     for (const label f : boundary_)
     {
         add(own[f], of.Wb[f - nInternal], S[f]);
-        if (of.jump)
-        {
-            rates_[own[f]].gradP -= (*of.jump)[f] * S[f];
-            rates_[own[f]].p -= (*of.jump)[f] * (W[own[f]].u & S[f]);
-        }
     }
     for (const label f : wedge_)
     {
