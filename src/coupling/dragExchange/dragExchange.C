@@ -359,7 +359,20 @@ Foam::mpm::dragExchange::dragExchange(
         }
     }
     form_ = readForm(requiredDict(phaseProperties, gas.name()));
-    for (const polyPatch& pp : fraction.mesh().boundaryMesh())
+    const fvMesh& mesh = fraction.mesh();
+    firstFace_.setSize(mesh.nCells() + 1, 0);
+    forAll(mesh.cells(), c)
+    {
+        for (const label f : mesh.cells()[c])
+        {
+            if (f < mesh.nInternalFaces())
+            {
+                cellFaces_.append(f);
+            }
+        }
+        firstFace_[c + 1] = cellFaces_.size();
+    }
+    for (const polyPatch& pp : mesh.boundaryMesh())
     {
         coupled_ = coupled_ || pp.coupled();
     }
@@ -431,21 +444,14 @@ void Foam::mpm::dragExchange::updateFaces()
     faces_.clear();
 
     // Once: with the owner where that has drag
-    const lduAddressing& of = mesh.lduAddr();
-    const labelUList& ownStart = of.ownerStartAddr();
-    const labelUList& neiStart = of.losortStartAddr();
-    const labelUList& ofNei = of.losortAddr();
     for (const label c : cells_)
     {
-        for (label f = ownStart[c]; f < ownStart[c + 1]; ++f)
+        for (label i = firstFace_[c]; i < firstFace_[c + 1]; ++i)
         {
-            set(f);
-        }
-        for (label i = neiStart[c]; i < neiStart[c + 1]; ++i)
-        {
-            if (!(Kc_[own[ofNei[i]]] > 0))
+            const label f = cellFaces_[i];
+            if (own[f] == c || !(Kc_[own[f]] > 0))
             {
-                set(ofNei[i]);
+                set(f);
             }
         }
     }
