@@ -322,10 +322,11 @@ void Foam::mpm::latticeFraction::pushAnew(const UList<scalar>& p, const UList<sc
     const labelUList& nei = mesh_.faceNeighbour();
     const scalarField& V = mesh_.V();
     const vectorField& S = mesh_.faceAreas();
-    for (const label c : live_.cells())
+    for (const label c : pushed_)
     {
         gasPush_[c] = Zero;
     }
+    pushed_.clear();
     for (const label f : live_.faces())
     {
         const label i = f - nei.size();
@@ -339,10 +340,12 @@ void Foam::mpm::latticeFraction::pushAnew(const UList<scalar>& p, const UList<sc
         const vector push((1 - blocked(f)) * jump / (thetaO + thetaN) * S[f]);
         if (thetaO < full)
         {
+            pushed_.append(own[f]);
             gasPush_[own[f]] -= thetaO / V[own[f]] * push;
         }
         if (i < 0 && thetaN < full)
         {
+            pushed_.append(nei[f]);
             gasPush_[nei[f]] -= thetaN / V[nei[f]] * push;
         }
     }

@@ -11,6 +11,102 @@ defineTypeNameAndDebug(impedanceFlux, 0);
 addToRunTimeSelectionTable(faceFlux, impedanceFlux, dictionary);
 }
 
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+//- Faces next to solid, as many as lanes together, always by the same code: so
+//  that uniform states stay so also across coupled faces
+class Foam::mpm::impedanceFlux::porousFaces
+{
+    static constexpr int W = registerLanes;
+    typedef lanes<W> T;
+
+    //- Numbers of the structures of impedanceFlux
+    static constexpr int nState = sizeof(porousState<scalar>) / sizeof(scalar);
+    static constexpr int nArea = sizeof(porousArea<scalar>) / sizeof(scalar);
+
+    const impedanceFlux& flux_;
+    const besideSolid* const solid_;
+    const result& to_;
+    const leaving& leaving_;
+
+    union
+    {
+        porousState<T> left_;
+        scalar leftAt_[nState][W];
+    };
+    union
+    {
+        porousState<T> right_;
+        scalar rightAt_[nState][W];
+    };
+    union
+    {
+        porousArea<T> area_;
+        scalar areaAt_[nArea][W];
+    };
+    label faces_[W];
+    int n_;
+
+    static void put(scalar (*at)[W], const scalar* numbers, const int n, const int lane)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            at[i][lane] = numbers[i];
+        }
+    }
+
+public:
+    porousFaces(
+        const impedanceFlux& flux, const besideSolid* solid, const result& to, const leaving& out) :
+        flux_(flux), solid_(solid), to_(to), leaving_(out), n_(0)
+    {
+    }
+
+    void add(const label f, const porousSide& L, const porousSide& R)
+    {
+        const porousState<scalar> left(flux_.numbers(f, L)), right(flux_.numbers(f, R));
+        const porousArea<scalar> area(flux_.areaOf<false>(f, solid_->pores));
+        put(leftAt_, &left.rho, nState, n_);
+        put(rightAt_, &right.rho, nState, n_);
+        put(areaAt_, &area.magS, nArea, n_);
+        faces_[n_++] = f;
+        if (n_ == W)
+        {
+            finish();
+        }
+    }
+
+    //- The faces that wait. Lanes that are empty repeat the last one
+    void finish()
+    {
+        if (!n_)
+        {
+            return;
+        }
+        const auto repeat = [this](scalar(*at)[W], const int n)
+        {
+            for (int i = 0; i < n; ++i)
+            {
+                std::fill(at[i] + n_, at[i] + W, at[i][n_ - 1]);
+            }
+        };
+        repeat(leftAt_, nState);
+        repeat(rightAt_, nState);
+        repeat(areaAt_, nArea);
+        const porousResult<T> r(beside(
+            left_, right_, area_, solid_->dt, 0, 1,
+            solid_->pores.K ? solid_->pores.fd : solidOnFaces::none));
+        const T phi = r.theta * r.u * area_.magS;
+        for (int l = 0; l < n_; ++l)
+        {
+            to_.phi[faces_[l]] = phi[l];
+            to_.pStar[faces_[l]] = r.pStar[l];
+            leaving_.add(faces_[l]);
+        }
+        n_ = 0;
+    }
+};
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<bool Porous, bool General, bool Vector>
@@ -29,94 +125,27 @@ void Foam::mpm::impedanceFlux::insideFaces(
     const scalar factor = states.factor();
     scalar* const phi = to.phi.data();
     scalar* const pStar = to.pStar.data();
-    scalar* const out = to.out.data();
 
-    // Faces next to solid: by lanes where areas are numbers
-    typedef lanes<registerLanes> T;
-    constexpr int W = registerLanes;
-    union block
-    {
-        porousState<T> t;
-        scalar at[7][W];
-    };
-    union areas
-    {
-        porousArea<T> t;
-        scalar at[8][W];
-    };
-    block left, right;
-    areas area;
-    label group[W];
-    int nGroup = 0;
-    const auto flush = [&](const int n)
-    {
-        // Empty lanes repeat the last face
-        for (int l = n; l < W; ++l)
-        {
-            for (int i = 0; i < 7; ++i)
-            {
-                left.at[i][l] = left.at[i][n - 1];
-                right.at[i][l] = right.at[i][n - 1];
-            }
-            for (int i = 0; i < 8; ++i)
-            {
-                area.at[i][l] = area.at[i][n - 1];
-            }
-        }
-        const solidOnFaces& pores = solid->pores;
-        const porousResult<T> r(beside(
-            left.t, right.t, area.t, solid->dt, 0, 1, pores.K ? pores.fd : solidOnFaces::none));
-        const T flow = r.theta * r.u * area.t.magS;
-        for (int l = 0; l < n; ++l)
-        {
-            const label f = group[l];
-            phi[f] = flow[l];
-            pStar[f] = r.pStar[l];
-            out[own[f]] += max(phi[f], scalar(0));
-            out[nei[f]] -= min(phi[f], scalar(0));
-        }
-        nGroup = 0;
-    };
-    const auto gather = [&](const label f)
-    {
-        const label P = own[f], N = nei[f];
-        const state L(states.cell(P)), R(states.cell(N));
-        const scalar KL = factor * states.q(L), KR = factor * states.q(R);
-        const scalar z = std::sqrt(max(L.w.rho * KL, R.w.rho * KR));
-        const int l = nGroup++;
-        const auto put = [&](block& b, const state& s, const scalar K, const label c)
-        {
-            b.at[0][l] = s.w.rho;
-            b.at[1][l] = (s.w.u & S[f]) * faces_.invMagS[f];
-            b.at[2][l] = K;
-            b.at[3][l] = z;
-            b.at[4][l] = s.w.p;
-            b.at[5][l] = solid->theta[c];
-            b.at[6][l] = V[c];
-        };
-        put(left, L, KL, P);
-        put(right, R, KR, N);
-        const porousArea<scalar> a(areaOf<false>(f, solid->pores));
-        const scalar* from = &a.magS;
-        for (int i = 0; i < 8; ++i)
-        {
-            area.at[i][l] = from[i];
-        }
-        group[l] = f;
-        if (nGroup == W)
-        {
-            flush(W);
-        }
-    };
+    // Faces next to solid, W together where areas are numbers
+    const impedanceFlux::leaving leaving(mesh, to);
+    porousFaces group(*this, solid, to, leaving);
     const auto porous =
         [&](const label f, const state& L, const state& R, const scalar thetaR, const scalar VR)
     {
         const scalar qL = states.q(L), qR = states.q(R);
         const scalar z = std::sqrt(factor * max(L.w.rho * qL, R.w.rho * qR));
         const label P = own[f];
-        porousFace<Vector>(
-            f, {L.w, factor * qL, z, L.w.p, solid->theta[P], V[P]},
-            {R.w, factor * qR, z, R.w.p, thetaR, VR}, solid->dt, solid->pores, 0, 1, to);
+        const porousSide left{L.w, factor * qL, z, L.w.p, solid->theta[P], V[P]};
+        const porousSide right{R.w, factor * qR, z, R.w.p, thetaR, VR};
+        if (Vector)
+        {
+            porousFace<true>(f, left, right, solid->dt, solid->pores, 0, 1, to);
+            leaving.add(f);
+        }
+        else
+        {
+            group.add(f, left, right);
+        }
     };
 
     // Face between two states: Z = z/|S|
@@ -161,14 +190,10 @@ void Foam::mpm::impedanceFlux::insideFaces(
             const label P = own[f], N = nei[f];
             if (Porous && (solid->near[P] || solid->near[N]))
             {
-                if (!Vector)
-                {
-                    gather(f);
-                    return;
-                }
                 porous(f, states.cell(P), states.cell(N), solid->theta[N], V[N]);
+                return;
             }
-            else if (upwind)
+            if (upwind)
             {
                 between(f, states.cell(P), states.cell(N), max(z[P], z[N]) * faces_.invMagS[f]);
             }
@@ -176,14 +201,8 @@ void Foam::mpm::impedanceFlux::insideFaces(
             {
                 open(f, states.own(f), states.nei(f));
             }
-            out[P] += max(phi[f], scalar(0));
-            out[N] -= min(phi[f], scalar(0));
+            leaving.add(f);
         });
-
-    if (nGroup)
-    {
-        flush(nGroup);
-    }
 
     for (const label f : faces_.coupled)
     {
@@ -191,8 +210,9 @@ void Foam::mpm::impedanceFlux::insideFaces(
         if (Porous && (solid->near[P] || solid->near[nCells + i]))
         {
             porous(f, states.cell(P), states.behind(i), solid->thetaB[i], faces_.Vb[i]);
+            continue;
         }
-        else if (upwind)
+        if (upwind)
         {
             open(f, states.cell(P), states.behind(i));
         }
@@ -200,8 +220,9 @@ void Foam::mpm::impedanceFlux::insideFaces(
         {
             open(f, states.own(f), states.nei(f));
         }
-        out[P] += max(phi[f], scalar(0));
+        leaving.add(f);
     }
+    group.finish();
 }
 
 template<bool Porous, bool General>
