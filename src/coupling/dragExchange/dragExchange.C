@@ -375,6 +375,10 @@ Foam::mpm::dragExchange::dragExchange(
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         coupled_ = coupled_ || pp.coupled();
+        for (label i = 0; pp.coupled() && i < pp.size(); ++i)
+        {
+            coupledFaces_.append(pp.start() + i);
+        }
     }
     reduce(coupled_, orOp<bool>());
 }
@@ -461,19 +465,18 @@ void Foam::mpm::dragExchange::updateFaces()
     }
 
     const label n = mesh.nFaces() - nei.size();
-    scalarField Kbehind(n), massBehind(n);
-    for (label i = 0; i < n; ++i)
+    scalarField Kbehind(n, 0), massBehind(n, 0);
+    for (const label f : coupledFaces_)
     {
-        Kbehind[i] = Kc_[own[nei.size() + i]];
-        massBehind[i] = mass(own[nei.size() + i]);
+        Kbehind[f - nei.size()] = Kc_[own[f]];
+        massBehind[f - nei.size()] = mass(own[f]);
     }
     syncTools::swapBoundaryFaceList(mesh, Kbehind);
     syncTools::swapBoundaryFaceList(mesh, massBehind);
-    for (label i = 0; i < n; ++i)
+    for (const label f : coupledFaces_)
     {
-        const label f = nei.size() + i;
-        K_[f] = max(Kc_[own[f]], Kbehind[i]);
-        inertia_[f] = min(mass(own[f]), massBehind[i]);
+        K_[f] = max(Kc_[own[f]], Kbehind[f - nei.size()]);
+        inertia_[f] = min(mass(own[f]), massBehind[f - nei.size()]);
     }
 }
 

@@ -121,7 +121,7 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
 
-    near_.setSize(nCells + Wb_.size());
+    near_.setSize(nCells + Wb_.size(), false);
     region_.forCells([&](const label c) { near_[c] = theta_[c] < full; });
     const auto mark = [&](const label c)
     {
@@ -143,15 +143,23 @@ void Foam::mpm::eulerianFlow::markNearSolid(const solidOnFaces& pores)
     changes_.setSize(nCells);
     region_.forCells([&](const label c) { changes_[c] = near_[c] || pores.dilation[c] != 0; });
 
-    scalarField behind(Wb_.size());
-    forAll(behind, i)
+    for (const label f : faces_.boundary)
     {
-        behind[i] = near_[own[nInternal + i]];
+        near_[nCells + f - nInternal] = near_[own[f]];
+    }
+    if (coupled_.empty())
+    {
+        return;
+    }
+    scalarField behind(Wb_.size(), 0);
+    for (const label f : faces_.coupled)
+    {
+        behind[f - nInternal] = near_[own[f]];
     }
     coupled_.swap(behind);
-    forAll(behind, i)
+    for (const label f : faces_.coupled)
     {
-        near_[nCells + i] = behind[i] > 0.5;
+        near_[nCells + f - nInternal] = behind[f - nInternal] > 0.5;
     }
 }
 
