@@ -9,6 +9,7 @@
 #include "IFstream.H"
 #include "Pstream.H"
 #include "HashSet.H"
+#include "IOobject.H"
 #include "token.H"
 #include <cstdlib>
 #include <exception>
@@ -261,6 +262,28 @@ void Foam::mpm::checkGravity(const fileName& file, const vector& g, const Vector
                           << " times that of the earth: it is in m/s2, whatever"
                           << " the unit of the mesh's drawing." << endl;
     }
+}
+
+Foam::label Foam::mpm::announcedSize(const IOobject& io)
+{
+    IOobject object(io);
+    IFstream is(object.objectPath());
+    if (!is.good() || !object.readHeader(is))
+    {
+        return -1;
+    }
+    const token first(is);
+    if (!first.isLabel())
+    {
+        return -1;
+    }
+    if (first.labelToken() < 0)
+    {
+        cannotRead(
+            object.objectPath(),
+            "its list has the size " + std::to_string(first.labelToken()) + ".");
+    }
+    return first.labelToken();
 }
 
 void Foam::mpm::cannotRead(const fileName& file, const string& problem)
