@@ -11,6 +11,7 @@
 #include "HashSet.H"
 #include "IOobject.H"
 #include "token.H"
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 
@@ -97,6 +98,18 @@ struct lastEntry
     std::abort();
 }
 
+//- Called by std::abort(): later OpenFOAM than v1912 aborts on some mistakes of the user
+//  although exceptions are on. Its message has been printed then, and is still there
+void endAfterMessage(int signal)
+{
+    if (FatalError.message().size() || FatalIOError.message().size())
+    {
+        std::_Exit(1);
+    }
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
 //- Warn of words of controlDict that are nearly one that is read. Any word may
 //  stand there: as a variable, or for a library
 void warnOfWords(const dictionary& control)
@@ -160,6 +173,10 @@ void Foam::mpm::exitOnFatal()
     std::set_terminate(endOnError);
     FatalError.throwExceptions();
     FatalIOError.throwExceptions();
+    if (!env("FOAM_ABORT"))
+    {
+        std::signal(SIGABRT, endAfterMessage);
+    }
 }
 
 void Foam::mpm::requireClosed(const fileName& file)
