@@ -101,7 +101,8 @@ class Case:
         """One line: OpenFOAM's error or the last words, and the log's name."""
         with open(log, errors="replace") as f:
             text = f.read()
-        error = re.search(r"FATAL (?:IO )?ERROR:\s*(.*?)\n\s*\n", text, flags=re.S)
+        error = re.search(r"FATAL (?:IO )?ERROR:\s*(?:\(openfoam-[^)]*\)\s*)?(.*?)\n\s*\n",
+                          text, flags=re.S)
         words = (error[1] if error else text[-300:]).split()
         return " ".join(words)[:300] + f" ({log})"
 

@@ -182,7 +182,7 @@ Foam::label Foam::mpm::boundedLabelOrDefault(
     {
         return defaultValue;
     }
-    const label value(dict.get<label>(key));
+    const label value(required<label>(dict, key));
 
     if (value < low || value > high)
     {

@@ -9,7 +9,9 @@
 #include "IFstream.H"
 #include "Pstream.H"
 #include "HashSet.H"
+#include "IOobject.H"
 #include "token.H"
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 
@@ -96,6 +98,18 @@ struct lastEntry
     std::abort();
 }
 
+//- Called by std::abort(): later OpenFOAM than v1912 aborts on some mistakes of the user
+//  although exceptions are on. Its message has been printed then, and is still there
+void endAfterMessage(int signal)
+{
+    if (FatalError.message().size() || FatalIOError.message().size())
+    {
+        std::_Exit(1);
+    }
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
 //- Warn of words of controlDict that are nearly one that is read. Any word may
 //  stand there: as a variable, or for a library
 void warnOfWords(const dictionary& control)
@@ -159,6 +173,10 @@ void Foam::mpm::exitOnFatal()
     std::set_terminate(endOnError);
     FatalError.throwExceptions();
     FatalIOError.throwExceptions();
+    if (!env("FOAM_ABORT"))
+    {
+        std::signal(SIGABRT, endAfterMessage);
+    }
 }
 
 void Foam::mpm::requireClosed(const fileName& file)
@@ -261,6 +279,28 @@ void Foam::mpm::checkGravity(const fileName& file, const vector& g, const Vector
                           << " times that of the earth: it is in m/s2, whatever"
                           << " the unit of the mesh's drawing." << endl;
     }
+}
+
+Foam::label Foam::mpm::announcedSize(const IOobject& io)
+{
+    IOobject object(io);
+    IFstream is(object.objectPath());
+    if (!is.good() || !object.readHeader(is))
+    {
+        return -1;
+    }
+    const token first(is);
+    if (!first.isLabel())
+    {
+        return -1;
+    }
+    if (first.labelToken() < 0)
+    {
+        cannotRead(
+            object.objectPath(),
+            "its list has the size " + std::to_string(first.labelToken()) + ".");
+    }
+    return first.labelToken();
 }
 
 void Foam::mpm::cannotRead(const fileName& file, const string& problem)

@@ -35,6 +35,22 @@ string libraries(const dictionary& dict)
     return text;
 }
 
+//- Fatal for a number of steps that is no label: OpenFOAM v2506 ends with a trap
+void checkIntervals(const dictionary& dict)
+{
+    for (const word name : {"write", "execute"})
+    {
+        const word key(name + "Interval");
+        const word control(dict.getOrDefault<word>(name + "Control", "timeStep"));
+        if (control == "timeStep" && dict.found(key) && mag(dict.get<scalar>(key)) > labelMax)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry " << key << " is " << dict.get<scalar>(key)
+                << "; it must be a whole number of steps." << exit(FatalIOError);
+        }
+    }
+}
+
 }
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -64,6 +80,7 @@ void Foam::mpm::checkFunctions(const dictionary& control)
             continue;
         }
         const dictionary& dict = e.dict();
+        checkIntervals(dict);
         const word type(dict.get<word>("type"));
         const string libs(libraries(dict));
         const word near(nearWord(type, own));

@@ -56,6 +56,7 @@ autoPtr<List> readList(const IOobject& io)
     {
         cannotRead(io.objectPath(), "it is missing, or has no header (FoamFile).");
     }
+    announcedSize(io);
     return readNamed(io.objectPath(), [&] { return autoPtr<List>::New(io); });
 }
 

@@ -25,7 +25,9 @@ Foam::functionObjects::flowOutput::record::record(const flowOutput& of) :
 bool Foam::functionObjects::flowOutput::record::writeData(Ostream& os) const
 {
     const int digits = os.precision(17);
-    os.writeEntry("state", of_.kept());
+    // With the type of the list, without which a binary one cannot be read
+    const scalarList kept(of_.kept());
+    kept.writeEntry("state", os);
     os.precision(digits);
     return os.good();
 }

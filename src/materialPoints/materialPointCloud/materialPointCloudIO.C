@@ -7,7 +7,6 @@
 #include "fatalMessages.H"
 #include "Cloud.H"
 #include "passiveParticle.H"
-#include "IFstream.H"
 #include "IOField.H"
 #include "OSspecific.H"
 #include "Time.H"
@@ -29,14 +28,7 @@ void wrongSize(const IOobject& object, const label size, const label n)
 //- Number of values that a field's file announces, -1 if it has none
 label announced(const materialPointCloud& c, const word& name)
 {
-    IOobject object(c.columnObject(name, IOobject::MUST_READ));
-    IFstream is(object.objectPath());
-    if (!is.good() || !object.readHeader(is))
-    {
-        return -1;
-    }
-    const token first(is);
-    return first.isLabel() ? first.labelToken() : -1;
+    return announcedSize(c.columnObject(name, IOobject::MUST_READ));
 }
 
 //- Field of the current time; fatal if it is missing or of another length
@@ -46,8 +38,8 @@ tmp<Field<Type>> readField(const materialPointCloud& c, const word& name, const 
     const IOobject object(c.columnObject(name, IOobject::MUST_READ));
 
     // Check the size before memory is allocated for it
-    const label nAnnounced = n < 0 ? -1 : announced(c, name);
-    if (nAnnounced >= 0 && nAnnounced != n)
+    const label nAnnounced = announced(c, name);
+    if (n >= 0 && nAnnounced >= 0 && nAnnounced != n)
     {
         wrongSize(object, nAnnounced, n);
     }

@@ -61,9 +61,10 @@ class surfaceShape : public pointRegionShape
         FatalError.throwExceptions(throwing);
         FatalIOError.throwExceptions(throwingIO);
 
-        if (problem.find("Cannot find triSurfaceMesh") != std::string::npos)
+        if (problem.find("Cannot find triSurfaceMesh") != std::string::npos
+            || problem.find("Cannot find surface") != std::string::npos)
         {
-            // Its message names a file of the region's name
+            // OpenFOAM's messages (v1912, v2506) name a file of the region's name, or no folder
             FatalIOErrorInFunction(dict)
                 << "Cannot make the surface: there is no file constant/triSurface/"
                 << dict.getOrDefault<fileName>("file", name).c_str() << "." << exit(FatalIOError);

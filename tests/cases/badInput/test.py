@@ -1023,7 +1023,7 @@ ROWS += [
     ("table of boundary values too short", SOLVE,
      movingGround("((0 (0 0 0)) (0.1 (0 0 0)))"), ["overflow|0.1"]),
     ("table of boundary values missing", SOLVE,
-     several(movingGround("()"), remove("table")), ["badInput/cases/\\d+/table"]),
+     several(movingGround("()"), remove("table")), [r'(cases/\d+/|IOstream ")table']),
 
     #- function objects
     ("forces: patch not in the mesh", SOLVE, function("PatchForces", "patches (ground roof);"),
@@ -1330,7 +1330,7 @@ def judge(command, case, patterns, options):
             wrong.append("nan written in " + " ".join(sorted(holds)[:3]))
 
     # Only the message itself, without where and file
-    message = re.sub(r"^--> FOAM FATAL (IO )?ERROR:? *", "", message)
+    message = re.sub(r"^--> FOAM FATAL (IO )?ERROR:? *(\(openfoam-[^)]*\) *)?", "", message)
     message = re.sub(r" (file: |From |FOAM exiting).*", "", message)
     return wrong, message or f"exit {status} in {seconds:.1f} s"
 

@@ -168,6 +168,9 @@ HARMLESS = [
      "no column in the time of setMaterialPoints: undamaged, unstrained", SAME),
     (".*/uniform/materialPointState", "", "file deleted|folder for file",
      "the time counts as incomplete, is set aside and the one before is used"),
+    (".*/uniform/materialPointState", r"points\.materials\.\w+\.failureModel", "misspelt value",
+     "a failureModel that the phase had before, and has no longer: warned of", SAME,
+     "have the damage of the failureModel"),
     (".*/uniform/materialPointState", "points.rigid", ".*",
      "the case has no rigid phase", SAME),
     (".*/uniform/materialPointState", "origin|growFrom|points.*",
@@ -186,7 +189,10 @@ def run(command, path):
     open(log, "w").close()
     status, _ = launch([command], path, log, LIMIT, session=True)
     with open(log, "rb") as f:
-        return status, f.read(2_000_000).decode("latin-1")
+        text = f.read(2_000_000).decode("latin-1")
+
+    # Where OpenFOAM itself aborts it adds the places in its libraries
+    return status, re.sub(r"(?<=\nFOAM aborting\n).*", "", text, flags=re.S)
 
 
 def edit(path, file, pattern, new):

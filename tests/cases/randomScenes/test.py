@@ -52,7 +52,9 @@ def run(scene, case, limit):
         if "did not end" in str(e):
             return None, True
         log = case.log("materialPointFoam")
-        text = log[log.index("FATAL") + 14:] if "FATAL" in log else str(e)
+        # OpenFOAM after v1912 gives its version before the message
+        start = re.search(r"FATAL (IO )?ERROR: *(\(openfoam-[^)]*\))?", log)
+        text = log[start.end():] if start else str(e)
         return " ".join(text.split())[:300], False
     return None, False
 
