@@ -38,11 +38,12 @@ string libraries(const dictionary& dict)
 //- Fatal for a number of steps that is no label: OpenFOAM v2506 ends with a trap
 void checkIntervals(const dictionary& dict)
 {
-    for (const word name : {"write", "execute"})
+    const word keys[][2] = {
+        {"writeInterval", "writeControl"}, {"executeInterval", "executeControl"}};
+    for (const auto& [key, control] : keys)
     {
-        const word key(name + "Interval");
-        const word control(dict.getOrDefault<word>(name + "Control", "timeStep"));
-        if (control == "timeStep" && dict.found(key) && mag(dict.get<scalar>(key)) > labelMax)
+        if (dict.getOrDefault<word>(control, "timeStep") == "timeStep" && dict.found(key)
+            && mag(dict.get<scalar>(key)) > labelMax)
         {
             FatalIOErrorInFunction(dict)
                 << "Entry " << key << " is " << dict.get<scalar>(key)

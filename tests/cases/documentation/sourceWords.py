@@ -61,7 +61,7 @@ NOT_ENTRIES = {
     "gasCoupling.C": "stick type",
     "phaseWatches.C": "failureModel none", "phaseWatches.H": "materials",
     "pointRegionRead.C": "scale surface",
-    "functionChecks.C": "functions",
+    "functionChecks.C": "functions timeStep",
     "startHints.C": "regions phase density contact normal fields gas "
                     "constitutiveModel failureModel type",
 }
