@@ -318,35 +318,19 @@ void Foam::mpm::latticeFraction::pushAnew(const UList<scalar>& p, const UList<sc
     // Share of gas in a nearly full cell
     constexpr scalar full = 0.1;
 
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-    const scalarField& V = mesh_.V();
     const vectorField& S = mesh_.faceAreas();
     for (const label c : pushed_)
     {
         gasPush_[c] = Zero;
     }
     pushed_.clear();
-    for (const label f : live_.faces())
+    for (const label c : live_.cells())
     {
-        const label i = f - nei.size();
-        const scalar thetaO = (*gasTheta_)[own[f]];
-        const scalar thetaN = i < 0 ? (*gasTheta_)[nei[f]] : (*gasThetaBehind_)[i];
-        if (!isBetween_[f] || !(min(thetaO, thetaN) < full))
+        if ((*gasTheta_)[c] < full)
         {
-            continue;
-        }
-        const scalar jump = (i < 0 ? p[nei[f]] : pBehind[i]) - p[own[f]];
-        const vector push((1 - blocked(f)) * jump / (thetaO + thetaN) * S[f]);
-        if (thetaO < full)
-        {
-            pushed_.append(own[f]);
-            gasPush_[own[f]] -= thetaO / V[own[f]] * push;
-        }
-        if (i < 0 && thetaN < full)
-        {
-            pushed_.append(nei[f]);
-            gasPush_[nei[f]] -= thetaN / V[nei[f]] * push;
+            gasPush_[c] =
+                pushOn(c, p, pBehind, [&](const label f) { return (1 - blocked(f)) * S[f]; });
+            pushed_.append(c);
         }
     }
 }

@@ -99,6 +99,7 @@ void Foam::mpm::pressureForce::dryPressure(const label phasei)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
     scalar* pressure = (*cloud.gasPressure())[0];
+    apart_[phasei].clear();
     if (points_.phases()[phasei].grains())
     {
         std::fill(pressure, pressure + cloud.size(), scalar(0));
@@ -112,6 +113,7 @@ void Foam::mpm::pressureForce::dryPressure(const label phasei)
             if (ofGas[p] < v[p])
             {
                 pressure[p] = 0;
+                apart_[phasei].append(p);
             }
         }
     }
@@ -136,6 +138,7 @@ Foam::mpm::pressureForce::pressureForce(
     fraction_(fraction),
     load_(points.phases().size(), Zero),
     work_(0),
+    apart_(points.phases().size()),
     grainPush_(points.phases().size()),
     grainWork_(0)
 {
@@ -247,22 +250,32 @@ void Foam::mpm::pressureForce::addWork(gasBudget& sums)
     forAll(points_.phases(), phasei)
     {
         materialPointCloud& cloud = points_.phases()[phasei].cloud();
-        if (!cloud.damage())
+        const column* damage = cloud.damage();
+        const labelUList& apart = apart_[phasei];
+        if (!damage && apart.empty())
         {
             continue;
         }
 
         // The pressure where the points are now; start() sets it anew
         fraction_.gather(phasei, nullptr);
-        const scalar* damage = (*cloud.damage())[0];
         const scalar* P = (*cloud.gasPressure())[0];
         const scalar* v = (*cloud.gasVolume())[0];
         const scalarList& oldV = fraction_.oldVolume(phasei);
-        for (label p = 0; p < cloud.size(); ++p)
+        const auto add = [&](const label p)
+        { sums.dry += (1 - fraction_.eps()) * P[p] * (v[p] - oldV[p]); };
+        for (label p = 0; damage && p < cloud.size(); ++p)
         {
-            if (damage[p] >= 1)
+            if ((*damage)[0][p] >= 1)
             {
-                sums.dry += (1 - fraction_.eps()) * P[p] * (v[p] - oldV[p]);
+                add(p);
+            }
+        }
+        for (const label p : apart)
+        {
+            if (!(damage && (*damage)[0][p] >= 1))
+            {
+                add(p);
             }
         }
     }

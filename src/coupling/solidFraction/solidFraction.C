@@ -36,6 +36,7 @@ void Foam::mpm::solidFraction::updateVolumes()
             continue;
         }
 
+        // It pushes where -tr sigma/3 > p_0
         const bool pushes = phase.law().pushesGrown();
         const scalar least = -3 * phase.referencePressure();
         const column& sigma = cloud.stress();

@@ -108,27 +108,10 @@ void Foam::mpm::starFraction::updateSides()
 void Foam::mpm::starFraction::updateGasPush(
     const UList<scalar>& p, const UList<scalar>& pBehind, const vectorField& area)
 {
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
+    const vectorField& S = mesh_.faceAreas();
     for (const label c : around_)
     {
-        const scalar theta = (*gasTheta_)[c];
-        vector sum(Zero);
-        for (const label f : mesh_.cells()[c])
-        {
-            if (!isBetween_[f])
-            {
-                continue;
-            }
-            const label i = f - nei.size();
-            const label other = i >= 0 ? -1 : own[f] == c ? nei[f] : own[f];
-            const scalar beside = other < 0 ? (*gasThetaBehind_)[i] : (*gasTheta_)[other];
-            const scalar jump =
-                theta / (theta + beside) * ((other < 0 ? pBehind[i] : p[other]) - p[c]);
-            const vector S(mesh_.faceAreas()[f] - area[f]);
-            sum += own[f] == c ? jump * S : -jump * S;
-        }
-        gasPush_[c] = -sum / mesh_.V()[c];
+        gasPush_[c] = pushOn(c, p, pBehind, [&](const label f) { return S[f] - area[f]; });
     }
 }
 

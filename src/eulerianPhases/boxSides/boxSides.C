@@ -239,10 +239,14 @@ MPM_INLINE Foam::mpm::gasState Foam::mpm::boxSides::limit(
     // v limiter(r) of the difference at face i; oo, oq: products with itself and the other one
     const auto share = [&](const int i, const scalar oo, const scalar oq)
     {
-        return Uniform
-            ? 0.5 * Limiter::weight(oq, oo)
-            : width->v[i] * Limiter::weight(width->own[i] * oo + width->other[i] * oq, oo);
+        const scalar ab = Uniform ? oq : width->own[i] * oo + width->other[i] * oq;
+        return (Uniform ? 0.5 : width->v[i])
+            * Limiter::weight(min(max(ab, -2001 * oo), 1999 * oo), oo);
     };
+
+    // A slope of both sides, where neither is cut off: limiters are symmetric
+    const auto both = [](const scalar o, const scalar q, const scalar oq)
+    { return mag(oq) <= 1999 * min(sqr(o), sqr(q)); };
     gasState change{0, Zero, 0};
     const scalar rhos = s.by[0].rho * s.by[1].rho, ps = s.by[0].p * s.by[1].p,
                  us = s.by[0].u & s.by[1].u;
@@ -255,7 +259,9 @@ MPM_INLINE Foam::mpm::gasState Foam::mpm::boxSides::limit(
         {
             to = gasState{0, Zero, 0};
         }
-        else if (Uniform && i && !s.behind[0] && !still[0])
+        else if (
+            Uniform && i && !s.behind[0] && !still[0] && both(s.by[0].rho, o.rho, rhos)
+            && both(s.by[0].p, o.p, ps))
         {
             to.rho = -sides[0].rho;
             to.p = -sides[0].p;
