@@ -237,16 +237,18 @@ MPM_INLINE Foam::mpm::gasState Foam::mpm::boxSides::limit(
     gasState (&sides)[2])
 {
     // v limiter(r) of the difference at face i; oo, oq: products with itself and the other one
+    const auto isCut = [](const scalar ab, const scalar aa) { return mag(ab) > 1999 * aa; };
+    bool cut = false;
     const auto share = [&](const int i, const scalar oo, const scalar oq)
     {
-        const scalar ab = Uniform ? oq : width->own[i] * oo + width->other[i] * oq;
-        return (Uniform ? 0.5 : width->v[i])
-            * Limiter::weight(min(max(ab, -2001 * oo), 1999 * oo), oo);
+        scalar ab = Uniform ? oq : width->own[i] * oo + width->other[i] * oq;
+        if (isCut(ab, oo))
+        {
+            cut = true;
+            ab = max(-2001 * oo, min(ab, 1999 * oo));
+        }
+        return (Uniform ? 0.5 : width->v[i]) * Limiter::weight(ab, oo);
     };
-
-    // A slope of both sides, where neither is cut off: limiters are symmetric
-    const auto both = [](const scalar o, const scalar q, const scalar oq)
-    { return mag(oq) <= 1999 * min(sqr(o), sqr(q)); };
     gasState change{0, Zero, 0};
     const scalar rhos = s.by[0].rho * s.by[1].rho, ps = s.by[0].p * s.by[1].p,
                  us = s.by[0].u & s.by[1].u;
@@ -260,9 +262,10 @@ MPM_INLINE Foam::mpm::gasState Foam::mpm::boxSides::limit(
             to = gasState{0, Zero, 0};
         }
         else if (
-            Uniform && i && !s.behind[0] && !still[0] && both(s.by[0].rho, o.rho, rhos)
-            && both(s.by[0].p, o.p, ps))
+            Uniform && i && !s.behind[0] && !still[0] && !cut && !isCut(rhos, sqr(o.rho))
+            && !isCut(ps, sqr(o.p)))
         {
+            // A slope of both sides: these limiters are symmetric
             to.rho = -sides[0].rho;
             to.p = -sides[0].p;
             to.u = share(i, magSqr(o.u), us) * o.u;
