@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "velocityField.H"
+#include "shapeConcept.H"
 #include "pointMesh.H"
 #include "Time.H"
 
@@ -151,16 +152,21 @@ void Foam::mpm::velocityField::momentumStep(const scalar dt, const vector& g, co
         gd[d] = g[grid_.direction(d)];
     }
 
-    for (const label n : active_)
-    {
-        const scalar m = mU[stride_ * n + nDim_];
-        const scalar dtm = m > 0 ? dt / m : 0;
-        for (int d = 0; d < nDim_; ++d)
+    forNumber(
+        nDim_,
+        [&](const auto D)
         {
-            UL[stride_ * n + d] =
-                m > 0 ? U[stride_ * n + d] + dtm * f[stride_ * n + d] + dt * gd[d] : 0;
-        }
-    }
+            for (const label n : active_)
+            {
+                const scalar m = mU[stride_ * n + D];
+                const scalar dtm = m > 0 ? dt / m : 0;
+                for (int d = 0; d < D; ++d)
+                {
+                    const label i = stride_ * n + d;
+                    UL[i] = m > 0 ? U[i] + dtm * f[i] + dt * gd[d] : 0;
+                }
+            }
+        });
     if (reactions_)
     {
         reactions_->start(dt, active_, shared_);
@@ -287,43 +293,82 @@ void Foam::mpm::velocityField::replace()
 
 Foam::scalar Foam::mpm::velocityField::maxStrain(const labelList& cells, const scalar dt) const
 {
+    scalar largest = 0;
+    forDimension(nDim_, [&](const auto D) { largest = largestSlope<decltype(D)::value>(cells); });
+    return dt * largest;
+}
+
+template<int DIM>
+Foam::scalar Foam::mpm::velocityField::largestSlope(const labelList& cells) const
+{
+    constexpr int P = nodeStride<DIM>;
+    typedef lanes<P> T;
     const scalar* mU = mUNew_.data();
     const scalar* U = UNew_.data();
-    const auto raise = [&](const label a, const label b, scalar& most)
+
+    // The other lanes of a node are no components
+    laneMask<P> held = {};
+    for (int e = 0; e < DIM; ++e)
     {
-        const label lo = stride_ * a, hi = stride_ * b;
-        if (mU[lo + nDim_] > 0 && mU[hi + nDim_] > 0)
+        held[e] = -1;
+    }
+    const auto raise = [&](const label a, const label b, T& most) __attribute__((always_inline))
+    {
+        if (mU[P * a + DIM] > 0 && mU[P * b + DIM] > 0)
         {
-            for (int e = 0; e < nDim_; ++e)
-            {
-                most = max(most, mag(U[hi + e] - U[lo + e]));
-            }
+            most = laneMax(most, laneAbs(mpm::load<P>(U + P * b) - mpm::load<P>(U + P * a)));
         }
     };
+    const auto largestOf = [&](const T& most) { return horizontalMax(select(held, most, T{})); };
 
     scalar largest = 0;
+    if (grid_.hasHexes())
+    {
+        const hexCells& hexes = grid_.hexes();
+        for (const label celli : cells)
+        {
+            const label* corners = hexes.corners(celli);
+            for (int d = 0; d < DIM; ++d)
+            {
+                T most = {};
+                for (int n = 0; n < (1 << DIM); ++n)
+                {
+                    if (!((n >> d) & 1))
+                    {
+                        raise(corners[n], corners[n | (1 << d)], most);
+                    }
+                }
+                largest = max(largest, largestOf(most) * grid_.inverseWidth(celli, d));
+            }
+        }
+        return largest;
+    }
     for (const label celli : cells)
     {
         // All nodes of a simplex are joined by edges
         const SubList<label> nodes(grid_.nodesOf(celli));
-        if (nDim_ > 1 && nodes.size() == nDim_ + 1)
+        T most = {};
+        if (DIM > 1 && nodes.size() == DIM + 1)
         {
-            scalar most = 0;
-            for (label i = 1; i <= nDim_; ++i)
+            for (int i = 1; i <= DIM; ++i)
             {
-                for (label j = 0; j < i; ++j)
+                for (int j = 0; j < i; ++j)
                 {
                     raise(nodes[j], nodes[i], most);
                 }
             }
-            largest = max(largest, most / grid_.shortestSide(celli));
         }
         else
         {
-            largest = max(largest, grid_.largestSlope(celli, raise));
+            for (const label edgei : grid_.mesh().cellEdges()[celli])
+            {
+                const edge& e = grid_.mesh().edges()[edgei];
+                raise(grid_.pointToNode()[e.first()], grid_.pointToNode()[e.second()], most);
+            }
         }
+        largest = max(largest, largestOf(most) / grid_.shortestSide(celli));
     }
-    return dt * largest;
+    return largest;
 }
 
 void Foam::mpm::velocityField::needReactions()

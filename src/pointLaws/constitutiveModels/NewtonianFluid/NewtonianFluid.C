@@ -155,52 +155,51 @@ void NewtonianFluid::update(pointBlock& b) const
     {
         const label end = min(b.n, first + pressurePart::maxRun);
         r.n = end - first;
-        for (label p = first; p < end; p += W)
-        {
-            const laneGroup<W> g(p, end);
-            step.kinematics(b, g);
-            const T tr = step.dTheta;
-            const T theta = g.get(b.history[0]) + tr;
-            g.put(b.history[0], theta);
+        forLaneGroups<W>(
+            first, end, [&](const laneGroup<W> g) __attribute__((always_inline)) {
+                step.kinematics(b, g);
+                const T tr = step.dTheta;
+                const T theta = g.get(b.history[0]) + tr;
+                g.put(b.history[0], theta);
 
-            if (b.dissipated)
-            {
-                r.keepMean(b, g, p - first);
-            }
-
-            const T across = step.hoop - tr / 3.0;
-            T dd = (DIM < 2 ? tr * tr / 9.0 : T{}), d[DIM * DIM];
-            dd += DIM < 3 ? across * across : T{};
-            for (int i = 0; i < DIM * DIM; ++i)
-            {
-                step.X[i] = i % (DIM + 1) ? step.lnU[i] : step.lnU[i] - tr / 3.0;
-                dd += step.X[i] * step.X[i];
-            }
-            step.turned(broadcast<W>(twoMu), d);
-            for (int i = 0; i < DIM; ++i)
-            {
-                for (int j = i; j < DIM; ++j)
+                if (b.dissipated)
                 {
-                    g.put(b.stress[symmSlot(i, j)], d[i * DIM + j]);
+                    r.keepMean(b, g, g.first - first);
                 }
-            }
-            for (int i = DIM; i < 3; ++i)
-            {
-                g.put(b.stress[i], twoMu * (i == 2 ? across : -tr / 3.0));
-            }
 
-            const T rhoNew = rho() * laneExp(-theta);
-            store<W>(r.rho + (p - first), rhoNew);
-            store<W>(r.rhoOld + (p - first), rho() * laneExp(tr - theta));
-            store<W>(r.dTheta + (p - first), tr);
-            store<W>(r.work + (p - first), twoMu * dd * (1.0 - 0.5 * tr) / rhoNew);
-            if (b.dissipated && !energy)
-            {
-                g.put(
-                    b.dissipated,
-                    g.get(b.dissipated) + g.get(b.mass) * load<W>(r.work + (p - first)));
-            }
-        }
+                const T across = step.hoop - tr / 3.0;
+                T dd = (DIM < 2 ? tr * tr / 9.0 : T{}), d[DIM * DIM];
+                dd += DIM < 3 ? across * across : T{};
+                for (int i = 0; i < DIM * DIM; ++i)
+                {
+                    step.X[i] = i % (DIM + 1) ? step.lnU[i] : step.lnU[i] - tr / 3.0;
+                    dd += step.X[i] * step.X[i];
+                }
+                step.turned(broadcast<W>(twoMu), d);
+                for (int i = 0; i < DIM; ++i)
+                {
+                    for (int j = i; j < DIM; ++j)
+                    {
+                        g.put(b.stress[symmSlot(i, j)], d[i * DIM + j]);
+                    }
+                }
+                for (int i = DIM; i < 3; ++i)
+                {
+                    g.put(b.stress[i], twoMu * (i == 2 ? across : -tr / 3.0));
+                }
+
+                const T rhoNew = rho() * laneExp(-theta);
+                store<W>(r.rho + (g.first - first), rhoNew);
+                store<W>(r.rhoOld + (g.first - first), rho() * laneExp(tr - theta));
+                store<W>(r.dTheta + (g.first - first), tr);
+                store<W>(r.work + (g.first - first), twoMu * dd * (1.0 - 0.5 * tr) / rhoNew);
+                if (b.dissipated && !energy)
+                {
+                    g.put(
+                        b.dissipated,
+                        g.get(b.dissipated) + g.get(b.mass) * load<W>(r.work + (g.first - first)));
+                }
+            });
         fastest =
             max(fastest, pressure_.advance(r, b, first, energy ? energy + first : nullptr, 0));
         r.addTo(b, first);

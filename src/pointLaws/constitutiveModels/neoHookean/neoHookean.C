@@ -76,13 +76,12 @@ template<int W>
 MPM_INLINE double largestVolumeChange(const pointBlock& b, const scalar rho)
 {
     lanes<W> largest = {};
-    for (label p = 0; p < b.n; p += W)
-    {
-        const laneGroup<W> g(p, b.n);
-        const lanes<W> m = g.get(b.mass), m0 = rho * g.get(b.volume);
-        const lanes<W> z = (m0 - m) / (m0 + m);
-        largest = laneMax(largest, z * z);
-    }
+    forLaneGroups<W>(
+        0, b.n, [&](const laneGroup<W> g) __attribute__((always_inline)) {
+            const lanes<W> m = g.get(b.mass), m0 = rho * g.get(b.volume);
+            const lanes<W> z = (m0 - m) / (m0 + m);
+            largest = laneMax(largest, z * z);
+        });
     return horizontalMax(largest);
 }
 

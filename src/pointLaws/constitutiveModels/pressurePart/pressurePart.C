@@ -121,80 +121,81 @@ Foam::scalar Foam::mpm::pressurePart::energy(const scalar rho, const scalar* e) 
 Foam::scalar Foam::mpm::pressurePart::advance(
     run& r, const pointBlock& b, const label first, scalar* e, const scalar G) const
 {
-    alignas(64) scalar A[room], B[room], dA[room], dB[room], q[room], viscous[room];
-    const label n = r.n;
+    constexpr int W = laneWidth<3>;
+    typedef lanes<W> T;
+    alignas(64) scalar A[room], B[room], dA[room], dB[room];
+    alignas(64) scalar A0[room], B0[room], dA0[room], dB0[room];
 
-    equation_->coefficients(n, r.rho, A, B, dA, dB);
-
-    // Bulk viscosity, and the speed that it adds to that of the waves
-    scalar fastest = 0;
-    for (label i = 0; i < n; ++i)
+    equation_->coefficients(r.n, r.rho, A, B, dA, dB);
+    const bool viscous = usesWidth() && b.width;
+    const bool dissipates = !e && b.dissipated && usesWidth();
+    if (e || dissipates)
     {
-        q[i] = 0;
-        viscous[i] = 0;
+        equation_->coefficients(r.n, r.rhoOld, A0, B0, dA0, dB0);
     }
-    if (usesWidth() && b.width)
-    {
-        const scalar rdt = 1 / r.dt;
-        for (label i = 0; i < n; ++i)
-        {
-            const scalar e0 = e ? e[i] : 0;
-            const scalar c = std::sqrt(max(
-                dA[i] + e0 * dB[i] + (A[i] + B[i] * e0) * B[i] / (r.rho[i] * r.rho[i]), scalar(0)));
-            const scalar ld = b.width[first + i] * max(-r.dTheta[i] * rdt, scalar(0));
-            q[i] = r.rho[i] * ld * (linear_ * c + quadratic_ * ld);
-            viscous[i] = ld > 0 ? linear_ * c + quadratic_ * ld : 0;
-        }
-    }
-
-    if (e)
-    {
-        alignas(64) scalar A0[room], B0[room], dA0[room], dB0[room];
-        equation_->coefficients(n, r.rhoOld, A0, B0, dA0, dB0);
-        const scalar* damage = b.damage ? b.damage + first : nullptr;
-        for (label i = 0; i < n; ++i)
-        {
-            const scalar least = damage && damage[i] >= 1 ? max(pMin_, scalar(0)) : pMin_;
-            const scalar dv = 1 / r.rho[i] - 1 / r.rhoOld[i];
-            const scalar p0 = max(A0[i] + B0[i] * e[i], least);
-            const scalar known = e[i] - (0.5 * p0 + q[i]) * dv + r.work[i];
-
-            const scalar e1 = (known - 0.5 * A[i] * dv) / (1 + 0.5 * B[i] * dv);
-            e[i] = A[i] + B[i] * e1 >= least ? e1 : known - 0.5 * least * dv;
-            r.heat[i] = -q[i] * dv;
-            r.isentropic[i] = -2 * B[i] / (r.rho[i] + r.rhoOld[i]) * r.dTheta[i];
-        }
-    }
-    else if (b.dissipated && usesWidth())
-    {
-        alignas(64) scalar A0[room], B0[room], dA0[room], dB0[room];
-        equation_->coefficients(n, r.rhoOld, A0, B0, dA0, dB0);
-        for (label i = 0; i < n; ++i)
-        {
-            const scalar q0 = -r.meanOld[i] - max(A0[i], pMin_);
-            b.dissipated[first + i] +=
-                b.mass[first + i] * 0.5 * (q0 + q[i]) * (1 / r.rhoOld[i] - 1 / r.rho[i]);
-        }
-    }
+    const scalar* damage = b.damage ? b.damage + first : nullptr;
 
     // The law of a failed point that has opened goes on with a density that
     // falls, and its speed grows; what the point carries has no such wave
-    const scalar* failed = b.damage ? b.damage + first : nullptr;
-    const scalar unstressed = failed ? (bulkModulus() + 4.0 / 3 * G) / equation_->rho0() : 0;
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar e1 = e ? e[i] : 0;
-        const scalar p = max(A[i] + B[i] * e1, pMin_);
-        const scalar square = max(dA[i] + e1 * dB[i] + p * B[i] / (r.rho[i] * r.rho[i]), scalar(0))
-            + 4.0 / 3 * G / r.rho[i];
-        r.p[i] = p + q[i];
-        const bool open = failed && failed[i] >= 1 && p <= 0;
-        fastest = max(
-            fastest,
-            viscous[i]
-                + std::sqrt((open ? min(square, unstressed) : square) + viscous[i] * viscous[i]));
-    }
-    return fastest;
+    const scalar unstressed = damage ? (bulkModulus() + 4.0 / 3 * G) / equation_->rho0() : 0;
+    const T none = {}, least = none + pMin_;
+    const scalar rdt = 1 / r.dt;
+
+    T fastest = {};
+    forLaneGroups<W>(
+        0, r.n, [&](const laneGroup<W> g) __attribute__((always_inline)) {
+            const T rho = g.get(r.rho), dTheta = g.get(r.dTheta);
+            const T a = g.get(A), c = g.get(B), da = g.get(dA), dc = g.get(dB);
+            const T v = 1.0 / rho;
+            T e1 = e ? g.get(e) : none;
+
+            // Bulk viscosity, and the speed that it adds to that of the waves
+            T q = {}, more = {};
+            if (viscous)
+            {
+                const T speed = laneSqrt(laneMax(da + e1 * dc + (a + c * e1) * c * v * v, none));
+                const T ld = g.get(b.width + first) * laneMax(-dTheta * rdt, none);
+                more = linear_ * speed + quadratic_ * ld;
+                q = rho * ld * more;
+                more = select(ld > none, more, none);
+            }
+
+            const T failed = damage ? g.get(damage) : none;
+            if (e)
+            {
+                const T rhoOld = g.get(r.rhoOld), a0 = g.get(A0), c0 = g.get(B0);
+                const T lowest = select(failed >= 1.0, laneMax(least, none), least);
+                const T dv = v - 1.0 / rhoOld;
+                const T p0 = laneMax(a0 + c0 * e1, lowest);
+                const T known = e1 - (0.5 * p0 + q) * dv + g.get(r.work);
+
+                e1 = (known - 0.5 * a * dv) / (1.0 + 0.5 * c * dv);
+                e1 = select(a + c * e1 >= lowest, e1, known - 0.5 * lowest * dv);
+                g.put(e, e1);
+                g.put(r.heat, -q * dv);
+                g.put(r.isentropic, -2.0 * c / (rho + rhoOld) * dTheta);
+            }
+            else if (dissipates)
+            {
+                const T q0 = -g.get(r.meanOld) - laneMax(g.get(A0), least);
+                scalar* to = b.dissipated + first;
+                g.put(
+                    to,
+                    g.get(to)
+                        + g.get(b.mass + first) * 0.5 * (q0 + q) * (1.0 / g.get(r.rhoOld) - v));
+            }
+
+            const T p = laneMax(a + c * e1, least);
+            T square = laneMax(da + e1 * dc + p * c * v * v, none) + 4.0 / 3 * G * v;
+            g.put(r.p, p + q);
+            if (damage)
+            {
+                square = select(
+                    (failed >= 1.0) & (p <= 0.0), laneMin(square, none + unstressed), square);
+            }
+            fastest = laneMax(fastest, more + laneSqrt(square + more * more));
+        });
+    return horizontalMax(fastest);
 }
 
 void Foam::mpm::pressurePart::stateOf(

@@ -41,6 +41,9 @@ class MieGrueneisenEquation : public inlineEquation<MieGrueneisenEquation>
 {
     scalar C0_, S_, Gamma0_;
 
+    //- Compression up to which the curve is taken: S x = 0.9
+    scalar yMost_;
+
 public:
     TypeName("MieGrueneisen");
 
@@ -51,28 +54,27 @@ public:
         C0_ = positive(dict, "C0");
         S_ = bounded(dict, "S", 0, 10);
         Gamma0_ = bounded(dict, "Gamma0", 0, 10);
+        yMost_ = S_ > 0 ? 0.9 / S_ : GREAT;
     }
 
     bool usesEnergy() const override { return Gamma0_ > 0; }
 
     terms of(const scalar rho) const
     {
-        const scalar r0 = rho0(), x = 1 - r0 / rho, B = Gamma0_ * r0;
-        if (x < 0)
-        {
-            return {sqr(C0_) * (rho - r0), B, sqr(C0_), 0};
-        }
-        const scalar y = S_ * x < 0.9 ? x : 0.9 / S_;
+        // Both branches, without a jump: the sign changes from point to point
+        const scalar r0 = rho0(), rRho = 1 / rho, x = 1 - r0 * rRho;
+        const scalar y = max(min(x, yMost_), scalar(0));
         const scalar d = 1 / (1 - S_ * y), k = r0 * sqr(C0_ * d);
         const scalar pH = k * y, f = 1 - 0.5 * Gamma0_ * y;
         const scalar slope = k * (1 + S_ * y) * d * f - 0.5 * Gamma0_ * pH;
-        return {pH * f + slope * (x - y), B, slope * r0 / sqr(rho), 0};
+        const scalar A = pH * f + slope * (x - y), dA = slope * r0 * sqr(rRho);
+        return {x < 0 ? sqr(C0_) * (rho - r0) : A, Gamma0_ * r0, x < 0 ? sqr(C0_) : dA, 0};
     }
 
     scalar storedEnergy(const scalar rho) const override
     {
         // Gamma0 = 0: integral of pH dx/rho0
-        const scalar x = 1 - rho0() / rho, y = S_ * x < 0.9 ? x : 0.9 / S_;
+        const scalar x = 1 - rho0() / rho, y = x < yMost_ ? x : yMost_;
         if (x < 0)
         {
             return sqr(C0_) * (std::log(rho / rho0()) + rho0() / rho - 1);
