@@ -163,10 +163,15 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move(
     materialPointCloud& cloud, const moveRule& rule, const nodeVelocities& u,
     DynamicList<materialPointCloud::cellChange>& cellChanges) const
 {
-    const geometry geo(cloud, false);
+    geometry geo(cloud, false);
     const pointGrid& grid = cloud.grid();
     movedPoints to(cloud);
     const scalar* mass = cloud.mass()[0];
+    for (const column* used :
+         {&cloud.U(), &cloud.xNew(), &cloud.UNew(), &cloud.mass(), cloud.displacement()})
+    {
+        geo.fetch(used);
+    }
 
     // Only what the coefficients need is gathered
     const moveCoefficients c(rule.take);
@@ -185,7 +190,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move(
         cloud, [&](const stencil&) {},
         [&](const stencil& s, const label celli, const label p, const int n)
         {
-            T X[DIM], L[DIM], v[DIM], V[DIM], dX[DIM];
+            T X[DIM], L[2 * DIM], v[DIM], V[DIM], dX[DIM];
             geo.load(p, X, L);
             weightsType S;
             shape_.evaluate(s, X, L, S);

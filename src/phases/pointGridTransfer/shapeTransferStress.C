@@ -58,9 +58,14 @@ void shapeTransfer<Shape, DIM, HOOP>::shiftStress(
 template<template<int> class Shape, int DIM, bool HOOP>
 void shapeTransfer<Shape, DIM, HOOP>::force(materialPointCloud& cloud, scalar* f) const
 {
-    const geometry geo(cloud, false);
+    geometry geo(cloud, false);
     const scalar* volume = cloud.volume()[0];
     const column& stress = cloud.stress();
+    for (const column* used :
+         {&cloud.stress(), &cloud.volume(), cloud.gasPressure(), cloud.gasForce()})
+    {
+        geo.fetch(used);
+    }
     const scalar* pressure = cloud.gasPressure() ? (*cloud.gasPressure())[0] : nullptr;
     const scalar* push[DIM] = {};
     for (int d = 0; pressure && d < DIM; ++d)
@@ -90,7 +95,7 @@ void shapeTransfer<Shape, DIM, HOOP>::force(materialPointCloud& cloud, scalar* f
         cloud, [&](const stencil&) { acc.clear(); },
         [&](const stencil& s, label, const label p, const int n)
         {
-            T X[DIM], L[DIM], F[DIM * DIM];
+            T X[DIM], L[2 * DIM], F[DIM * DIM];
             geo.load(p, X, L);
             gradientsType S;
             shape_.evaluate(s, X, L, S);

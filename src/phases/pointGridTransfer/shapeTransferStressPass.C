@@ -42,7 +42,11 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
     buffers& room;
     const scalar dt, square;
     const bool cellMeans;
-    const geometry geo;
+
+    //- Of the velocity gradient, with the columns of the law; of the force
+    geometry geo;
+    const geometry geoOfForce;
+
     column& stress;
     scalar* volume;
     const scalar* damage;
@@ -61,6 +65,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         square(squareOfGradient),
         cellMeans(t.cellMeans),
         geo(c, false),
+        geoOfForce(c, false),
         stress(c.stress()),
         volume(c.volume()[0]),
         damage(c.damage() ? (*c.damage())[0] : nullptr),
@@ -70,6 +75,12 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         begin(0),
         end(0)
     {
+        geo.fetch(&c.stress());
+        geo.fetch(&c.volume());
+        for (const column& h : c.history())
+        {
+            geo.fetch(&h);
+        }
     }
 
     //- Whole cells while they fit; a cell with more points than the buffer
@@ -113,7 +124,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         for (label p = r.begin; p < r.end; p += W)
         {
             const label i = p - begin;
-            T X[DIM], L[DIM], G[DIM * DIM];
+            T X[DIM], L[2 * DIM], G[DIM * DIM];
             geo.load(p, X, L);
             gradientsType S;
             transfer.shape_.evaluate(s, X, L, S);
@@ -256,8 +267,8 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         }
         for (label p = r.begin; p < r.end; p += W)
         {
-            T X[DIM], L[DIM], F[DIM * DIM];
-            geo.load(p, X, L);
+            T X[DIM], L[2 * DIM], F[DIM * DIM];
+            geoOfForce.load(p, X, L);
             gradientsType S;
             transfer.shape_.evaluate(s, X, L, S);
             const T more = cellMeans ? load<W>(room.shift + (p - begin)) : T{};

@@ -18,11 +18,12 @@ void shapeTransfer<Shape, DIM, HOOP>::weights(
 {
     stencil s;
     shape_.prepare(celli, s);
-    T X[DIM], L[DIM];
+    T X[DIM], L[2 * DIM];
     for (int d = 0; d < DIM; ++d)
     {
         X[d] = broadcast<W>(x[d]);
         L[d] = broadcast<W>(halfSize ? halfSize[d] : 0);
+        L[DIM + d] = broadcast<W>(halfSize ? 0.5 / halfSize[d] : 0);
     }
     gradientsType g;
     shape_.evaluate(s, X, L, g);
@@ -68,9 +69,10 @@ void shapeTransfer<Shape, DIM, HOOP>::project(
     }
 
     const scalar* mass = cloud.mass()[0];
-    const vectors U(state == current ? cloud.U() : cloud.UNew());
+    const column& v = state == current ? cloud.U() : cloud.UNew();
+    const vectors U(v);
     scatterPoints<DIM + 1>(
-        cloud, state == tentative, mU,
+        cloud, state == tentative, {&cloud.mass(), &v}, mU,
         [&](const stencil&, const weightsType&, const label p, T(&q)[DIM + 1])
         {
             q[DIM] = load<W>(mass + p);
@@ -86,17 +88,21 @@ template<template<int> class Shape, int DIM, bool HOOP>
 void shapeTransfer<Shape, DIM, HOOP>::projectAffine(
     materialPointCloud& cloud, const states state, scalar* mU, scalar* share) const
 {
-    const geometry geo(cloud, state == tentative);
+    geometry geo(cloud, state == tentative);
     const scalar* mass = cloud.mass()[0];
     const column& C = state == current ? *cloud.affine() : *cloud.affineNew();
-    const vectors U(state == current ? cloud.U() : cloud.UNew());
+    const column& v = state == current ? cloud.U() : cloud.UNew();
+    const vectors U(v);
+    geo.fetch(&cloud.mass());
+    geo.fetch(&v);
+    geo.fetch(&C);
 
     accumulator acc;
     forGroups(
         cloud, [&](const stencil&) { acc.clear(); },
         [&](const stencil& s, const label celli, const label p, const int n)
         {
-            T X[DIM], L[DIM], q[DIM + 1], A[DIM * DIM];
+            T X[DIM], L[2 * DIM], q[DIM + 1], A[DIM * DIM];
             geo.load(p, X, L);
             q[DIM] = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
@@ -127,7 +133,7 @@ void shapeTransfer<Shape, DIM, HOOP>::affine(
         cloud, [&](const stencil&) {},
         [&](const stencil& s, const label celli, const label p, const int)
         {
-            T X[DIM], L[DIM], G[DIM * DIM], D[DIM];
+            T X[DIM], L[2 * DIM], G[DIM * DIM], D[DIM];
             geo.load(p, X, L);
             gradientsType S;
             if (moment && shapeType::hasMoments)
@@ -183,7 +189,7 @@ void shapeTransfer<Shape, DIM, HOOP>::addBodyForce(
     const scalar* mass = cloud.mass()[0];
     const vectors B(b);
     scatterPoints<DIM>(
-        cloud, false, f,
+        cloud, false, {&cloud.mass(), &b}, f,
         [&](const stencil&, const weightsType&, const label p, T(&q)[DIM])
         {
             const T m = load<W>(mass + p);
@@ -200,7 +206,7 @@ void shapeTransfer<Shape, DIM, HOOP>::massTimes(
 {
     const scalar* mass = cloud.mass()[0];
     scatterPoints<DIM>(
-        cloud, tentative, mU,
+        cloud, tentative, {&cloud.mass()}, mU,
         [&](const stencil& s, const weightsType& S, const label p, T(&q)[DIM])
         {
             shapeType::template gather<DIM, P>(S, s.nodes, u, q);
