@@ -59,6 +59,7 @@ Foam::mpm::materialPointCloud::materialPointCloud(const pointGrid& grid, const w
     reference_(nullptr),
     temperature_(nullptr),
     affine_(nullptr),
+    hint_(nullptr),
     gasVolume_(nullptr),
     displacement_(nullptr),
     gasPressure_(nullptr),

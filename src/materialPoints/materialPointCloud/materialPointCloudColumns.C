@@ -157,6 +157,11 @@ void Foam::mpm::materialPointCloud::needHistory(const word& name, const column::
     history_.append(&need(name, kind, columnRules(columnRules::sinceRun).changesWithStress()));
 }
 
+void Foam::mpm::materialPointCloud::needHint()
+{
+    hint_ = &need("hint", column::scalars, columnRules());
+}
+
 void Foam::mpm::materialPointCloud::needGas()
 {
     const columnRules buffer(columnRules().buffer());

@@ -113,6 +113,10 @@ void Foam::mpm::materialPointSystem::readPhases()
                 // Contact needs the points' boxes whatever the shape function
                 gridTransfer_->hasExtent() || properties_.found("contact"),
                 transfer_->affine() != transferScheme::none));
+        if (gridTransfer_->remembers())
+        {
+            phases_[phasei].cloud().needHint();
+        }
     }
 }
 

@@ -17,8 +17,7 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::workSums::add(
     const T (&du)[DIM])
 {
     // Lanes beyond n may hold anything
-    const scalar lane[] = {0, 1, 2, 3, 4, 5, 6, 7};
-    const auto own = load<W>(lane) < broadcast<W>(n);
+    const auto own = firstLanes<W>(n);
     const T none = {};
     const T m = select(own, load<W>(mass + p), none);
     for (int d = 0; d < DIM; ++d)
@@ -191,7 +190,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move(
         [&](const stencil& s, const label celli, const label p, const int n)
         {
             T X[DIM], L[2 * DIM], v[DIM], V[DIM], dX[DIM];
-            geo.load(p, X, L);
+            geo.load(p, n, X, L);
             weightsType S;
             shape_.evaluate(s, X, L, S);
 
@@ -241,15 +240,23 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move(
             }
             if (n < W)
             {
-                const scalar lane[] = {0, 1, 2, 3, 4, 5, 6, 7};
-                const auto own = load<W>(lane) < broadcast<W>(n);
+                const auto own = firstLanes<W>(n);
                 way = select(own, way, T{});
                 fast = select(own, fast, T{});
             }
             travel = laneMax(travel, way);
             rate = laneMax(rate, fast);
 
-            const auto out = shape_.left(s, X);
+            laneMask<W> out;
+            if constexpr (rememberedBy<shapeType>)
+            {
+                out = shape_.left(s, X, L[0]);
+                geo.keep(p, n, L);
+            }
+            else
+            {
+                out = shape_.left(s, X);
+            }
             if (anyOf<W>(out))
             {
                 for (int l = 0; l < n; ++l)

@@ -96,7 +96,7 @@ void shapeTransfer<Shape, DIM, HOOP>::force(materialPointCloud& cloud, scalar* f
         [&](const stencil& s, label, const label p, const int n)
         {
             T X[DIM], L[2 * DIM], F[DIM * DIM];
-            geo.load(p, X, L);
+            geo.load(p, n, X, L);
             gradientsType S;
             shape_.evaluate(s, X, L, S);
             const T more = cellMeans ? load<W>(shift.data() + p) : T{};

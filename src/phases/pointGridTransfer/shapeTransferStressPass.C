@@ -125,7 +125,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         {
             const label i = p - begin;
             T X[DIM], L[2 * DIM], G[DIM * DIM];
-            geo.load(p, X, L);
+            geo.load(p, int(min(label(W), r.end - p)), X, L);
             gradientsType S;
             transfer.shape_.evaluate(s, X, L, S);
             shapeType::template gatherGradient<P>(S, s.nodes, u, G);
@@ -268,7 +268,8 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         for (label p = r.begin; p < r.end; p += W)
         {
             T X[DIM], L[2 * DIM], F[DIM * DIM];
-            geoOfForce.load(p, X, L);
+            const int n = int(min(label(W), r.end - p));
+            geoOfForce.load(p, n, X, L);
             gradientsType S;
             transfer.shape_.evaluate(s, X, L, S);
             const T more = cellMeans ? load<W>(room.shift + (p - begin)) : T{};
@@ -277,7 +278,6 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
             {
                 notFinite += 0.0 * F[i];
             }
-            const int n = int(min(label(W), r.end - p));
             if constexpr (HOOP)
             {
                 T q[DIM];

@@ -103,7 +103,7 @@ void shapeTransfer<Shape, DIM, HOOP>::projectAffine(
         [&](const stencil& s, const label celli, const label p, const int n)
         {
             T X[DIM], L[2 * DIM], q[DIM + 1], A[DIM * DIM];
-            geo.load(p, X, L);
+            geo.load(p, n, X, L);
             q[DIM] = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
             {
@@ -131,10 +131,10 @@ void shapeTransfer<Shape, DIM, HOOP>::affine(
 
     forGroups(
         cloud, [&](const stencil&) {},
-        [&](const stencil& s, const label celli, const label p, const int)
+        [&](const stencil& s, const label celli, const label p, const int n)
         {
             T X[DIM], L[2 * DIM], G[DIM * DIM], D[DIM];
-            geo.load(p, X, L);
+            geo.load(p, n, X, L);
             gradientsType S;
             if (moment && shapeType::hasMoments)
             {

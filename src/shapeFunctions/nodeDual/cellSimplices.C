@@ -372,6 +372,7 @@ Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid, const bool produc
 
     refuse(mesh, bad);
     node_.transfer(nodes);
+    x.append(0); // four numbers may be fetched from each
     x_.transfer(x);
     corner_.transfer(corners);
     inverse_.transfer(inverses);
