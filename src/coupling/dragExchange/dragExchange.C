@@ -150,14 +150,11 @@ Foam::vector Foam::mpm::dragExchange::momentumOf(
 
 void Foam::mpm::dragExchange::startImpulse(const velocityField& field)
 {
-    const int D = points_.grid().nDim(), stride = field.stride();
+    const int stride = field.stride();
     impulse_.setSize(stride * points_.grid().nNodes());
     for (const label node : field.active())
     {
-        for (int d = 0; d < D; ++d)
-        {
-            impulse_[stride * node + d] = 0;
-        }
+        std::fill_n(impulse_.begin() + stride * node, stride, 0.0);
     }
 }
 
@@ -185,9 +182,14 @@ void Foam::mpm::dragExchange::take(
         if (share[i] > 0)
         {
             const lanes<4> left = ofNode(impulse_.cdata(), stride, nodes[i]) - share[i] * ofMass;
-            for (int d = 0; d < D; ++d)
+            scalar* to = impulse_.begin() + stride * nodes[i];
+            if (stride == 4)
             {
-                impulse_[stride * nodes[i] + d] = left[d];
+                store<4>(to, left);
+            }
+            else
+            {
+                to[0] = left[0];
             }
         }
     }

@@ -314,8 +314,18 @@ void Foam::mpm::slipVelocity::project(const label node, scalar* v) const
 
 void Foam::mpm::slipVelocity::impose(scalar* u, const int stride, const bool, const bool) const
 {
+    // Most nodes of a boundary are without points and stand still
     forAll(node_, i)
     {
-        apply(i, u + stride * node_[i]);
+        scalar* v = u + stride * node_[i];
+        bool moves = false;
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            moves = moves || v[d] != 0;
+        }
+        if (moves)
+        {
+            apply(i, v);
+        }
     }
 }
