@@ -75,6 +75,23 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::leave(
 }
 
 template<template<int> class Shape, int DIM, bool HOOP>
+MPM_INLINE auto shapeTransfer<Shape, DIM, HOOP>::outside(
+    const geometry& geo, const stencil& s, const label p, const int n, const T (&X)[DIM],
+    T (&L)[2 * DIM]) const -> laneMask<W>
+{
+    if constexpr (rememberedBy<shapeType>)
+    {
+        const laneMask<W> out = shape_.left(s, X, L[0]);
+        geo.keep(p, n, L);
+        return out;
+    }
+    else
+    {
+        return shape_.left(s, X);
+    }
+}
+
+template<template<int> class Shape, int DIM, bool HOOP>
 void shapeTransfer<Shape, DIM, HOOP>::changeCell(
     const moveRule& rule, const leaver& of, label cell, scalar* x, movedPoints& to,
     moveResult& result, DynamicList<materialPointCloud::cellChange>& cellChanges) const
@@ -247,16 +264,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move(
             travel = laneMax(travel, way);
             rate = laneMax(rate, fast);
 
-            laneMask<W> out;
-            if constexpr (rememberedBy<shapeType>)
-            {
-                out = shape_.left(s, X, L[0]);
-                geo.keep(p, n, L);
-            }
-            else
-            {
-                out = shape_.left(s, X);
-            }
+            const laneMask<W> out = outside(geo, s, p, n, X, L);
             if (anyOf<W>(out))
             {
                 for (int l = 0; l < n; ++l)
