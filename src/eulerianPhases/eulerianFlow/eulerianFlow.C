@@ -262,7 +262,7 @@ Foam::mpm::eulerianFlow::eulerianFlow(
     theta_(mesh.nCells(), 1),
     rho_(mesh.nCells()),
     rhoU_(mesh.nCells()),
-    W_(mesh.nCells()),
+    W_(mesh.nCells(), gasState{0, Zero, 0}),
     Wb_(mesh.nFaces() - mesh.nInternalFaces(), gasState{1, Zero, 1}),
     thetaB_(Wb_.size(), 1),
     reconstruction_(mesh, region_, coupled_, faces_.boundary, faces_.coupled),
