@@ -134,8 +134,7 @@ void Foam::mpm::timeStepControl::setAsideIncomplete(const argList& args)
     // first one with points is that of setMaterialPoints; later ones are of a
     // run
     wordList names;
-    boolList points, complete;
-    bool known = false;
+    boolList complete;
     for (const auto& t : times)
     {
         const bool here =
@@ -144,16 +143,14 @@ void Foam::mpm::timeStepControl::setAsideIncomplete(const argList& args)
         if (names.size() || has)
         {
             names.append(t.second);
-            points.append(has);
             complete.append(returnReduce(isFile(stateFile(path, t.second)), andOp<bool>()));
-            known = known || complete.last();
         }
     }
 
     word start(names.empty() && times.size() ? times.rbegin()->second : word());
     for (label i = names.size() - 1; i >= 0 && start.empty(); --i)
     {
-        if (i == 0 || complete[i] || !(known || points[i]))
+        if (i == 0 || complete[i])
         {
             start = names[i];
         }

@@ -176,8 +176,16 @@ def killedFluids(table):
                     or "No step" in straight.log(), straight.log()[-80:])
         folders = c.processors() or [c.path]
         end = times(straight)[-1]
-        done, _ = kills(c, 6)
         label = f"charge beside points, {n} processor{'s'*(n > 1)}"
+
+        # As after a kill in the first write, before its points
+        for folder in folders:
+            os.makedirs(os.path.join(folder, "5e-07"))
+            shutil.copy(os.path.join(folder, "0", "p"), os.path.join(folder, "5e-07", "Theta"))
+        done, _ = kills(c, 6)
+        table.check(f"{label}: a first time that was only begun is set aside",
+                    all(os.path.isdir(os.path.join(folder, "5e-07.incomplete"))
+                        for folder in folders), str(times(c)))
         table.check(f"{label}: killed on the way", 0 < float(times(c)[-1]) < float(end),
                     times(c)[-1])
 
