@@ -13,7 +13,7 @@ Description
 #include "testShapes.H"
 #include "testCells.H"
 #include "nodeDual.H"
-#include "shapeConcept.H"
+#include "simplexShape.H"
 #include "constitutiveModel.H"
 #include <random>
 
@@ -478,6 +478,90 @@ TEST_CASE("node-dual functions: passes in two levels are sums over the functions
         explicitSums<2>(testMesh(90, 6, 0, cube).grid(), 9, inner);
         explicitSums<1>(testMesh(80, 0, 0, cube).grid(), 10, inner);
     }
+}
+
+TEST_CASE("functions of simplices: what is remembered of a point changes none of them")
+{
+    typedef Foam::mpm::simplexShape<3> shape;
+    typedef shape::T T;
+    constexpr int W = shape::W;
+    std::mt19937 engine(3);
+    std::uniform_real_distribution<double> random(0, 1);
+    scalar sum = 0, centre = 0;
+    label differ = 0, asked = 0;
+    for (const auto kind : {cellMesh::prisms, cellMesh::hexes, cellMesh::polyhedra})
+    {
+        const cellMesh mesh(kind, 3, true);
+        const shape functions(mesh.grid());
+        const cellSimplices& cells = functions.cells;
+        for (label celli = 0; celli < mesh.grid().nCells(); ++celli)
+        {
+            shape::stencil s;
+            functions.prepare(celli, s);
+
+            // Points in a simplex, in each third cell on a side between two, on an edge of
+            // several
+            const label* corner = s.corners + 3 * label(random(engine) * s.nSimplices);
+            T x[3] = {};
+            for (int p = 0; p < W; ++p)
+            {
+                scalar share[3] = {random(engine), random(engine), random(engine)};
+                for (int k = 0; k < celli % 3; ++k)
+                {
+                    share[k] = 0;
+                }
+                const scalar scale = 0.9 / (share[0] + share[1] + share[2]) * random(engine);
+                for (int d = 0; d < 3; ++d)
+                {
+                    x[d][p] = s.O[d];
+                    for (int k = 0; k < 3; ++k)
+                    {
+                        x[d][p] +=
+                            scale * share[k] * (cells.position(celli, corner[k])[d] - s.O[d]);
+                    }
+                }
+            }
+            T first[64];
+            for (label known = 0; known <= s.nSimplices + 1; ++known)
+            {
+                T l[3] = {};
+                l[0] += known <= s.nSimplices ? scalar(known) : std::nan("");
+                shape::weights S;
+                functions.evaluate(s, x, l, S);
+                for (int i = 0; i < s.n; ++i)
+                {
+                    const T w = shape::weight(S, i);
+                    first[i] = known == 0 ? w : first[i];
+                    for (int p = 0; p < W; ++p)
+                    {
+                        differ += w[p] != first[i][p];
+                        ++asked;
+                    }
+                }
+            }
+            for (int p = 0; p < W; ++p)
+            {
+                scalar one = 0, at[3] = {0, 0, 0};
+                for (int i = 0; i < s.n; ++i)
+                {
+                    one += first[i][p];
+                    for (int d = 0; d < 3; ++d)
+                    {
+                        at[d] += first[i][p] * cells.position(celli, i)[d];
+                    }
+                }
+                sum = max(sum, mag(one - 1));
+                for (int d = 0; d < 3; ++d)
+                {
+                    centre = max(centre, mag(at[d] - x[d][p]));
+                }
+            }
+        }
+    }
+    CHECK(asked > 10000);
+    CHECK(differ == 0);
+    CHECK(sum < 1e-14);
+    CHECK(centre < 1e-11);
 }
 
 TEST_CASE("node-dual cells: points located together are where each alone is")

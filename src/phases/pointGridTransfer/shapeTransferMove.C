@@ -77,7 +77,7 @@ MPM_INLINE void shapeTransfer<Shape, DIM, HOOP>::leave(
 template<template<int> class Shape, int DIM, bool HOOP>
 MPM_INLINE auto shapeTransfer<Shape, DIM, HOOP>::outside(
     const geometry& geo, const stencil& s, const label p, const int n, const T (&X)[DIM],
-    T (&L)[2 * DIM]) const -> laneMask<W>
+    T (&L)[DIM]) const -> laneMask<W>
 {
     if constexpr (rememberedBy<shapeType>)
     {
@@ -206,7 +206,7 @@ pointGridTransfer::moveResult shapeTransfer<Shape, DIM, HOOP>::move(
         cloud, [&](const stencil&) {},
         [&](const stencil& s, const label celli, const label p, const int n)
         {
-            T X[DIM], L[2 * DIM], v[DIM], V[DIM], dX[DIM];
+            T X[DIM], L[DIM], v[DIM], V[DIM], dX[DIM];
             geo.load(p, n, X, L);
             weightsType S;
             shape_.evaluate(s, X, L, S);

@@ -95,7 +95,7 @@ void shapeTransfer<Shape, DIM, HOOP>::force(materialPointCloud& cloud, scalar* f
         cloud, [&](const stencil&) { acc.clear(); },
         [&](const stencil& s, label, const label p, const int n)
         {
-            T X[DIM], L[2 * DIM], F[DIM * DIM];
+            T X[DIM], L[DIM], F[DIM * DIM];
             geo.load(p, n, X, L);
             gradientsType S;
             shape_.evaluate(s, X, L, S);

@@ -124,7 +124,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         for (label p = r.begin; p < r.end; p += W)
         {
             const label i = p - begin;
-            T X[DIM], L[2 * DIM], G[DIM * DIM];
+            T X[DIM], L[DIM], G[DIM * DIM];
             geo.load(p, int(min(label(W), r.end - p)), X, L);
             gradientsType S;
             transfer.shape_.evaluate(s, X, L, S);
@@ -267,7 +267,7 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         }
         for (label p = r.begin; p < r.end; p += W)
         {
-            T X[DIM], L[2 * DIM], F[DIM * DIM];
+            T X[DIM], L[DIM], F[DIM * DIM];
             const int n = int(min(label(W), r.end - p));
             geoOfForce.load(p, n, X, L);
             gradientsType S;

@@ -18,12 +18,11 @@ void shapeTransfer<Shape, DIM, HOOP>::weights(
 {
     stencil s;
     shape_.prepare(celli, s);
-    T X[DIM], L[2 * DIM];
+    T X[DIM], L[DIM];
     for (int d = 0; d < DIM; ++d)
     {
         X[d] = broadcast<W>(x[d]);
         L[d] = broadcast<W>(halfSize ? halfSize[d] : 0);
-        L[DIM + d] = broadcast<W>(halfSize ? 0.5 / halfSize[d] : 0);
     }
     gradientsType g;
     shape_.evaluate(s, X, L, g);
@@ -102,7 +101,7 @@ void shapeTransfer<Shape, DIM, HOOP>::projectAffine(
         cloud, [&](const stencil&) { acc.clear(); },
         [&](const stencil& s, const label celli, const label p, const int n)
         {
-            T X[DIM], L[2 * DIM], q[DIM + 1], A[DIM * DIM];
+            T X[DIM], L[DIM], q[DIM + 1], A[DIM * DIM];
             geo.load(p, n, X, L);
             q[DIM] = load<W>(mass + p);
             for (int d = 0; d < DIM; ++d)
@@ -133,7 +132,7 @@ void shapeTransfer<Shape, DIM, HOOP>::affine(
         cloud, [&](const stencil&) {},
         [&](const stencil& s, const label celli, const label p, const int n)
         {
-            T X[DIM], L[2 * DIM], G[DIM * DIM], D[DIM];
+            T X[DIM], L[DIM], G[DIM * DIM], D[DIM];
             geo.load(p, n, X, L);
             gradientsType S;
             if (moment && shapeType::hasMoments)
