@@ -21,9 +21,7 @@ void Foam::mpm::eulerianFluids::contentOf(const label c, const label i, content&
         of.alpha[k] = has ? alpha : 0;
         of.m[k] = of.alpha[k] * rho;
         of.F[k] = behind ? burntBehind(i, k) : burntOf(c, k);
-        of.e[k] = has
-            ? of.alpha[k] * fluidMixture::energy(mixture_.at(k, rho, of.F[k]), rho, of.w->p)
-            : 0;
+        of.e[k] = has ? of.alpha[k] * mixture_.energy(k, rho, of.w->p, of.F[k]) : 0;
         several += has;
         sum += of.e[k];
     }

@@ -15,34 +15,25 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
     const scalarField& phi = phiLimited();
 
     // Shares in the flux of faces between slots, and through coupled ones
-    interfaces_->setTransverse(contents(), phi);
+    interfaces_->setTransverse(contents(), phi, outflow_, dt);
     DynamicList<scalar> shares(8 * n_ * interfaces_->cells().size());
     faceStart_.setSize(mesh_.nFaces());
-    DynamicList<scalar> receiver(n_);
-    receiver.setSize(n_);
-    const auto of = [&](const label c)
-    {
-        for (label k = 0; k < n_; ++k)
-        {
-            receiver[k] = part_[n_ * c + k] / theta_[c];
-        }
-        return receiver.cdata();
-    };
-    const auto add = [&](const label f, const label D, const scalar* to)
+    const fluidInterfaces::contents all(contents());
+    const auto add = [&](const label f, const label D, const scalar* to, const scalar theta)
     {
         const label at = shares.size();
         faceStart_[f] = at;
         shares.setSize(at + n_);
-        interfaces_->shares(
-            contents(), f, D, own[f] == D, dt, phi[f], outflow_[D], to, shares.begin() + at);
+        interfaces_->shares(all, f, D, own[f] == D, dt, phi[f], to, theta, shares.begin() + at);
     };
+    const auto of = [&](const label c) { return part_.cdata() + n_ * c; };
     for (label f = 0; f < nInternal; ++f)
     {
         const label P = own[f], N = nei[f];
         if (slot[P] >= 0 || slot[N] >= 0)
         {
-            const bool out = phi[f] > 0;
-            add(f, out ? P : N, of(out ? N : P));
+            const label D = phi[f] > 0 ? P : N, to = phi[f] > 0 ? N : P;
+            add(f, D, of(to), theta_[to]);
         }
     }
     for (const label f : faces_.boundary)
@@ -53,7 +44,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
             const scalar* alpha = alphaB_.cdata() + n_ * (f - nInternal);
             if (phi[f] > 0)
             {
-                add(f, P, alpha[0] < 0 ? of(P) : alpha);
+                add(f, P, alpha[0] < 0 ? of(P) : alpha, alpha[0] < 0 ? theta_[P] : 1);
             }
             else
             {
@@ -62,7 +53,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
                 shares.setSize(at + n_);
                 if (alpha[0] < 0)
                 {
-                    interfaces_->sharesOfCell(contents(), f, P, dt, shares.begin() + at);
+                    interfaces_->sharesOfCell(all, f, P, shares.begin() + at);
                 }
                 else
                 {
@@ -93,7 +84,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
             }
             if (phi[f] > 0)
             {
-                add(f, P, alphaB_.cdata() + n_ * i);
+                add(f, P, alphaB_.cdata() + n_ * i, 1);
                 for (label k = 0; k < n_; ++k)
                 {
                     sent[k][i] = shares[faceStart_[f] + k];
@@ -119,8 +110,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
     faceShares_.transfer(shares);
 }
 
-void Foam::mpm::eulerianFluids::addFluids(
-    const label f, const label P, const label N, const scalar dt)
+void Foam::mpm::eulerianFluids::addFluids(const label f, const label P, const label N)
 {
     const label nInternal = mesh_.nInternalFaces();
     const scalar phi = phiLimited()[f];
@@ -137,8 +127,19 @@ void Foam::mpm::eulerianFluids::addFluids(
 
     // The largest fluid has the reconstructed state, of others there is no
     // more than in the cell
-    const bool one = interfaces_->major()[behind ? mesh_.nCells() + i : D] >= 0;
+    const bool one = !first && interfaces_->major()[behind ? mesh_.nCells() + i : D] >= 0;
     const scalar denser = one ? w.rho / w0.rho : 1;
+
+    // Shares and densities of where it comes from: behind the face, or a cell
+    const bool given = behind && alphaB_[n_ * i] >= 0;
+    const label c = behind ? P : D, slot = interfaces_->slot()[c];
+    const scalar* part = (given ? alphaB_.cdata() + n_ * i : part_.cdata() + n_ * c);
+    const scalar* density = given ? rhoB_.cdata() + n_ * i
+        : slot >= 0               ? densities_.cdata() + n_ * slot
+                                  : nullptr;
+    const scalar half = given ? 0.5 : 0.5 * theta_[c];
+    const label alone = behind ? -1 : interfaces_->single()[D];
+    const bool torn = alone >= 0 && isTorn(D, alone);
     sums& s = face_;
     s = sums{0, Zero, 0};
     const label a = interfaces_->slot()[P];
@@ -150,51 +151,43 @@ void Foam::mpm::eulerianFluids::addFluids(
         {
             continue;
         }
-        const bool ofCell = behind && alphaB_[n_ * i] < 0;
-        const label c = ofCell ? P : D;
-        const scalar share =
-            behind && !ofCell ? alphaB_[n_ * i + k] : part_[n_ * c + k] / theta_[c];
-        const bool large = one && share > 0.5;
-        const scalar p = large ? w.p : w0.p;
-        const scalar rho = (large ? denser : 1)
-            * (behind && !ofCell ? rhoB_[n_ * i + k] : mass_[n_ * c + k] / part_[n_ * c + k]);
+        const bool large = one && part[k] > half;
+        const scalar rho = (large ? denser : 1) * (density ? density[k] : W_[c].rho);
         const scalar volume = phi * alpha[k];
         const scalar m = volume * rho;
-        const scalar F = behind && !ofCell ? burntBehind(i, k) : burntOf(c, k);
-        scalar e = volume * fluidMixture::energy(mixture_.at(k, rho, F), rho, p);
-        if (!behind && isTorn(D, k))
-        {
-            e = volume * t_[D].rhoE;
-        }
+        const scalar F = given ? burntBehind(i, k) : burntOf(c, k);
+        const scalar e = torn && k == alone
+            ? volume * t_[D].rhoE
+            : volume * mixture_.energy(k, rho, large ? w.p : w0.p, F);
         faceMass_[k] = m;
-        if (mixture_.detonates(k))
+        if (burning_.size() && mixture_.detonates(k))
         {
             addBurnt(k, f, m * F);
         }
         s.rho += m;
         s.rhoE += e;
-        const auto add = [&](const label slot, const label c, const scalar sign)
+        const auto add = [&](const label slot, const scalar sign)
         {
             fluidMixture::share& to = shares_[n_ * slot + k];
-            const scalar h = sign * dt / V_[c];
+            const scalar h = sign * perVolume_[slot];
             to.A -= h * volume;
             to.m -= h * m;
             to.e0 -= h * e;
         };
         if (a >= 0)
         {
-            add(a, P, 1);
+            add(a, 1);
         }
         if (b >= 0)
         {
-            add(b, N, -1);
+            add(b, -1);
         }
     }
     s.rhoU = s.rho * w.u;
     s.rhoE += 0.5 * s.rho * magSqr(w.u) + pStar_[f] * working()[f];
 }
 
-void Foam::mpm::eulerianFluids::addAlone(const label f, const gasState& w, const scalar rhoE)
+inline void Foam::mpm::eulerianFluids::addAlone(const label f, const gasState& w, const scalar rhoE)
 {
     const scalar phi = phiLimited()[f];
     face_.rho = phi * w.rho;
@@ -202,11 +195,20 @@ void Foam::mpm::eulerianFluids::addAlone(const label f, const gasState& w, const
     face_.rhoE = phi * rhoE + 0.5 * face_.rho * magSqr(w.u) + pStar_[f] * working()[f];
 }
 
-void Foam::mpm::eulerianFluids::addFace(
+template<bool Plain>
+inline void Foam::mpm::eulerianFluids::addFace(
     const label c, const scalar sign, const label f, const scalar dt, const solidOnFaces* pores)
 {
-    // The pressure acts on what the solid leaves of the face
     sums& to = sums_[c];
+    to.rho += sign * face_.rho;
+    if (Plain)
+    {
+        to.rhoU += sign * (face_.rhoU + (pStar_[f] - W_[c].p) * S_[f]);
+        to.rhoE += sign * face_.rhoE;
+        return;
+    }
+
+    // The pressure acts on what the solid leaves of the face
     vector open(S_[f]);
     if (pores)
     {
@@ -220,7 +222,6 @@ void Foam::mpm::eulerianFluids::addFace(
         v.limited += sign * phiLimited()[f];
         v.solid += sign * pores->phiS[f];
     }
-    to.rho += sign * face_.rho;
     to.rhoU += sign * (face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f)) * open);
     to.rhoE += sign * face_.rhoE;
     if (jump_.size())
@@ -236,14 +237,16 @@ void Foam::mpm::eulerianFluids::addFace(
     }
 }
 
+template<bool Plain>
 void Foam::mpm::eulerianFluids::sumInside(const scalar dt, const solidOnFaces* pores)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
     const labelList& slot = interfaces_->slot();
+    const labelList& single = interfaces_->single();
     const bool upwind = reconstruction_.upwind();
-    const List<reconstruction::sides>& sides = reconstruction_.faces();
-    const List<reconstruction::sideTerms>& terms = reconstruction_.terms();
+    const reconstruction::sides* const sides = reconstruction_.faces().cdata();
+    const reconstruction::sideTerms* const terms = reconstruction_.terms().cdata();
     const scalarField& limited = phiLimited();
     for (label f = 0; f < mesh_.nInternalFaces(); ++f)
     {
@@ -252,37 +255,34 @@ void Foam::mpm::eulerianFluids::sumInside(const scalar dt, const solidOnFaces* p
         if (bounds_ && bounded_[f])
         {
             addBounded(f, P, N, -1, dt);
-            addFace(P, 1, f, dt, pores);
-            addFace(N, -1, f, dt, pores);
-            continue;
         }
-        if (slot[P] >= 0 || slot[N] >= 0)
+        else if (slot[P] >= 0 || slot[N] >= 0)
         {
-            addFluids(f, P, N, dt);
-        }
-        else if (upwind || first_[P] || first_[N])
-        {
-            const label D = out ? P : N;
-            addAlone(f, W_[D], t_[D].rhoE);
-        }
-        else if (out)
-        {
-            addAlone(f, sides[f].own, terms[f].own.rhoE);
+            addFluids(f, P, N);
         }
         else
         {
-            addAlone(f, sides[f].nei, terms[f].nei.rhoE);
-        }
-        if (burning_.size() && slot[P] < 0 && slot[N] < 0)
-        {
-            const label k = interfaces_->single()[P];
-            if (mixture_.detonates(k))
+            const label D = out ? P : N, k = single[P];
+            if (upwind || first_[P] || first_[N])
             {
-                addBurnt(k, f, face_.rho * burnt_[n_ * (out ? P : N) + k]);
+                addAlone(f, W_[D], t_[D].rhoE);
+            }
+            else
+            {
+                const gasState& w = out ? sides[f].own : sides[f].nei;
+                addAlone(
+                    f, w,
+                    mixture_.isStiff(k) ? mixture_.stiff(k).energy(w.p)
+                        : out           ? terms[f].own.rhoE
+                                        : terms[f].nei.rhoE);
+            }
+            if (burning_.size() && mixture_.detonates(k))
+            {
+                addBurnt(k, f, face_.rho * burnt_[n_ * D + k]);
             }
         }
-        addFace(P, 1, f, dt, pores);
-        addFace(N, -1, f, dt, pores);
+        addFace<Plain>(P, 1, f, dt, pores);
+        addFace<Plain>(N, -1, f, dt, pores);
     }
 }
 
@@ -306,7 +306,7 @@ void Foam::mpm::eulerianFluids::sumBoundary(const scalar dt, const solidOnFaces*
             }
             else if (slot[P] >= 0)
             {
-                addFluids(f, P, P, dt);
+                addFluids(f, P, P);
             }
             else
             {
@@ -321,7 +321,7 @@ void Foam::mpm::eulerianFluids::sumBoundary(const scalar dt, const solidOnFaces*
                     addBurnt(k, f, face_.rho * F);
                 }
             }
-            addFace(P, 1, f, dt, pores);
+            addFace<false>(P, 1, f, dt, pores);
             if (flows_ && !coupled)
             {
                 const scalar theta = pores ? 1 - pores->thetaS0[f] : 1;
@@ -425,14 +425,21 @@ bool Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* por
     setComposition(dt);
     for (;;)
     {
-        startShares();
+        startShares(dt);
         sums_ = sums{0, Zero, 0};
         if (pores)
         {
             volumes_.setSize(mesh_.nCells());
             volumes_ = volumes{0, 0, 0};
         }
-        sumInside(dt, pores);
+        if (pores || jump_.size())
+        {
+            sumInside<false>(dt, pores);
+        }
+        else
+        {
+            sumInside<true>(dt, pores);
+        }
         sumBoundary(dt, pores);
         burn(dt);
         if (newStates(dt, pores) || lastTry_)

@@ -172,6 +172,15 @@ void Foam::mpm::eulerianFluids::sideTerms()
 {
     // Sides away from interfaces are of one fluid but for traces, which must
     // make no difference: they come and go by rounding
+    bool stiff = true;
+    for (label k = 0; k < n_; ++k)
+    {
+        stiff = stiff && mixture_.isStiff(k);
+    }
+    if (stiff)
+    {
+        return;
+    }
     List<reconstruction::sideTerms>& terms = reconstruction_.ownTerms();
     const List<reconstruction::sides>& sides = reconstruction_.faces();
     terms.setSize(sides.size());
@@ -218,9 +227,8 @@ void Foam::mpm::eulerianFluids::sideTerms()
     const auto add = [&](const label c, const gasState& w, stateTerms& to)
     {
         const label k = major[c];
-        if (k < 0)
+        if (k < 0 || mixture_.isStiff(k))
         {
-            to = t_[c];
             return;
         }
         run& r = runs[k];
@@ -256,16 +264,13 @@ void Foam::mpm::eulerianFluids::sideTerms()
         const label i = f - nInternal, k = major[nCells + i];
         gasState& w = const_cast<gasState&>(sides[f].nei);
         stateTerms& to = terms[f].nei;
-        if (k >= 0)
+        if (k < 0 || mixture_.isStiff(k))
         {
-            const scalar F = burntBehind(i, k);
-            mixture_.states(k, 1, &w.rho, &w.p, &to.K, &to.rhoE, &to.strength, &F);
+            continue;
         }
-        else
-        {
-            to = tb_[i];
-        }
-        if (k >= 0 && !(to.K > 0.01 * tb_[i].K))
+        const scalar F = burntBehind(i, k);
+        mixture_.states(k, 1, &w.rho, &w.p, &to.K, &to.rhoE, &to.strength, &F);
+        if (!(to.K > 0.01 * tb_[i].K))
         {
             w = Wb_[i];
             to = tb_[i];
@@ -311,99 +316,127 @@ static inline Foam::scalar lowMachShare(
 }
 
 inline void Foam::mpm::eulerianFluids::face(
-    const label f, const gasState& L, const gasState& R, const scalar zL, const scalar zR)
+    const label f, const gasState& L, const gasState& R, const scalar pL, const scalar pR,
+    const scalar zL, const scalar zR)
 {
     const vector& S = S_[f];
-    const scalar magS = faces_.magS[f];
-    const scalar uL = (L.u & S) / magS, uR = (R.u & S) / magS;
-    const scalar sum = zL + zR;
-    scalar mu = zL * zR / sum;
+    const scalar uL = (L.u & S) * faces_.invMagS[f], uR = (R.u & S) * faces_.invMagS[f];
+    const scalar iSum = 1 / (zL + zR);
+    scalar mu = zL * zR * iSum;
     if (lowMach_)
     {
         mu *= lowMachShare(L, zL, R, zR);
     }
-    phi_[f] = magS * (zL * uL + zR * uR + (L.p - R.p)) / sum;
-    pStar_[f] = (zR * L.p + zL * R.p) / sum + mu * (uL - uR);
+    phi_[f] = faces_.magS[f] * (zL * uL + zR * uR + (pL - pR)) * iSum;
+    pStar_[f] = (zR * pL + zL * pR) * iSum + mu * (uL - uR);
 }
 
+void Foam::mpm::eulerianFluids::porousFace(
+    const label f, const label N, const label i, const scalar dt, const solidOnFaces& pores)
+{
+    const label P = mesh_.faceOwner()[f];
+    const labelList& major = interfaces_->major();
+    const gasState& WN = i < 0 ? W_[N] : Wb_[i];
+    const scalar zN = i < 0 ? z_[N] : zB_[i], KN = i < 0 ? t_[N].K : tb_[i].K;
+    const bool heavy = jump_.size(), same = major[P] >= 0 && major[P] == major[N];
+    const scalar wP = heavy ? weight_[f] : 0, wN = heavy ? wP - jump_[f] : 0;
+    const scalar z = max(z_[P], zN);
+    const impedanceFlux::porousSide L{W_[P],        t_[P].K,   same ? z : z_[P],
+                                      W_[P].p + wP, theta_[P], V_[P]};
+    const impedanceFlux::porousSide R{WN,
+                                      KN,
+                                      same ? z : zN,
+                                      WN.p + wN,
+                                      i < 0 ? theta_[N] : thetaB_[i],
+                                      i < 0 ? V_[N] : faces_.Vb[i]};
+    const scalar chi = share_ * chi_ * max(liquid(z_[P], W_[P]), liquid(zN, WN));
+    const scalar low = lowMachSolids_ ? lowMachShare(W_[P], z_[P], WN, zN) : 1;
+    const mpm::faceFlux::result to{phi_, pStar_, out_};
+    if (pores.area)
+    {
+        porousFlux_.porousFace<true>(f, L, R, dt, pores, chi, low, to);
+    }
+    else
+    {
+        porousFlux_.porousFace<false>(f, L, R, dt, pores, chi, low, to);
+    }
+}
+
+template<bool Porous, bool Heavy>
 void Foam::mpm::eulerianFluids::insideFaces(const scalar dt, const solidOnFaces* pores)
 {
     const label nInternal = mesh_.nInternalFaces(), nCells = mesh_.nCells();
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
-    const scalarField& V = mesh_.V();
     const labelList& major = interfaces_->major();
-    const bool upwind = reconstruction_.upwind();
-    const List<reconstruction::sides>& sides = reconstruction_.faces();
-    const List<reconstruction::sideTerms>& terms = reconstruction_.terms();
-    const bool heavy = jump_.size();
-    const mpm::faceFlux::result to{phi_, pStar_, out_};
+    const bool upwind = reconstruction_.upwind(), soft = softened_.size();
+    reconstruction::sides* const sides = reconstruction_.ownSides().data();
+    const reconstruction::sideTerms* const terms = reconstruction_.terms().cdata();
 
-    // i: from the first boundary face on, of the other side; -1: inside
-    const auto one = [&](const label f, const label N, const label i)
+    // N, and the state behind it: from the first boundary face on, of the other side
+    const auto one =
+        [&](const label f, const label N, gasState& WN, const scalar zN, const scalar KN)
     {
-        const label P = own[f];
-        const gasState& WN = i < 0 ? W_[N] : Wb_[i];
-        const scalar zN = i < 0 ? z_[N] : zB_[i];
-        const scalar wP = heavy ? weight_[f] : 0;
-        const scalar wN = heavy ? wP - jump_[f] : 0;
-        if (pores && (near_[P] || near_[N]))
+        const label P = own[f], k = major[P], kN = major[N];
+        const bool first = upwind || first_[P] || first_[N];
+        const gasState& L = first ? W_[P] : sides[f].own;
+        const gasState& R = first ? WN : sides[f].nei;
+        scalar zL = z_[P], zR = zN;
+        if (!first)
         {
-            const bool same = major[P] >= 0 && major[P] == major[N];
-            const scalar z = max(z_[P], zN);
-            const scalar KN = i < 0 ? t_[N].K : tb_[i].K;
-            const impedanceFlux::porousSide L{W_[P],        t_[P].K,   same ? z : z_[P],
-                                              W_[P].p + wP, theta_[P], V[P]};
-            const impedanceFlux::porousSide R{WN,
-                                              KN,
-                                              same ? z : zN,
-                                              WN.p + wN,
-                                              i < 0 ? theta_[N] : thetaB_[i],
-                                              i < 0 ? V[N] : faces_.Vb[i]};
-            const scalar chi = share_ * chi_ * max(liquid(z_[P], W_[P]), liquid(zN, WN));
-            const scalar low = lowMachSolids_ ? lowMachShare(W_[P], z_[P], WN, zN) : 1;
-            if (pores->area)
+            const reconstruction::sideTerms* t = terms + f;
+            const scalar KL = k < 0 ? 0 : sideK(k, sides[f].own, t, true, W_[P], t_[P].K);
+            const scalar KR = kN < 0 ? 0 : sideK(kN, sides[f].nei, t, false, WN, KN);
+            zL = k < 0 ? zL : L.rho * KL;
+            zR = kN < 0 ? zR : R.rho * KR;
+            if (k >= 0 && k == kN)
             {
-                porousFlux_.porousFace<true>(f, L, R, dt, *pores, chi, low, to);
+                zL = zR = std::sqrt(max(zL, zR));
             }
             else
             {
-                porousFlux_.porousFace<false>(f, L, R, dt, *pores, chi, low, to);
+                zL = k < 0 ? zL : std::sqrt(zL);
+                zR = kN < 0 ? zR : std::sqrt(zR);
             }
-            return;
         }
-        const bool first = upwind || first_[P] || first_[N];
-        gasState L(first ? W_[P] : sides[f].own);
-        gasState R(first ? WN : sides[f].nei);
-        scalar zL = z_[P], zR = zN;
-        if (!first && major[P] >= 0)
-        {
-            zL = std::sqrt(L.rho * terms[f].own.K);
-        }
-        if (!first && major[N] >= 0)
-        {
-            zR = std::sqrt(R.rho * terms[f].nei.K);
-        }
-        if (major[P] >= 0 && major[P] == major[N])
+        else if (k >= 0 && k == kN)
         {
             zL = zR = max(zL, zR);
         }
-        zL *= soft_[P];
-        zR *= soft_[N];
-        L.p += wP;
-        R.p += wN;
-        face(f, L, R, zL, zR);
+        if (soft)
+        {
+            zL *= soft_[P];
+            zR *= soft_[N];
+        }
+        const scalar wP = Heavy ? weight_[f] : 0;
+        face(f, L, R, L.p + wP, R.p + (Heavy ? wP - jump_[f] : 0), zL, zR);
     };
     for (label f = 0; f < nInternal; ++f)
     {
-        one(f, nei[f], -1);
-        out_[own[f]] += max(phi_[f], scalar(0));
-        out_[nei[f]] -= min(phi_[f], scalar(0));
+        const label P = own[f], N = nei[f];
+        if (Porous && (near_[P] || near_[N]))
+        {
+            porousFace(f, N, -1, dt, *pores);
+        }
+        else
+        {
+            one(f, N, W_[N], z_[N], t_[N].K);
+        }
+        out_[P] += max(phi_[f], scalar(0));
+        out_[N] -= min(phi_[f], scalar(0));
     }
     for (const label f : faces_.coupled)
     {
-        one(f, nCells + f - nInternal, f - nInternal);
-        out_[own[f]] += max(phi_[f], scalar(0));
+        const label P = own[f], i = f - nInternal, N = nCells + i;
+        if (Porous && (near_[P] || near_[N]))
+        {
+            porousFace(f, N, i, dt, *pores);
+        }
+        else
+        {
+            one(f, N, Wb_[i], zB_[i], tb_[i].K);
+        }
+        out_[P] += max(phi_[f], scalar(0));
     }
 }
 
@@ -417,7 +450,11 @@ void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
         const vector& S = S_[f];
         const bool first = upwind || first_[P];
         const bool close = pores && near_[P];
-        const gasState& L = first ? W_[P] : reconstruction_.faces()[f].own;
+        const label k = first ? -1 : interfaces_->major()[P];
+        gasState& side = reconstruction_.ownSides()[f].own;
+        const scalar K =
+            k < 0 ? 0 : sideK(k, side, reconstruction_.terms().cdata() + f, true, W_[P], t_[P].K);
+        const gasState& L = first ? W_[P] : side;
         const gasState& B = Wb_[i];
         const scalar u = B.u & S;
         phi_[f] = u;
@@ -433,9 +470,7 @@ void Foam::mpm::eulerianFluids::boundaryFaces(const solidOnFaces* pores)
         }
         if (faces_.wall[i])
         {
-            scalar z = first || interfaces_->major()[P] < 0
-                ? z_[P]
-                : std::sqrt(L.rho * reconstruction_.terms()[f].own.K);
+            scalar z = k < 0 ? z_[P] : std::sqrt(L.rho * K);
             if (close)
             {
                 z *= theta_[P] / max(theta_[P], 1 - pores->thetaS[f]);
@@ -532,7 +567,15 @@ void Foam::mpm::eulerianFluids::faceFlux(const scalar dt, const solidOnFaces* po
         sideTerms();
     }
     out_ = 0;
-    insideFaces(dt, pores);
+    const bool heavy = jump_.size();
+    if (pores)
+    {
+        heavy ? insideFaces<true, true>(dt, pores) : insideFaces<true, false>(dt, pores);
+    }
+    else
+    {
+        heavy ? insideFaces<false, true>(dt, pores) : insideFaces<false, false>(dt, pores);
+    }
     boundaryFaces(pores);
     farFaces(pores, &first_);
     outflow_ = out_;

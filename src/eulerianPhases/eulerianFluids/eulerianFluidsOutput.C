@@ -165,8 +165,7 @@ Foam::List<Foam::mpm::eulerianFlow::fluidSums> Foam::mpm::eulerianFluids::fluidC
             s.mass += V[c] * m;
             s.momentum += V[c] * m * W_[c].u;
             s.kinetic += 0.5 * V[c] * m * magSqr(W_[c].u);
-            const scalar e = V[c] * theta
-                * fluidMixture::energy(mixture_.at(k, rho, burntOf(c, k)), rho, W_[c].p);
+            const scalar e = V[c] * theta * mixture_.energy(k, rho, W_[c].p, burntOf(c, k));
             s.internal += e;
             s.volume += V[c] * theta;
             sum += e;

@@ -23,21 +23,23 @@ constexpr Foam::scalar mostKept = 0.05;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::mpm::eulerianFluids::startShares()
+void Foam::mpm::eulerianFluids::startShares(const scalar dt)
 {
     const DynamicList<label>& cells = interfaces_->cells();
     shares_.setSize(n_ * cells.size());
+    densities_.setSize(shares_.size());
+    perVolume_.setSize(cells.size());
     forAll(cells, s)
     {
         const label c = cells[s];
+        perVolume_[s] = dt / V_[c];
         for (label k = 0; k < n_; ++k)
         {
             const scalar theta = part_[n_ * c + k], m = mass_[n_ * c + k];
-            const scalar rho = m > 0 ? m / theta : 0;
-            const scalar F = burntOf(c, k);
+            const scalar rho = m > 0 ? m / theta : 0, F = burntOf(c, k);
+            densities_[n_ * s + k] = rho;
             shares_[n_ * s + k] = {
-                theta, m,
-                m > 0 ? theta * fluidMixture::energy(mixture_.at(k, rho, F), rho, W_[c].p) : 0, F};
+                theta, m, m > 0 ? theta * mixture_.energy(k, rho, W_[c].p, F) : 0, F};
             if (m > 0 && isTorn(c, k))
             {
                 shares_[n_ * s + k].e0 = theta * t_[c].rhoE;

@@ -274,8 +274,7 @@ void Foam::mpm::eulerianFluids::conserve()
                 const scalar rhoK = density(k, state_[k][c], p_[c]);
                 mass_[n_ * c + k] = theta * rhoK;
                 rho += theta * rhoK;
-                energy +=
-                    theta * fluidMixture::energy(mixture_.at(k, rhoK, burntOf(c, k)), rhoK, p_[c]);
+                energy += theta * mixture_.energy(k, rhoK, p_[c], burntOf(c, k));
             }
         }
         rho_[c] = rho;

@@ -143,82 +143,98 @@ void Foam::mpm::fluidInterfaces::setSlots()
     }
 }
 
+inline void
+Foam::mpm::fluidInterfaces::ratios(const scalar* m, const scalar* alpha, scalar* q) const
+{
+    // The sum of the others: 1 less a share of nearly all is rounding
+    for (label k = 0; k < nShares_; ++k)
+    {
+        scalar others = VSMALL;
+        for (label j = 0; j < n_; ++j)
+        {
+            others += j == k ? 0 : alpha ? m[j] * alpha[j] : m[j];
+        }
+        q[k] = ((alpha ? m[k] * alpha[k] : m[k]) + VSMALL) / others;
+    }
+}
+
 void Foam::mpm::fluidInterfaces::setInterfaces(const contents& of)
 {
     const fvMesh& mesh = faces_.mesh;
     const label nCells = mesh.nCells(), nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    interface_.setSize(nShares_ * cells_.size());
-    masses_.setSize(nShares_ * cells_.size());
-    scalarList there(nShares_), least(nShares_), most(nShares_);
-    boolList traces(nShares_);
-
-    // The sum of the others: 1 less a share of nearly all is rounding
-    const auto ratios = [&](const scalar* m, const scalar* alpha, scalar* q)
-    {
-        for (label k = 0; k < nShares_; ++k)
-        {
-            scalar others = VSMALL;
-            for (label j = 0; j < n_; ++j)
-            {
-                others += j == k ? 0 : alpha ? m[j] * alpha[j] : m[j];
-            }
-            q[k] = ((alpha ? m[k] * alpha[k] : m[k]) + VSMALL) / others;
-        }
-    };
+    const label n = nShares_ * cells_.size();
+    interface_.setSize(n);
+    masses_.setSize(n);
+    traces_.setSize(n);
+    const auto isTrace = [](const scalar q) { return q < trace || q > 1 / trace; };
     forAll(cells_, s)
     {
         ratios(of.mass.cdata() + n_ * cells_[s], nullptr, masses_.begin() + nShares_ * s);
     }
-    const auto isTrace = [](const scalar q) { return q < trace || q > 1 / trace; };
-    forAll(cells_, s)
+    for (label i = 0; i < n; ++i)
     {
-        const label c = cells_[s];
-        const scalar* here = masses_.cdata() + nShares_ * s;
-        for (label k = 0; k < nShares_; ++k)
+        traces_[i] = isTrace(masses_[i]);
+    }
+    least_ = masses_;
+    most_ = masses_;
+    const auto meet = [&](const label s, const label k, const scalar q)
+    {
+        const label i = nShares_ * s + k;
+        least_[i] = min(least_[i], q);
+        most_[i] = max(most_[i], q);
+        traces_[i] = traces_[i] && isTrace(q);
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const label P = own[f], N = nei[f], a = slot_[P], b = slot_[N];
+        for (label k = 0; k < nShares_ && (a >= 0 || b >= 0); ++k)
         {
-            least[k] = most[k] = here[k];
-            traces[k] = isTrace(here[k]);
-        }
-        for (const label f : mesh.cells()[c])
-        {
-            const label i = n_ * (f - nInternal);
-            const scalar* q = there.cdata();
-            if (f < nInternal)
+            const auto q = [&](const label s, const label c) {
+                return s >= 0 ? masses_[nShares_ * s + k] : single_[c] == k ? VGREAT : VSMALL;
+            };
+            if (a >= 0)
             {
-                const label d = own[f] == c ? nei[f] : own[f];
-                for (label k = 0; slot_[d] < 0 && k < nShares_; ++k)
-                {
-                    there[k] = single_[d] == k ? VGREAT : VSMALL;
-                }
-                q = slot_[d] < 0 ? q : masses_.cdata() + nShares_ * slot_[d];
+                meet(a, k, q(b, N));
             }
-            else if (!empty_[f - nInternal] && of.alphaB[i] >= 0)
+            if (b >= 0)
+            {
+                meet(b, k, q(a, P));
+            }
+        }
+    }
+    scalarList there(nShares_);
+    for (const labelList* list : {&faces_.coupled, &faces_.boundary})
+    {
+        for (const label f : *list)
+        {
+            const label s = slot_[own[f]], i = n_ * (f - nInternal);
+            if (s >= 0 && of.alphaB[i] >= 0)
             {
                 ratios(of.rhoB.cdata() + i, of.alphaB.cdata() + i, there.begin());
-            }
-            else
-            {
-                continue;
-            }
-            for (label k = 0; k < nShares_; ++k)
-            {
-                least[k] = min(least[k], q[k]);
-                most[k] = max(most[k], q[k]);
-                traces[k] = traces[k] && isTrace(q[k]);
+                for (label k = 0; k < nShares_; ++k)
+                {
+                    meet(s, k, there[k]);
+                }
             }
         }
+    }
+    forAll(cells_, s)
+    {
         bool jumps = false;
-        for (label k = 0; k < nShares_; ++k)
+        for (label i = nShares_ * s; i < nShares_ * (s + 1); ++i)
         {
-            const scalar ratio = max(most[k] / here[k], here[k] / least[k]);
-            jumps = jumps || ratio > different;
-            interface_[nShares_ * s + k] = traces[k]
-                ? (ratio > 7 ? min(max(std::log(ratio) - 2, 0.0), 1.0) : scalar(0))
-                : scalar(1);
+            const scalar q = masses_[i];
+            jumps = jumps || most_[i] > different * q || q > different * least_[i];
+            interface_[i] = 1;
+            if (traces_[i])
+            {
+                const scalar ratio = max(most_[i] / q, q / least_[i]);
+                interface_[i] = ratio > 7 ? min(max(std::log(ratio) - 2, 0.0), 1.0) : scalar(0);
+            }
         }
-        near_[c] = near_[c] && jumps;
+        near_[cells_[s]] = near_[cells_[s]] && jumps;
     }
     labelList near(near_.size(), 0);
     if (!coupled_.empty())
@@ -387,52 +403,69 @@ void Foam::mpm::fluidInterfaces::update(const contents& of)
     setGradients(of);
 }
 
-void Foam::mpm::fluidInterfaces::setTransverse(const contents& of, const scalarField& phi)
+void Foam::mpm::fluidInterfaces::setTransverse(
+    const contents& of, const scalarField& phi, const scalarField& out, const scalar dt)
 {
     const fvMesh& mesh = faces_.mesh;
     const label nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    const vectorField& S = mesh.faceAreas();
-    const cellList& cells = mesh.cells();
     transverse_.setSize(nShares_ * cells_.size());
+    transverse_ = Zero;
+
+    // What comes into cell c, which has the shares there
+    const auto add = [&](const label f, const label c, const scalar in, const scalar* there)
+    {
+        const scalar* here = shares_.cdata() + nShares_ * c;
+        symmTensor* to = transverse_.begin() + nShares_ * slot_[c];
+        for (label k = 0; k < nShares_; ++k)
+        {
+            if (there[k] != here[k])
+            {
+                to[k] += ((there[k] - here[k]) * in * sqr(faces_.invMagS[f])) * sqr(S_[f]);
+            }
+        }
+    };
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const label to = phi[f] > 0 ? nei[f] : own[f];
+        if (slot_[to] >= 0)
+        {
+            add(f, to, mag(phi[f]), shares_.cdata() + nShares_ * (phi[f] > 0 ? own[f] : nei[f]));
+        }
+    }
+    for (const labelList* list : {&faces_.coupled, &faces_.boundary})
+    {
+        for (const label f : *list)
+        {
+            const scalar* there = of.alphaB.cdata() + n_ * (f - nInternal);
+            if (slot_[own[f]] >= 0 && phi[f] < 0 && there[0] >= 0)
+            {
+                add(f, own[f], -phi[f], there);
+            }
+        }
+    }
+    room_.setSize(cells_.size());
     forAll(cells_, s)
     {
         const label c = cells_[s];
+        room_[s] = V_[c] / (dt * out[c]);
         for (label k = 0; k < nShares_; ++k)
         {
-            transverse_[nShares_ * s + k] = Zero;
-        }
-        for (const label f : cells[c])
-        {
-            const bool isOwn = own[f] == c;
-            const scalar in = isOwn ? -phi[f] : phi[f];
-            const bool ofCell = f >= nInternal && of.alphaB[n_ * (f - nInternal)] < 0;
-            if (!(in > 0) || ofCell)
-            {
-                continue;
-            }
-            const symmTensor nn(sqr(S[f]) * (in * sqr(faces_.invMagS[f])));
-            const scalar* there = f >= nInternal
-                ? of.alphaB.cdata() + n_ * (f - nInternal)
-                : shares_.cdata() + nShares_ * (isOwn ? nei[f] : own[f]);
-            for (label k = 0; k < nShares_; ++k)
-            {
-                transverse_[nShares_ * s + k] += (there[k] - shares_[nShares_ * c + k]) * nn;
-            }
+            transverse_[nShares_ * s + k] *= 0.5 * dt / (V_[c] * of.theta[c]);
         }
     }
 }
 
 inline Foam::scalar Foam::mpm::fluidInterfaces::halfStep(
-    const scalar a, const label s, const label k, const vector& n, const scalar h) const
+    const scalar a, const label s, const label k, const vector& n) const
 {
     const symmTensor& T = transverse_[nShares_ * s + k];
-    return min(max(a + h * (tr(T) - (n & (T & n))), wisp), 1 - wisp);
+    return min(max(a + (tr(T) - (n & (T & n))), wisp), 1 - wisp);
 }
 
 void Foam::mpm::fluidInterfaces::sharesOfCell(
-    const contents& of, const label f, const label c, const scalar dt, scalar* alpha) const
+    const contents& of, const label f, const label c, scalar* alpha) const
 {
     const vector n(S_[f] / faces_.magS[f]);
     scalar sum = 0;
@@ -441,7 +474,7 @@ void Foam::mpm::fluidInterfaces::sharesOfCell(
         alpha[k] = of.part[n_ * c + k] / of.theta[c];
         if (k < nShares_ && alpha[k] > wisp && alpha[k] < 1 - wisp)
         {
-            alpha[k] = halfStep(alpha[k], slot_[c], k, n, 0.5 * dt / (V_[c] * of.theta[c]));
+            alpha[k] = halfStep(alpha[k], slot_[c], k, n);
         }
         else if (alpha[k] <= wisp)
         {
@@ -461,7 +494,7 @@ void Foam::mpm::fluidInterfaces::sharesOfCell(
 
 void Foam::mpm::fluidInterfaces::shares(
     const contents& of, const label f, const label D, const bool fromOwner, const scalar dt,
-    const scalar phi, const scalar out, const scalar* receiver, scalar* alpha) const
+    const scalar phi, const scalar* receiver, const scalar thetaOfReceiver, scalar* alpha) const
 {
     const scalar* part = of.part.cdata() + n_ * D;
     const scalar theta = of.theta[D];
@@ -476,25 +509,29 @@ void Foam::mpm::fluidInterfaces::shares(
 
     const label s = slot_[D];
     const scalar V = V_[D];
-    const vector n((fromOwner ? 1 : -1) * S_[f] / faces_.magS[f]);
-    const scalar h = fromOwner ? widthOwn_[f] : widthNei_[f];
-    const scalar lambda = min(scalar(1), mag(phi) * dt / (theta * faces_.magS[f] * h));
+    const vector n((fromOwner ? faces_.invMagS[f] : -faces_.invMagS[f]) * S_[f]);
     for (label k = 0; k < nShares_; ++k)
     {
-        scalar a = part[k] / theta;
+        const scalar own = shares_[nShares_ * D + k];
+        scalar a = own;
         if (a > wisp && a < 1 - wisp)
         {
-            a = halfStep(a, s, k, n, 0.5 * dt / (V * theta));
+            a = halfStep(a, s, k, n);
             const scalar sharpness = interface_[nShares_ * s + k];
-            const vector& g = gradient_[nShares_ * s + k];
-            const scalar size = sharpness > 0 ? mag(g) : 0, own = part[k] / theta;
-            const scalar contrast = size * h / (V * own * (1 - own));
-            const scalar along = contrast > mixed ? (g & n) / max(size, VSMALL) : 0;
-            const scalar b =
-                beta * mag(along) * sharpness * min((contrast - mixed) / (sharp - mixed), 1.0);
-            if (b > 1e-3)
+            if (sharpness > 0)
             {
-                a = tangent(a, along > 0 ? 1 : -1, b, lambda);
+                const scalar h = fromOwner ? widthOwn_[f] : widthNei_[f];
+                const vector& g = gradient_[nShares_ * s + k];
+                const scalar size = mag(g);
+                const scalar contrast = size * h / (V * own * (1 - own));
+                const scalar along = contrast > mixed ? (g & n) / max(size, VSMALL) : 0;
+                const scalar b =
+                    beta * mag(along) * sharpness * min((contrast - mixed) / (sharp - mixed), 1.0);
+                if (b > 1e-3)
+                {
+                    const scalar lambda = mag(phi) * dt / (theta * faces_.magS[f] * h);
+                    a = tangent(a, along > 0 ? 1 : -1, b, min(scalar(1), lambda));
+                }
             }
         }
         alpha[k] = min(max(a, scalar(0)), scalar(1));
@@ -505,18 +542,18 @@ void Foam::mpm::fluidInterfaces::shares(
     }
 
     // Within what there is
-    const scalar volume = dt * out / V;
-    scalar sum = 0, room = 0;
+    const scalar all = room_[s];
+    scalar sum = 0;
     for (label k = 0; k < n_; ++k)
     {
-        const scalar all = part[k] / volume;
         if (part[k] < wisp * theta)
         {
-            alpha[k] = receiver[k] > part[k] / theta ? min(all, scalar(1)) : 0;
+            const bool more = receiver[k] * theta > part[k] * thetaOfReceiver;
+            alpha[k] = more ? min(part[k] * all, scalar(1)) : 0;
         }
         else
         {
-            alpha[k] = min(alpha[k], all);
+            alpha[k] = min(alpha[k], part[k] * all);
         }
         sum += alpha[k];
     }
@@ -529,9 +566,9 @@ void Foam::mpm::fluidInterfaces::shares(
     }
     else if (sum < 1)
     {
-        const auto spare = [&](const label k) {
-            return part[k] < wisp * theta ? scalar(0) : min(part[k] / volume, scalar(1)) - alpha[k];
-        };
+        scalar room = 0;
+        const auto spare = [&](const label k)
+        { return part[k] < wisp * theta ? scalar(0) : min(part[k] * all, scalar(1)) - alpha[k]; };
         for (label k = 0; k < n_; ++k)
         {
             room += spare(k);

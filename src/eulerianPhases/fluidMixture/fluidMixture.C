@@ -9,12 +9,10 @@
 bool Foam::mpm::fluidMixture::touch(
     const label k, const share& s, const scalar theta, touching& t, scalar& P) const
 {
-    const fluid& f = fluids_[k];
-    if (f.gamma > 0)
+    if (isStiff(k))
     {
-        const scalar w = 1 - 1 / f.gamma;
-        t = {w * s.A, w * (s.e0 - f.pInf * s.A), f.pInf};
-        P = t.C / (theta - t.least) - f.pInf;
+        t = touchOf(k, s);
+        P = t.C / (theta - t.least) - t.pInf;
         return t.C > 0;
     }
     const scalar rho = s.m / theta;
@@ -127,7 +125,7 @@ bool Foam::mpm::fluidMixture::enclose(
         if (s[k].m > 0)
         {
             thetas[k] = s[k].A;
-            low = isStiff(k) ? max(low, -fluids_[k].pInf) : low;
+            low = isStiff(k) ? max(low, -stiff_[k].pInf) : low;
         }
     }
     P = P > low && P < high ? P : max(low, scalar(0)) + 1;
@@ -173,27 +171,21 @@ bool Foam::mpm::fluidMixture::enclose(
     return false;
 }
 
-Foam::scalar Foam::mpm::fluidMixture::ofTwo(
-    const label a, const label b, const share* s, const scalar theta) const
+inline Foam::scalar
+Foam::mpm::fluidMixture::ofTwo(const touching& a, const touching& b, const scalar theta)
 {
-    // sum_k w_k (e0_k + P A_k)/(P + p_k) = theta,  w = (gamma - 1)/gamma
-    const fluid& f = fluids_[a];
-    const fluid& g = fluids_[b];
-    const scalar w = 1 - 1 / f.gamma, v = 1 - 1 / g.gamma;
-    const scalar e = w * s[a].e0, A = w * s[a].A;
-    const scalar d = v * s[b].e0, B = v * s[b].A;
-    const scalar p = f.pInf, q = g.pInf;
-    const scalar two = theta - A - B;
-    const scalar one = theta * (p + q) - e - d - A * q - B * p;
-    const scalar none = theta * p * q - e * q - d * p;
-    const scalar root = std::sqrt(max(sqr(one) - 4 * two * none, scalar(0)));
-    return one > 0 ? -2 * none / (one + root) : (root - one) / (2 * two);
+    // sum_k least_k + C_k/(P + pInf_k) = theta
+    const scalar room = theta - a.least - b.least;
+    const scalar one = room * (a.pInf + b.pInf) - a.C - b.C;
+    const scalar none = room * a.pInf * b.pInf - a.C * b.pInf - b.C * a.pInf;
+    const scalar root = std::sqrt(max(sqr(one) - 4 * room * none, scalar(0)));
+    return one > 0 ? -2 * none / (one + root) : (root - one) / (2 * room);
 }
 
-Foam::mpm::fluidMixture::torn Foam::mpm::fluidMixture::leastOf(const fluid& f) const
+Foam::mpm::fluidMixture::torn Foam::mpm::fluidMixture::leastOf(const fluid& f, const stiffened& s)
 {
-    scalar K = f.gamma * f.pInf, rho = f.rho0;
-    if (!(f.gamma > 0) && rho > 0)
+    scalar K = s.gamma * s.pInf, rho = f.rho0;
+    if (!(s.gamma > 0) && rho > 0)
     {
         const terms t(f.law.valid() ? f.law->at(rho, 1) : f.thermo->equation().at(rho));
         K = rho * c2(t, rho, 1e5);
@@ -276,7 +268,8 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(properties, name);
-        fluid f{name, gasThermo::New(dict), 0, 0, 0, nullptr, {0, 0}};
+        fluid f{name, gasThermo::New(dict), 0, nullptr, {0, 0}};
+        stiffened s;
         const gasThermo& thermo = *f.thermo;
         if (!thermo.hasEnergy())
         {
@@ -289,12 +282,12 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
         }
         if (thermo.isGammaLaw())
         {
-            f.gamma = thermo.gamma();
+            s.gamma = thermo.gamma();
         }
         else
         {
             f.rho0 = thermo.equation().rho0();
-            thermo.equation().isStiffened(f.gamma, f.pInf);
+            thermo.equation().isStiffened(s.gamma, s.pInf);
         }
         if (dict.found("detonation"))
         {
@@ -308,7 +301,9 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
             }
             f.law = detonation::New(law, thermo.equation());
         }
-        f.least = leastOf(f);
+        s.set();
+        f.least = leastOf(f, s);
+        stiff_.append(s);
         fluids_.append(new fluid(std::move(f)));
     }
 }
@@ -329,15 +324,14 @@ void Foam::mpm::fluidMixture::states(
     const label k, const label n, const scalar* rho, const scalar* p, scalar* K, scalar* rhoE,
     scalar* strength, const scalar* F) const
 {
-    const fluid& f = fluids_[k];
-    if (f.gamma > 0)
+    if (isStiff(k))
     {
-        const scalar iGm1 = 1 / (f.gamma - 1);
+        const stiffened s(stiff_[k]);
         for (label i = 0; i < n; ++i)
         {
-            strength[i] = p[i] + f.pInf;
-            K[i] = f.gamma * strength[i];
-            rhoE[i] = (p[i] + f.gamma * f.pInf) * iGm1;
+            strength[i] = p[i] + s.pInf;
+            K[i] = s.K(p[i]);
+            rhoE[i] = s.energy(p[i]);
         }
         return;
     }
@@ -355,14 +349,15 @@ void Foam::mpm::fluidMixture::pressures(
     scalar* strength, const scalar* F) const
 {
     const fluid& f = fluids_[k];
-    if (f.gamma > 0)
+    if (isStiff(k))
     {
+        const stiffened s(stiff_[k]);
         scalar least = GREAT;
         for (label i = 0; i < n; ++i)
         {
-            p[i] = (f.gamma - 1) * rho[i] * e[i] - f.gamma * f.pInf;
-            strength[i] = p[i] + f.pInf;
-            c2[i] = f.gamma * strength[i] / rho[i];
+            p[i] = (s.gamma - 1) * rho[i] * e[i] - s.gamma * s.pInf;
+            strength[i] = p[i] + s.pInf;
+            c2[i] = s.gamma * strength[i] / rho[i];
             least = min(least, p[i]);
         }
         for (label i = 0; f.least.c2 > 0 && !(least > 0) && i < n; ++i)
@@ -390,7 +385,13 @@ Foam::scalar Foam::mpm::fluidMixture::pressure(
     scalar above = energy, below = 0;
     forAll(fluids_, k)
     {
-        if (m[k] > 0)
+        if (m[k] > 0 && isStiff(k))
+        {
+            const scalar w = theta[k] * stiff_[k].iGm1;
+            above -= w * stiff_[k].gamma * stiff_[k].pInf;
+            below += w;
+        }
+        else if (m[k] > 0)
         {
             const scalar rho = m[k] / theta[k];
             const terms t(F ? at(k, rho, F[k]) : at(k, rho));
@@ -402,35 +403,55 @@ Foam::scalar Foam::mpm::fluidMixture::pressure(
     return above / below;
 }
 
+inline void Foam::mpm::fluidMixture::addModuli(
+    moduli& all, const scalar theta, const scalar m, const scalar K, const scalar strength,
+    const scalar iGamma, const scalar energy, const scalar p, scalar& soft)
+{
+    const scalar wet = liquid(K, p);
+    all.frozen += theta * K;
+    all.energy += theta * energy;
+    all.strength = min(all.strength, strength);
+    all.liquid += m * wet;
+    all.store += wet * theta * strength * iGamma;
+    all.stiffest = max(all.stiffest, K);
+    soft += theta / K;
+}
+
 Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at(
     const scalar* theta, const scalar* m, const scalar p, const scalar* F) const
 {
     moduli all{0, 0, 0, GREAT, 0, 0, 0, false};
     scalar volume = 0, soft = 0, mass = 0;
-    forAll(fluids_, k)
+    for (label k = 0; k < stiff_.size(); ++k)
     {
-        if (m[k] > 0)
+        if (!(m[k] > 0))
+        {
+            continue;
+        }
+        const stiffened& s = stiff_[k];
+        if (s.gamma > 0 && p + s.pInf > 0)
+        {
+            const scalar strength = p + s.pInf;
+            addModuli(
+                all, theta[k], m[k], s.gamma * strength, strength, s.iGm1, s.energy(p), p, soft);
+        }
+        else
         {
             const scalar rho = m[k] / theta[k];
             const terms t(F ? at(k, rho, F[k]) : at(k, rho));
-            const scalar least = fluids_[k].least.c2;
+            const scalar least = fluids_[k].least.c2, iGamma = rho / t.B;
             scalar c = c2(t, rho, p);
             if (!(c > 0) && least > 0)
             {
                 c = least;
                 all.torn = true;
             }
-            all.frozen += m[k] * c;
-            all.energy += theta[k] * energy(t, rho, p);
-            all.strength = min(all.strength, rho * c / (1 + t.B / rho));
-            const scalar wet = liquid(rho * c, p);
-            all.liquid += m[k] * wet;
-            all.store += wet * theta[k] * rho * c / (1 + t.B / rho) * rho / t.B;
-            all.stiffest = max(all.stiffest, rho * c);
-            soft += theta[k] / (rho * c);
-            volume += theta[k];
-            mass += m[k];
+            addModuli(
+                all, theta[k], m[k], rho * c, rho * c / (1 + t.B / rho), iGamma, energy(t, rho, p),
+                p, soft);
         }
+        volume += theta[k];
+        mass += m[k];
     }
     all.frozen /= volume;
     all.wood = volume / soft;
@@ -438,10 +459,42 @@ Foam::mpm::fluidMixture::moduli Foam::mpm::fluidMixture::at(
     return all;
 }
 
+bool Foam::mpm::fluidMixture::relaxPair(
+    const share* s, const scalar theta, scalar& P, scalar* thetas) const
+{
+    const touching a(touchOf(0, s[0])), b(touchOf(1, s[1]));
+    P = ofTwo(a, b, theta);
+    if (!(a.C > 0 && b.C > 0 && a.least + b.least < theta && mag(P) < GREAT))
+    {
+        return false;
+    }
+    thetas[0] = a.least + a.C / (P + a.pInf);
+    thetas[1] = b.least + b.C / (P + b.pInf);
+
+    // What is left is rounding
+    const scalar all = theta / (thetas[0] + thetas[1]);
+    thetas[0] *= all;
+    thetas[1] *= all;
+    return mag(thetas[0]) < GREAT && mag(thetas[1]) < GREAT;
+}
+
 Foam::scalar Foam::mpm::fluidMixture::relax(
     const share* s, const scalar theta, scalar* thetas, label* looks, bool* common,
     const bool any) const
 {
+    scalar P = 0;
+    if (isPair() && s[0].m > 0 && s[1].m > 0 && relaxPair(s, theta, P, thetas))
+    {
+        if (common)
+        {
+            *common = true;
+        }
+        if (looks)
+        {
+            *looks = 0;
+        }
+        return P;
+    }
     label n = 0, first = -1, second = -1, others = 0, evaluations = 0;
     FixedList<touching, most> t;
     scalar own;
@@ -459,10 +512,9 @@ Foam::scalar Foam::mpm::fluidMixture::relax(
         }
     }
 
-    scalar P = 0;
     if (n == 2 && others == 0)
     {
-        P = ofTwo(first, second, s, theta);
+        P = ofTwo(t[first], t[second], theta);
 
         // Not in less volume than they have at endless pressure
         found = t[first].least + t[second].least < theta;

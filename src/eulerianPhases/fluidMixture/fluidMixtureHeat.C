@@ -17,9 +17,8 @@ Foam::scalar Foam::mpm::fluidMixture::relaxAgain(
         h = s[k];
         if (h.m > 0)
         {
-            const scalar rho = h.m / theta[k];
             h.A = theta[k];
-            h.e0 = h.A * energy(at(k, rho, h.F), rho, P) + Q[k];
+            h.e0 = h.A * energy(k, h.m / theta[k], P, h.F) + Q[k];
             volume += h.A;
         }
     }
@@ -53,12 +52,12 @@ Foam::scalar Foam::mpm::fluidMixture::heat(
             // Of work by the last pressure to that of the mean one, but no
             // colder than the isentrope
             const scalar A = s[k].A, more = theta[k] - A;
-            const scalar p = (fluids_[k].gamma - 1) * s[k].e0 / A;
+            const scalar gamma = stiff_[k].gamma, p = (gamma - 1) * s[k].e0 / A;
             to[k] = 0.5 * (P - p) * more;
             if (mag(more) > 1e-3 * A)
             {
-                const scalar ps = p * std::pow(A / theta[k], fluids_[k].gamma);
-                to[k] = max(to[k], theta[k] * (ps - P) / (fluids_[k].gamma - 1));
+                const scalar ps = p * std::pow(A / theta[k], gamma);
+                to[k] = max(to[k], theta[k] * (ps - P) / (gamma - 1));
             }
             to[k] *= part;
             rest -= to[k];
