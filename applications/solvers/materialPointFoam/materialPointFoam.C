@@ -15,6 +15,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "loadBalance.H"
 #include "simulation.H"
 #include "timeStepControl.H"
 #include "fatalMessages.H"
@@ -55,6 +56,7 @@ int main(int argc, char* argv[])
 
     Info << "\nStarting time loop\n" << endl;
 
+    mpm::loadBalance balance(mesh);
     control.setDeltaT();
     while (runTime.run())
     {
@@ -62,6 +64,7 @@ int main(int argc, char* argv[])
         {
             simulation = mpm::simulation(mesh, simulation.takeDown());
         }
+        balance.update(simulation);
         simulation.readModified();
 
         // Equations (5) to (9) of the paper, then stress (section 3.1)
@@ -109,6 +112,7 @@ int main(int argc, char* argv[])
         if (runTime.writeTime())
         {
             simulation.write();
+            balance.write();
         }
         runTime.write();
         if (runTime.writeTime())

@@ -237,6 +237,14 @@ Foam::mpm::pointRows Foam::mpm::materialPointCloud::rows()
                 }
             }
         });
+    rows.cells.setSize(n_);
+    forAll(cells_, k)
+    {
+        for (label p = start_[k]; p < start_[k + 1]; ++p)
+        {
+            rows.cells[p] = cells_[k];
+        }
+    }
     return rows;
 }
 

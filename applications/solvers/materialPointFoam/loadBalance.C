@@ -1,0 +1,172 @@
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
+
+#include "loadBalance.H"
+#include "rowsDistribution.H"
+#include "decompositionMethod.H"
+#include "dictionaryTools.H"
+#include "fatalMessages.H"
+#include "largestOfAll.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::mpm::loadBalance::measure(simulation& of, const label nSteps)
+{
+    // The least of all that have something to do: the others wait
+    const auto least = [&](const scalar seconds, const label n)
+    {
+        const scalar most = largestOfAll(n);
+        const scalar each = n > 0.1 * most ? max(seconds, 0.0) / nSteps / n : GREAT;
+        return most > 0 ? returnReduce(each, minOp<scalar>()) : scalar(0);
+    };
+    scalar seconds = 0;
+    label n = 0;
+    if (of.points())
+    {
+        const materialPointSystem::clocks& t = of.points()->clock();
+        seconds = t.nodes + t.move + t.sort + t.project + t.stress;
+        for (const materialPointPhase& phase : of.points()->phases())
+        {
+            n += phase.cloud().size();
+        }
+    }
+    ofPoint_ = least(seconds - points_, n);
+    points_ = seconds;
+    ofCell_ = of.gas() ? least(of.gasSeconds() - gas_, mesh_.nCells()) : scalar(0);
+    gas_ = of.gas() ? of.gasSeconds() : scalar(0);
+}
+
+Foam::scalarField Foam::mpm::loadBalance::weights(simulation& of) const
+{
+    scalarField w(mesh_.nCells(), max(ofCell_, 0.01 * ofPoint_));
+    for (label i = 0; of.points() && i < of.points()->phases().size(); ++i)
+    {
+        const materialPointCloud& cloud = of.points()->phases()[i].cloud();
+        forAll(cloud.cells(), k)
+        {
+            w[cloud.cells()[k]] += ofPoint_ * (cloud.start()[k + 1] - cloud.start()[k]);
+        }
+    }
+    return w;
+}
+
+Foam::scalarField
+Foam::mpm::loadBalance::loads(const scalarField& weights, const labelUList& proc) const
+{
+    scalarField all(Pstream::nProcs(), 0);
+    forAll(weights, c)
+    {
+        all[proc[c]] += weights[c];
+    }
+    Pstream::listCombineGather(all, plusEqOp<scalar>());
+    Pstream::listCombineScatter(all);
+    return all;
+}
+
+Foam::labelList Foam::mpm::loadBalance::newProcs(const scalarField& weights) const
+{
+    autoPtr<decompositionMethod> method(decompositionMethod::New(dict_));
+    if (!method->parallelAware())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "method " << method->type() << " does not work while a run goes on; name another"
+            << " one in loadBalance, for example  method hierarchical;" << exit(FatalIOError);
+    }
+    return method->decompose(mesh_, mesh_.cellCentres(), weights);
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::loadBalance::loadBalance(fvMesh& mesh) :
+    mesh_(mesh),
+    interval_(0),
+    maxImbalance_(GREAT),
+    worth_(1),
+    points_(0),
+    gas_(0),
+    look_(mesh.time().timeIndex()),
+    moved_(look_),
+    cost_(0),
+    write_(false),
+    ofPoint_(0),
+    ofCell_(0)
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    const IOdictionary dict(IOobject(
+        "decomposeParDict", mesh.time().system(), mesh.time(), IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE, false));
+    if (!dict.found("loadBalance"))
+    {
+        return;
+    }
+    const dictionary& own = requiredDict(dict, "loadBalance");
+    interval_ = boundedLabelOrDefault(own, "interval", 200, 1, labelMax);
+    maxImbalance_ = boundedOrDefault(own, "maxImbalance", 1.2, 1, GREAT);
+    worth_ = boundedOrDefault(own, "worth", 1, 0, GREAT);
+    dict_ = dict;
+    dict_.name() = own.name();
+    dict_.merge(own);
+    dict_.set("numberOfSubdomains", Pstream::nProcs());
+    distribution_.reset(new meshDistribution(mesh));
+    Info << "Load balance: a look every " << interval_ << " steps, imbalance up to "
+         << maxImbalance_ << " is borne; method " << required<word>(dict_, "method") << nl << endl;
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::loadBalance::update(simulation& of)
+{
+    const label now = mesh_.time().timeIndex();
+    if (!interval_ || now - look_ < interval_)
+    {
+        return;
+    }
+    measure(of, now - look_);
+    look_ = now;
+    const scalarField w(weights(of));
+    const scalarField before(loads(w, labelList(w.size(), Pstream::myProcNo())));
+    if (!(sum(before) > 0 && imbalance(before) > maxImbalance_))
+    {
+        return;
+    }
+    const labelList to(newProcs(w));
+    const scalarField after(loads(w, to));
+    const scalar saved = (max(before) - max(after)) * (now - moved_);
+    Info << "Load: imbalance " << imbalance(before) << ", with " << word(dict_.get<word>("method"))
+         << ' ' << imbalance(after);
+    if (!(saved >= worth_ * cost_) && worth_ > 0 || min(loads(scalarField(to.size(), 1), to)) < 1)
+    {
+        Info << ": left, the last move took " << cost_ << " s and this would save "
+             << max(saved, 0.0) << nl << endl;
+        return;
+    }
+    Info << nl << endl;
+
+    scalar seconds = 0;
+    {
+        const timer t(seconds);
+        rowsDistribution rows(mesh_, to);
+        simulation::rows state(of.takeDown());
+        rows.move(state, distribution_->move(to));
+        of = simulation(mesh_, std::move(state));
+    }
+    cost_ = largestOfAll(seconds);
+    moved_ = now;
+    write_ = true;
+
+    // The clocks of the new simulation go on
+    measure(of, 1);
+}
+
+void Foam::mpm::loadBalance::write()
+{
+    if (!write_)
+    {
+        return;
+    }
+    distribution_->write();
+    write_ = false;
+}

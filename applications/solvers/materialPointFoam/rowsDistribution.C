@@ -1,0 +1,224 @@
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
+
+#include "rowsDistribution.H"
+#include "fieldTypes.H"
+#include "processorPolyPatch.H"
+#include "PstreamBuffers.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Components of a list by its tokens; 0: it is none
+label componentsOf(ITstream& is)
+{
+    if (is.size() < 2 || !is[0].isWord())
+    {
+        return 0;
+    }
+    if (is[0].wordToken() == "uniform")
+    {
+        return is[1].isPunctuation() ? is.size() - 3 : label(1);
+    }
+    if (is[0].wordToken() != "nonuniform" || !is[1].isCompound())
+    {
+        return 0;
+    }
+    const word& type = is[1].compoundToken().type();
+    return type == token::Compound<List<scalar>>::typeName    ? 1
+        : type == token::Compound<List<vector>>::typeName     ? 3
+        : type == token::Compound<List<symmTensor>>::typeName ? 6
+        : type == token::Compound<List<tensor>>::typeName     ? 9
+                                                              : 0;
+}
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::HashTable<Foam::label> Foam::mpm::rowsDistribution::lists(const dictionary& dict)
+{
+    HashTable<label> found;
+    for (const entry& e : dict)
+    {
+        if (e.isStream())
+        {
+            const label n = componentsOf(e.stream());
+            if (n == 1 || n == 3 || n == 6 || n == 9)
+            {
+                found.insert(e.keyword(), n);
+            }
+        }
+    }
+    Pstream::mapCombineGather(found, maxEqOp<label>());
+    Pstream::mapCombineScatter(found);
+    return found;
+}
+
+template<class Type>
+void Foam::mpm::rowsDistribution::moveList(
+    dictionary& dict, const word& key, const place of, const label patchi) const
+{
+    const label n = of == cells ? nCells_ : of == faces ? size_[patchi] : points_[patchi].size();
+    Field<Type> v(n, Zero);
+    if (n || dict.found(key))
+    {
+        v = Field<Type>(key, dict, n);
+    }
+    if (of == cells)
+    {
+        map_->cells.distribute(v);
+    }
+    else if (of == faces)
+    {
+        Field<Type> all(nFaces_, Zero);
+        SubField<Type>(all, n, start_[patchi]) = v;
+        map_->faces.distribute(all);
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+        v = SubField<Type>(all, pp.size(), pp.start());
+    }
+    else
+    {
+        Field<Type> all(nPoints_, Zero);
+        forAll(v, i)
+        {
+            all[points_[patchi][i]] = v[i];
+        }
+        map_->points.distribute(all);
+        v = Field<Type>(all, mesh_.boundaryMesh()[patchi].meshPoints());
+    }
+    dict.merge(writtenDictionary([&](Ostream& os) { v.writeEntry(key, os); }));
+}
+
+void Foam::mpm::rowsDistribution::moveLists(
+    dictionary& dict, const place of, const label patchi) const
+{
+    const HashTable<label> all(lists(dict));
+    for (const word& key : all.sortedToc())
+    {
+        switch (all[key])
+        {
+        case 1:
+            moveList<scalar>(dict, key, of, patchi);
+            break;
+        case 3:
+            moveList<vector>(dict, key, of, patchi);
+            break;
+        case 6:
+            moveList<symmTensor>(dict, key, of, patchi);
+            break;
+        default:
+            moveList<tensor>(dict, key, of, patchi);
+        }
+    }
+}
+
+void Foam::mpm::rowsDistribution::moveField(dictionary& field, const place boundary) const
+{
+    if (boundary == faces)
+    {
+        moveLists(field, cells, -1);
+    }
+    else
+    {
+        field.merge(writtenDictionary([](Ostream& os) { os << "internalField uniform (0 0 0);"; }));
+    }
+    if (!field.found("boundaryField"))
+    {
+        return;
+    }
+
+    // Patches between processors have no state
+    dictionary& all = field.subDict("boundaryField");
+    const dictionary before(all);
+    all.clear();
+    forAll(mesh_.boundaryMesh(), patchi)
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+        dictionary of(before.subOrEmptyDict(pp.name()));
+        if (patchi < start_.size())
+        {
+            moveLists(of, boundary, patchi);
+        }
+        else
+        {
+            of.clear();
+            of.add("type", pp.type());
+        }
+        all.add(pp.name(), of);
+    }
+}
+
+void Foam::mpm::rowsDistribution::moveFields(fieldStates& fields, const place boundary) const
+{
+    for (const word& name : fields.sortedToc())
+    {
+        moveField(fields[name], boundary);
+    }
+}
+
+void Foam::mpm::rowsDistribution::movePoints(pointRows& rows) const
+{
+    const label size = rows.rowSize();
+    List<DynamicList<scalar>> to(Pstream::nProcs());
+    forAll(rows.cells, p)
+    {
+        to[toProc_[rows.cells[p]]].append(SubList<scalar>(rows.values, size, size * p));
+    }
+    rows.values.clear();
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    forAll(to, proci)
+    {
+        UOPstream os(proci, buffers);
+        os << static_cast<const UList<scalar>&>(to[proci]);
+        to[proci].clearStorage();
+    }
+    buffers.finishedSends();
+    forAll(to, proci)
+    {
+        UIPstream is(proci, buffers);
+        rows.values.append(List<scalar>(is));
+    }
+    rows.cells.clear();
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::rowsDistribution::rowsDistribution(const fvMesh& mesh, const labelList& toProc) :
+    mesh_(mesh),
+    toProc_(toProc),
+    nPoints_(mesh.nPoints()),
+    nFaces_(mesh.nFaces()),
+    nCells_(mesh.nCells()),
+    map_(nullptr)
+{
+    const label n = mesh.boundaryMesh().nNonProcessor();
+    start_.setSize(n);
+    size_.setSize(n);
+    points_.setSize(n);
+    forAll(start_, patchi)
+    {
+        const polyPatch& pp = mesh.boundaryMesh()[patchi];
+        start_[patchi] = pp.start();
+        size_[patchi] = pp.size();
+        points_[patchi] = pp.meshPoints();
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::rowsDistribution::move(simulation::rows& rows, const meshDistribution::maps& map)
+{
+    map_ = &map;
+    moveFields(rows.gas, faces);
+    moveFields(rows.points.cellFields, faces);
+    moveFields(rows.points.pointFields, points);
+    for (const word& phase : rows.points.points.sortedToc())
+    {
+        movePoints(rows.points.points[phase]);
+    }
+    rows.places = meshPlaces(mesh_);
+}
