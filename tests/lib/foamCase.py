@@ -103,10 +103,14 @@ class FoamCase(Case):
         return worst
 
     def decompose(self, n, weightField=None):
-        """decomposePar into (nx, ny, nz) pieces of the method hierarchical."""
+        """decomposePar into (nx, ny, nz) pieces of the method hierarchical. MPM_MOVES=7: all
+        cells go to random processors every 7 steps of the run (loadBalance)."""
+        moves = os.environ.get("MPM_MOVES")
         self.write("system/decomposeParDict", {
             "numberOfSubdomains": int(np.prod(n)), "method": "hierarchical",
             **({"weightField": weightField} if weightField else {}),
+            **({"loadBalance": {"interval": int(moves), "maxImbalance": 1, "worth": 0,
+                                "method": "random"}} if moves else {}),
             "hierarchicalCoeffs": {"n": n, "delta": 0.001, "order": "xyz"}})
         self.run("decomposePar", "-force")
 

@@ -146,6 +146,13 @@ def gasCase(folder, name, cells, high, initial, endTime, low=(0, 0, 0), ends=OPE
     return case
 
 
+def _meshOf(processor, time):
+    """Folder of a processor's mesh of a time: that of the time, or the last one before it."""
+    times = [t for t in os.listdir(processor) if re.fullmatch(r"[\d.e+-]+", t)
+             and float(t) <= float(time) and os.path.isdir(os.path.join(processor, t, "polyMesh"))]
+    return os.path.join(processor, max(times, key=float, default="constant"), "polyMesh")
+
+
 def volField(case, time, name):
     """Internal values of a field of a time, ascii or binary; of a decomposed
     case those of its processors in the order of the undecomposed cells."""
@@ -153,7 +160,7 @@ def volField(case, time, name):
         parts, cells = [], []
         for d in case.processors():
             parts.append(_internal(os.path.join(d, time, name)))
-            cells.append(_labels(os.path.join(d, "constant/polyMesh/cellProcAddressing")))
+            cells.append(_labels(os.path.join(_meshOf(d, time), "cellProcAddressing")))
             if parts[-1].shape[0] == 1 and len(cells[-1]) > 1:
                 parts[-1] = np.repeat(parts[-1], len(cells[-1]), axis=0)
         values, cells = np.concatenate(parts), np.concatenate(cells)

@@ -7,6 +7,7 @@
 #include "fatalMessages.H"
 #include "largestOfAll.H"
 #include "Time.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -103,6 +104,15 @@ Foam::mpm::loadBalance::loadBalance(fvMesh& mesh) :
         return;
     }
     const dictionary& own = requiredDict(dict, "loadBalance");
+    wordList keywords({"interval", "maxImbalance", "worth", "method"});
+    for (const entry& e : own)
+    {
+        if (e.isDict())
+        {
+            keywords.append(e.keyword());
+        }
+    }
+    checkKeywords(own, keywords);
     interval_ = boundedLabelOrDefault(own, "interval", 200, 1, labelMax);
     maxImbalance_ = boundedOrDefault(own, "maxImbalance", 1.2, 1, GREAT);
     worth_ = boundedOrDefault(own, "worth", 1, 0, GREAT);
@@ -120,7 +130,7 @@ Foam::mpm::loadBalance::loadBalance(fvMesh& mesh) :
 void Foam::mpm::loadBalance::update(simulation& of)
 {
     const label now = mesh_.time().timeIndex();
-    if (!interval_ || now - look_ < interval_)
+    if (!interval_ || now % interval_ || now == look_)
     {
         return;
     }
@@ -128,19 +138,30 @@ void Foam::mpm::loadBalance::update(simulation& of)
     look_ = now;
     const scalarField w(weights(of));
     const scalarField before(loads(w, labelList(w.size(), Pstream::myProcNo())));
-    if (!(sum(before) > 0 && imbalance(before) > maxImbalance_))
+    if (!(sum(before) > 0 && imbalance(before) >= maxImbalance_))
     {
         return;
     }
     const labelList to(newProcs(w));
     const scalarField after(loads(w, to));
     const scalar saved = (max(before) - max(after)) * (now - moved_);
-    Info << "Load: imbalance " << imbalance(before) << ", with " << word(dict_.get<word>("method"))
-         << ' ' << imbalance(after);
-    if (!(saved >= worth_ * cost_) && worth_ > 0 || min(loads(scalarField(to.size(), 1), to)) < 1)
+    const bool empty = min(loads(scalarField(to.size(), 1), to)) < 1;
+    const bool pays = worth_ == 0 || saved >= worth_ * cost_;
+    const auto rounded = [](const scalar x) { return std::round(1000 * x) / 1000; };
+    Info << "Load: imbalance " << rounded(imbalance(before)) << ", by "
+         << required<word>(dict_, "method") << ' ' << rounded(imbalance(after));
+    if (empty || !pays)
     {
-        Info << ": left, the last move took " << cost_ << " s and this would save "
-             << max(saved, 0.0) << nl << endl;
+        Info << ", left: ";
+        if (empty)
+        {
+            Info << "a processor would have no cells" << nl << endl;
+        }
+        else
+        {
+            Info << "it would save " << rounded(saved) << " s, the last move took "
+                 << rounded(cost_) << " s" << nl << endl;
+        }
         return;
     }
     Info << nl << endl;
@@ -152,6 +173,7 @@ void Foam::mpm::loadBalance::update(simulation& of)
         simulation::rows state(of.takeDown());
         rows.move(state, distribution_->move(to));
         of = simulation(mesh_, std::move(state));
+        distribution_->tellFunctionObjects();
     }
     cost_ = largestOfAll(seconds);
     moved_ = now;

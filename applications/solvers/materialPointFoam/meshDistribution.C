@@ -3,6 +3,7 @@
 #include "meshDistribution.H"
 #include "cyclicPolyPatch.H"
 #include "ListOps.H"
+#include "mapPolyMesh.H"
 #include "processorCyclicPolyPatch.H"
 #include "PstreamBuffers.H"
 #include "syncTools.H"
@@ -219,27 +220,28 @@ void Foam::mpm::meshDistribution::setMesh(const newMesh& to, PtrList<dictionary>
         std::move(neighbour), labelList(), labelList(), false);
     const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
     PtrList<polyPatch> list(nPatches + others.size());
+    const word at("At" + Foam::name(mesh_.time().timeIndex()));
     forAll(list, i)
     {
         const between* other = i < nPatches ? nullptr : &others[i - nPatches];
         const label n = other ? other->size : size[i];
-        if (!other)
+        word name(other ? processorPolyPatch::newName(me, other->proc) : patches[i].dictName());
+        dictionary dict(other ? dictionary() : patches[i]);
+        if (other)
         {
-            patches[i].set("nFaces", n);
-            patches[i].set("startFace", start);
-            list.set(i, polyPatch::New(patches[i].dictName(), patches[i], i, boundary));
+            const bool through = other->patch >= 0;
+            name += (through ? "through" + list[other->patch].name() : word()) + at;
+            dict.set("type", word(through ? "processorCyclic" : "processor"));
+            dict.set("myProcNo", me);
+            dict.set("neighbProcNo", other->proc);
+            if (through)
+            {
+                dict.set("referPatch", list[other->patch].name());
+            }
         }
-        else if (other->patch < 0)
-        {
-            list.set(i, new processorPolyPatch(n, start, i, boundary, me, other->proc));
-        }
-        else
-        {
-            list.set(
-                i,
-                new processorCyclicPolyPatch(
-                    n, start, i, boundary, me, other->proc, list[other->patch].name()));
-        }
+        dict.set("nFaces", n);
+        dict.set("startFace", start);
+        list.set(i, polyPatch::New(name, dict, i, boundary));
         start += n;
     }
     cells_ = to.cells;
@@ -270,7 +272,8 @@ Foam::mpm::meshDistribution::meshDistribution(fvMesh& mesh) :
     cells_(read("cellProcAddressing", mesh.nCells())),
     points_(read("pointProcAddressing", mesh.nPoints())),
     faces_(read("faceProcAddressing", mesh.nFaces())),
-    patches_(read("boundaryProcAddressing", mesh.boundaryMesh().size()))
+    patches_(read("boundaryProcAddressing", mesh.boundaryMesh().size())),
+    before_(Zero)
 {
 }
 
@@ -279,6 +282,7 @@ Foam::mpm::meshDistribution::meshDistribution(fvMesh& mesh) :
 Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelList& toProc)
 {
     const label n = Pstream::nProcs(), nPatches = mesh_.boundaryMesh().nNonProcessor();
+    before_ = {mesh_.nCells(), mesh_.nFaces(), mesh_.nPoints()};
     PtrList<dictionary> patches(nPatches);
     forAll(patches, i)
     {
@@ -391,6 +395,21 @@ Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelL
     }
     m.faces = mapDistribute(faces_.size(), std::move(toFaces), std::move(facePlaces));
     return m;
+}
+
+void Foam::mpm::meshDistribution::tellFunctionObjects() const
+{
+    // Nothing is where it was
+    const List<objectMap> none;
+    const labelListList noZones;
+    const auto lost = [](const label n) { return labelList(n, label(-1)); };
+    const mapPolyMesh map(
+        mesh_, before_[2], before_[1], before_[0], lost(mesh_.nPoints()), none,
+        lost(mesh_.nFaces()), none, none, none, lost(mesh_.nCells()), none, none, none, none,
+        lost(before_[2]), lost(before_[1]), lost(before_[0]), labelHashSet(), labelListList(),
+        noZones, noZones, noZones, noZones, pointField(), labelList(), labelList(),
+        autoPtr<scalarField>());
+    const_cast<Time&>(mesh_.time()).functionObjects().updateMesh(map);
 }
 
 void Foam::mpm::meshDistribution::write()

@@ -4,6 +4,7 @@
 #include "fieldTypes.H"
 #include "processorPolyPatch.H"
 #include "PstreamBuffers.H"
+#include "Tuple2.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -160,29 +161,50 @@ void Foam::mpm::rowsDistribution::moveFields(fieldStates& fields, const place bo
     }
 }
 
-void Foam::mpm::rowsDistribution::movePoints(pointRows& rows) const
+void Foam::mpm::rowsDistribution::movePoints(pointRows& rows, const labelUList& newCells) const
 {
+    // A processor without points may not have all columns
+    List<Tuple2<wordList, labelList>> columns(Pstream::nProcs());
+    columns[Pstream::myProcNo()] =
+        Tuple2<wordList, labelList>(rows.size() ? rows.columns : wordList(), rows.nComponents);
+    Pstream::gatherList(columns);
+    Pstream::scatterList(columns);
+    for (const Tuple2<wordList, labelList>& of : columns)
+    {
+        if (of.first().size())
+        {
+            rows.columns = of.first();
+            rows.nComponents = of.second();
+        }
+    }
+
     const label size = rows.rowSize();
-    List<DynamicList<scalar>> to(Pstream::nProcs());
+    List<DynamicList<scalar>> values(Pstream::nProcs());
+    List<DynamicList<label>> cells(Pstream::nProcs());
     forAll(rows.cells, p)
     {
-        to[toProc_[rows.cells[p]]].append(SubList<scalar>(rows.values, size, size * p));
+        const label c = rows.cells[p];
+        values[toProc_[c]].append(SubList<scalar>(rows.values, size, size * p));
+        cells[toProc_[c]].append(newCells[c]);
     }
     rows.values.clear();
+    DynamicList<label> now;
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    forAll(to, proci)
+    forAll(values, proci)
     {
         UOPstream os(proci, buffers);
-        os << static_cast<const UList<scalar>&>(to[proci]);
-        to[proci].clearStorage();
+        os << static_cast<const UList<scalar>&>(values[proci])
+           << static_cast<const UList<label>&>(cells[proci]);
+        values[proci].clearStorage();
     }
     buffers.finishedSends();
-    forAll(to, proci)
+    forAll(values, proci)
     {
         UIPstream is(proci, buffers);
         rows.values.append(List<scalar>(is));
+        now.append(labelList(is));
     }
-    rows.cells.clear();
+    rows.cells.transfer(now);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -216,9 +238,11 @@ void Foam::mpm::rowsDistribution::move(simulation::rows& rows, const meshDistrib
     moveFields(rows.gas, faces);
     moveFields(rows.points.cellFields, faces);
     moveFields(rows.points.pointFields, points);
+    labelList newCells(identity(mesh_.nCells()));
+    map.cells.reverseDistribute(nCells_, newCells);
     for (const word& phase : rows.points.points.sortedToc())
     {
-        movePoints(rows.points.points[phase]);
+        movePoints(rows.points.points[phase], newCells);
     }
     rows.places = meshPlaces(mesh_);
 }

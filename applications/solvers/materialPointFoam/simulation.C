@@ -34,6 +34,13 @@ Foam::mpm::simulation::simulation(const fvMesh& mesh, rows&& from) :
         forAllIters(*fields, iter) { order.ofCells(iter.val()); }
     }
     forAllIters(from.points.pointFields, iter) { order.ofPoints(iter.val()); }
+    forAllIters(from.points.points, iter)
+    {
+        if (!order.sameCells())
+        {
+            iter.val().cells.clear();
+        }
+    }
 
     Info << "Simulation is built again from memory, time " << mesh.time().timeName() << nl << endl;
     makePhases(&from);

@@ -284,6 +284,10 @@ void Foam::mpm::gasCoupling::needEnergy() const
 void Foam::mpm::gasCoupling::startBudget()
 {
     books_ = true;
+    for (materialPointPhase& phase : points_.phases())
+    {
+        phase.cloud().carryGasPressure();
+    }
     gas_.startBudget();
     budget_ = gasBudget();
     budget_.mass0 = gas_.mass();

@@ -99,7 +99,6 @@ void Foam::mpm::pressureForce::dryPressure(const label phasei)
 {
     materialPointCloud& cloud = points_.phases()[phasei].cloud();
     scalar* pressure = (*cloud.gasPressure())[0];
-    apart_[phasei].clear();
     if (points_.phases()[phasei].grains())
     {
         std::fill(pressure, pressure + cloud.size(), scalar(0));
@@ -113,7 +112,6 @@ void Foam::mpm::pressureForce::dryPressure(const label phasei)
             if (ofGas[p] < v[p])
             {
                 pressure[p] = 0;
-                apart_[phasei].append(p);
             }
         }
     }
@@ -138,7 +136,6 @@ Foam::mpm::pressureForce::pressureForce(
     fraction_(fraction),
     load_(points.phases().size(), Zero),
     work_(0),
-    apart_(points.phases().size()),
     grainPush_(points.phases().size()),
     grainWork_(0)
 {
@@ -249,34 +246,31 @@ void Foam::mpm::pressureForce::addWork(gasBudget& sums)
     points_.energy().sums().compression += returnReduce(compression, sumOp<scalar>());
     forAll(points_.phases(), phasei)
     {
+        // Dry ones have no pressure in the step (dryPressure)
+        const materialPointPhase& phase = points_.phases()[phasei];
         materialPointCloud& cloud = points_.phases()[phasei].cloud();
         const column* damage = cloud.damage();
-        const labelUList& apart = apart_[phasei];
-        if (!damage && apart.empty())
+        const scalar* P = (*cloud.gasPressure())[0];
+        const bool apart = !phase.grains() && !phase.motion();
+        DynamicList<label> dry;
+        for (label p = 0; p < cloud.size(); ++p)
+        {
+            if ((damage && (*damage)[0][p] >= 1) || (apart && P[p] == 0))
+            {
+                dry.append(p);
+            }
+        }
+        if (dry.empty())
         {
             continue;
         }
 
         // The pressure where the points are now; start() sets it anew
         fraction_.gather(phasei, nullptr);
-        const scalar* P = (*cloud.gasPressure())[0];
         const scalar* v = (*cloud.gasVolume())[0];
-        const scalarList& oldV = fraction_.oldVolume(phasei);
-        const auto add = [&](const label p)
-        { sums.dry += (1 - fraction_.eps()) * P[p] * (v[p] - oldV[p]); };
-        for (label p = 0; damage && p < cloud.size(); ++p)
+        for (const label p : dry)
         {
-            if ((*damage)[0][p] >= 1)
-            {
-                add(p);
-            }
-        }
-        for (const label p : apart)
-        {
-            if (!(damage && (*damage)[0][p] >= 1))
-            {
-                add(p);
-            }
+            sums.dry += (1 - fraction_.eps()) * P[p] * (v[p] - fraction_.oldVolume(phasei)[p]);
         }
     }
 }

@@ -456,6 +456,8 @@ public:
     TypeName("blastProbes");
 
     using flowOutput::flowOutput;
+
+    void updateMesh(const mapPolyMesh&) override { findCells(); }
 };
 
 defineTypeNameAndDebug(blastProbes, 0);

@@ -289,8 +289,12 @@ Foam::label Foam::mpm::materialPointCloud::setRows(const pointRows& rows)
     {
         x[p] = vectorOf(x_, p);
     }
-    labelList cell(n, label(-1));
-    findCells(x, cell);
+    labelList cell(rows.cells);
+    if (cell.size() != n)
+    {
+        cell = labelList(n, label(-1));
+        findCells(x, cell);
+    }
     order(cell);
 
     return returnReduce(n_, sumOp<label>());
