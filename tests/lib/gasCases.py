@@ -160,7 +160,7 @@ def volField(case, time, name):
         parts, cells = [], []
         for d in case.processors():
             parts.append(_internal(os.path.join(d, time, name)))
-            cells.append(_labels(os.path.join(_meshOf(d, time), "cellProcAddressing")))
+            cells.append(labels(os.path.join(_meshOf(d, time), "cellProcAddressing")))
             if parts[-1].shape[0] == 1 and len(cells[-1]) > 1:
                 parts[-1] = np.repeat(parts[-1], len(cells[-1]), axis=0)
         values, cells = np.concatenate(parts), np.concatenate(cells)
@@ -190,7 +190,7 @@ def _internal(path):
     return values.reshape(n, size) if size > 1 else values
 
 
-def _labels(path):
+def labels(path):
     with open(path, "rb") as f:
         raw = f.read()
     binary = re.search(rb"format\s+(\w+)\s*;", raw)[1] == b"binary"

@@ -217,7 +217,7 @@ void Foam::mpm::meshDistribution::setMesh(const newMesh& to, PtrList<dictionary>
     mesh_.removeFvBoundary();
     mesh_.resetPrimitives(
         autoPtr<pointField>(new pointField(to.x)), std::move(faces), std::move(owner),
-        std::move(neighbour), labelList(), labelList(), false);
+        std::move(neighbour), labelList(), labelList(), true);
     const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
     PtrList<polyPatch> list(nPatches + others.size());
     const word at("At" + Foam::name(mesh_.time().timeIndex()));

@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+"""Cells that go from processor to processor while a run goes on (loadBalance).
+
+    moved    scenes of tests/cases/rebuild and two fluids, one of which detonates: every few
+             steps all cells go to random processors, of three; points and fields of the
+             whole case, by reconstructPar, are those of one processor to 1e-10
+    budget   terms of the energy budget of a turning disc, a shock and a block, so too
+    mesh     after moves to and fro a processor has the mesh of decomposePar, bit by bit
+    restart  from a time in the middle, with the mesh of that time: to 1e-10
+    thrown   a block that crosses the box: without moves it is on one of two processors,
+             with them the points are shared evenly
+    wrong    messages
+"""
+
+import importlib.util
+import os
+import re
+import shutil
+import sys
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from foamCase import FoamCase, RunFailed, readInternal, runParts
+from gasCases import labels
+from mpm.files import Points
+
+DICT = "system/decomposeParDict"
+RANDOM = {"maxImbalance": 1, "worth": 0, "method": "random"}
+
+
+def module(name):
+    """A test of tests/cases, whose cases are made here."""
+    path = os.path.join(HERE, "..", name, "test.py")
+    spec = importlib.util.spec_from_file_location(name, path)
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    made.FoamCase = lambda group, case, template=None: FoamCase(
+        "loadBalance", f"{name}-{case}", template)
+    return made
+
+
+def balanced(case, interval, split=(3, 1, 1), name="moved", **entries):
+    """The case, not run yet, on several processors with moves."""
+    other = FoamCase("loadBalance", f"{case.name}-{name}")
+    shutil.rmtree(other.path)
+    shutil.copytree(case.path, other.path)
+    other.decompose(split)
+    other.change(DICT, "^method ", "loadBalance\n{\n    interval %d;\n%s}\nmethod " % (
+        interval, "".join(f"    {k} {v};\n" for k, v in entries.items())))
+    return other
+
+
+def moves(case):
+    return len(re.findall("^Load: .*[0-9]$", case.log(), re.M))
+
+
+def difference(one, other, time):
+    """Largest difference of points and of fields of the whole case, over the largest value."""
+    clouds = one.file(time, "lagrangian")
+    worst = 0.0
+    for phase in os.listdir(clouds) if os.path.isdir(clouds) else ():
+        a, b = one.points(time, phase), other.points(time, phase)
+        for name in ("x", "U", "V", "damage"):
+            if os.path.exists(os.path.join(clouds, phase, name)):
+                u, v = a.byId(name), b.byId(name)
+                worst = max(worst, np.max(abs(u - v))/max(np.max(abs(u)), 1e-300)
+                            if u.shape == v.shape else np.inf)
+    other.run("reconstructPar", "-time", time)
+    n = 0
+    for name in os.listdir(one.file(time)):
+        if re.match(r"(p|T|rho|U|alpha|F)(\.|$)", name) and os.path.isfile(one.file(time, name)):
+            try:
+                u, v = (np.array(readInternal(c.file(time, name))) for c in (one, other))
+            except (ValueError, TypeError):
+                continue
+            worst = max(worst, np.max(abs(u - v))/max(np.max(abs(u)), 1e-300)
+                        if u.shape == v.shape else np.inf)
+            n += 1
+    return worst, n
+
+
+def scenes():
+    """Label, case, steps between moves, split."""
+    rebuild = module("rebuild")
+    rebuild.module = module
+    yield ("failing plates in air", rebuild.plates("FMPM", air={}), 13, (1, 3, 1))
+    yield ("discs in contact with friction", rebuild.shorter(
+        module("contact").discsCase("discs", 3, 0.5)[0], 1.1), 13, (3, 1, 1))
+    erosion = module("erosion")
+    yield ("failure, contact and erosion to debris", erosion.debrisCase("debris"), 13, (3, 1, 1))
+    axisymmetry = module("axisymmetryGas")
+    yield ("wedge, cylinder in a gas", axisymmetry.inGas(
+        "wedge", axisymmetry.cylinderRegion(5.2, 15.2, -1, 7.3), velocity=300.0,
+        gasVelocity=(0, 0, 0), steps=40), 9, (1, 3, 1))
+    yield "gas alone, an equation of state", rebuild.gasAlone(), 50, (3, 1, 1)
+
+
+def moved(table):
+    for label, case, interval, split in scenes():
+        other = balanced(case, interval, split, **RANDOM)
+        case.run("materialPointFoam")
+        other.runParallel()
+        worst, n = difference(case, other, case.times()[-1])
+        table.row(f"{label}: moved often, largest difference to one processor", 0, worst, 1e-10)
+        table.check(f"{label}: it was, and fields were compared", moves(other) > 2 and n > 0,
+                    f"{moves(other)} times, {n} fields")
+
+
+def fluids(table):
+    """Two fluids, of which one detonates; a wave on a block in water and air."""
+    os.environ["MPM_MOVES"] = "7"
+    try:
+        for name, make, end, fields, limit in (
+                ("detonation", "discCase", 2e-6, None, 1e-10),
+                ("pointsInFluids", "struck", 5e-5, ("p", "U", "alpha.water"), 1e-9)):
+            of = module(name)
+            if make == "discCase":
+                one, other = (of.discCase(f"moved-{n}", 16, end, split)
+                              for n, split in ((1, None), (3, (3, 1, 1))))
+                worst = of.differences(one, other, one.timeName(end))
+            else:
+                one, other = (of.struck(f"moved-{n}", end, split=split)
+                              for n, split in ((1, None), (3, (3, 1, 1))))
+                pairs = [[of.volField(c, one.timeName(end), f) for c in (one, other)]
+                         for f in fields]
+                worst = max(np.max(abs(a - b))/np.max(abs(a)) for a, b in pairs)
+            table.row(f"{name}: moved often, largest difference to one processor", 0, worst, limit)
+            table.check(f"{name}: it was", moves(other) > 0, moves(other))
+    finally:
+        del os.environ["MPM_MOVES"]
+
+
+def thrown(table):
+    """A block that crosses the box, which two processors share by its length."""
+    parallel = module("parallel")
+
+    def make(name):
+        return parallel.fallingBlock(name, 2, {"shapeFunction": "GIMP", "transfer": "FLIP"})
+    one = make("thrown")
+    one.run("materialPointFoam")
+    end = one.times()[-1]
+    shares = {}
+    for name, most in (("left", 1000), ("balanced", 1.1)):
+        fresh = make(f"thrown-{name}")
+        case = balanced(fresh, 10, (2, 1, 1), maxImbalance=most, worth=0)
+        case.runParallel()
+        table.row(f"thrown block, {name}: largest difference to one processor", 0,
+                  one.largestDifference(case, end, ["block"], ("x", "U", "V")), 1e-10)
+        counts = [len(Points([os.path.join(p, end, "lagrangian/block")])["x"])
+                  for p in case.processors()]
+        shares[name] = max(counts)/np.mean(counts)
+    table.row("thrown block: points of the fuller processor over the mean, left", 2,
+              shares["left"], 1.3, "atLeast")
+    table.row("thrown block: the same, balanced", 1, shares["balanced"], 1.2, "atMost")
+
+
+def mesh(table):
+    """Random moves, and back to the first distribution."""
+    parallel = module("parallel")
+    case = parallel.fallingBlock("mesh", 2, {"shapeFunction": "GIMP", "transfer": "FLIP"})
+    other = balanced(case, 10, (2, 2, 1), **RANDOM)
+    other.runParallel()
+    end = sorted((t for t in os.listdir(other.processors()[0]) if t[0].isdigit()), key=float)[-1]
+    where = {}
+    for i, p in enumerate(other.processors()):
+        where.update({c: i for c in labels(os.path.join(p, end, "polyMesh/cellProcAddressing"))})
+    again = FoamCase("loadBalance", "mesh-manual")
+    shutil.rmtree(again.path)
+    shutil.copytree(case.path, again.path)
+    again.write("constant/cellDecomposition", "")
+    with open(again.file("constant/cellDecomposition"), "w") as f:
+        f.write("FoamFile { version 2.0; format ascii; class labelList; object d; }\n"
+                f"{len(where)}\n(\n" + "\n".join(str(where[c]) for c in sorted(where))
+                + "\n)\n")
+    again.write(DICT, {"numberOfSubdomains": 4, "method": "manual",
+                       "manualCoeffs": {"dataFile": '"cellDecomposition"'}})
+    again.run("decomposePar", "-force")
+    bad = []
+    for p, q in zip(other.processors(), again.processors()):
+        for name in ("owner", "neighbour", "faces", "points", "cellProcAddressing",
+                     "faceProcAddressing", "pointProcAddressing", "boundaryProcAddressing"):
+            a, b = (data(os.path.join(d, "polyMesh", name))
+                    for d in (os.path.join(p, end), os.path.join(q, "constant")))
+            if a != b:
+                bad.append(os.path.join(os.path.basename(p), name))
+    table.check("after random moves each processor has the mesh that decomposePar makes of the"
+                " same distribution, bit by bit", len(other.processors()) == 4 and not bad, bad)
+
+
+def data(path):
+    """A file without its header."""
+    with open(path, "rb") as f:
+        raw = f.read()
+    return raw[raw.index(b"// * *"):].split(b"\n", 1)[1]
+
+
+def budget(table):
+    energy = module("energyInGas")
+    turning = {"type": "rotation", "origin": (0.0251, 0.0197, 0), "axis": (0, 0, 1),
+               "omega": 3000}
+    one = energy.struck("budget", turning, True)
+    other = balanced(one, 20, (2, 1, 1), **RANDOM)
+    one.run("materialPointFoam", limit=300)
+    other.runParallel()
+    a, b = (c.series("energy", "energy.dat") for c in (one, other))
+    table.row("energy budget of points in a gas, moved often: terms against one processor", 0,
+              np.max(abs(a - b))/energy.exchanged(a) if a.shape == b.shape else np.inf, 1e-9,
+              "atMost")
+    table.check("energy budget: it was moved", moves(other) > 3, moves(other))
+
+
+def restart(table):
+    parallel = module("parallel")
+    case = parallel.fallingBlock("restart", 2, {"shapeFunction": "GIMP", "transfer": "APIC"})
+    case.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+    a = balanced(case, 10, (2, 2, 1), **RANDOM)
+    b = balanced(case, 10, (2, 2, 1), "again", **RANDOM)
+    a.runParallel()
+    half, end = sorted((t for t in os.listdir(a.processors()[0])
+                        if re.fullmatch(r"[\d.e+-]+", t)), key=float)[1:]
+    for p, q in zip(a.processors(), b.processors()):
+        shutil.copytree(os.path.join(p, half), os.path.join(q, half))
+    b.runParallel()
+    table.row("restart from a mesh that was moved: largest difference to the straight run", 0,
+              a.largestDifference(b, end, ["block"], ("x", "U", "V", "C")), 1e-10)
+    table.check("restart: both were moved", moves(a) > 5 and moves(b) > 2,
+                f"{moves(a)}, {moves(b)}")
+
+
+def wrong(table):
+    parallel = module("parallel")
+    case = parallel.fallingBlock("wrong", 2, {"shapeFunction": "GIMP", "transfer": "FLIP"})
+    for label, entries, words in (
+            ("keyword", {"maxImbalence": 1.2}, ("maxImbalence", "maxImbalance")),
+            ("value", {"maxImbalance": 0.5}, ("maxImbalance", "0.5")),
+            ("method", {"method": "scotchy"}, ("scotchy", "hierarchical"))):
+        other = balanced(case, 5, (2, 1, 1), f"wrong-{label}", **entries)
+        try:
+            other.runParallel()
+            text = ""
+        except RunFailed:
+            text = other.log()
+        lacks = [w for w in words if w not in text]
+        table.check(f"wrong input: {label}", not lacks, f"message lacks {lacks}")
+    other = balanced(case, 5, (2, 1, 1), "wrong-addressing")
+    os.remove(os.path.join(other.processors()[1], "constant/polyMesh/cellProcAddressing"))
+    try:
+        other.runParallel()
+        text = ""
+    except RunFailed:
+        text = other.log()
+    table.check("wrong input: no cellProcAddressing",
+                "cellProcAddressing" in text and "decomposePar" in text, text[-200:])
+
+
+if __name__ == "__main__":
+    sys.exit(runParts("loadBalance", moved, fluids, budget, mesh, restart, thrown, wrong))
