@@ -137,7 +137,8 @@ Foam::mpm::meshDistribution::facesOf(const labelList& toProc) const
     return all;
 }
 
-void Foam::mpm::meshDistribution::setMesh(const newMesh& to, PtrList<dictionary>& patches)
+void Foam::mpm::meshDistribution::setMesh(
+    const newMesh& to, const PtrList<dictionary>& patches, const labelUList& partners)
 {
     const label me = Pstream::myProcNo(), nPatches = patches.size();
 
@@ -155,7 +156,7 @@ void Foam::mpm::meshDistribution::setMesh(const newMesh& to, PtrList<dictionary>
         {
             return place{s.patch, 0, 0, 0};
         }
-        const label other = patches[s.patch].get<label>("neighbour");
+        const label other = partners[s.patch];
         return place{nPatches, q, min(s.patch, other), (me < q) == (s.patch < other) ? 0 : 1};
     };
     const auto before = [](const place& a, const place& b)
@@ -284,6 +285,7 @@ Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelL
     const label n = Pstream::nProcs(), nPatches = mesh_.boundaryMesh().nNonProcessor();
     before_ = {mesh_.nCells(), mesh_.nFaces(), mesh_.nPoints()};
     PtrList<dictionary> patches(nPatches);
+    labelList partners(nPatches, -1);
     forAll(patches, i)
     {
         const polyPatch& pp = mesh_.boundaryMesh()[i];
@@ -293,7 +295,7 @@ Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelL
         patches.set(i, new dictionary(pp.name(), dictionary(), is));
         if (isA<cyclicPolyPatch>(pp))
         {
-            patches[i].set("neighbour", refCast<const cyclicPolyPatch>(pp).neighbPatchID());
+            partners[i] = refCast<const cyclicPolyPatch>(pp).neighbPatchID();
         }
     }
 
@@ -372,7 +374,7 @@ Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelL
     m.points = mapDistribute(to.points.size(), std::move(toPoints), std::move(pointPlaces));
     to.x = mesh_.points();
     m.points.distribute(to.x);
-    setMesh(to, patches);
+    setMesh(to, patches, partners);
     for (boolList& in : inZones)
     {
         m.cells.distribute(in);
