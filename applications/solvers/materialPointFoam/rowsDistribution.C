@@ -127,13 +127,14 @@ void Foam::mpm::rowsDistribution::moveField(dictionary& field, const place bound
     {
         field.merge(writtenDictionary([](Ostream& os) { os << "internalField uniform (0 0 0);"; }));
     }
-    if (!field.found("boundaryField"))
+    const word boundaryField("boundaryField");
+    if (!field.found(boundaryField))
     {
         return;
     }
 
     // Patches between processors have no state
-    dictionary& all = field.subDict("boundaryField");
+    dictionary& all = field.subDict(boundaryField);
     const dictionary before(all);
     all.clear();
     forAll(mesh_.boundaryMesh(), patchi)
