@@ -147,8 +147,7 @@ void Foam::mpm::rowsDistribution::moveField(dictionary& field, const place bound
         }
         else
         {
-            of.clear();
-            of.add("type", pp.type());
+            of = writtenDictionary([&](Ostream& os) { os.writeEntry("type", pp.type()); });
         }
         all.add(pp.name(), of);
     }
