@@ -2,7 +2,6 @@
 
 #include "solidSurface.H"
 #include "cellSums.H"
-#include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -11,18 +10,6 @@ namespace Foam::mpm
 
 // Beside phases, in phaseIn_
 static constexpr label none = -1, listed = -2;
-
-static bool hasCoupled(const polyMesh& mesh)
-{
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (patch.coupled())
-        {
-            return true;
-        }
-    }
-    return false;
-}
 
 } // End namespace Foam::mpm
 
@@ -73,11 +60,11 @@ void Foam::mpm::solidSurface::findBeside(labelList& behind)
             }
         }
     }
-    if (!coupled_)
+    if (coupled_.empty())
     {
         return;
     }
-    syncTools::swapBoundaryCellList(mesh_, phaseIn_, behind);
+    behind = coupled_.behind(phaseIn_);
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         if (patch.coupled())
@@ -157,10 +144,11 @@ void Foam::mpm::solidSurface::unmark()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::solidSurface::solidSurface(materialPointSystem& points, const fvMesh& mesh) :
+Foam::mpm::solidSurface::solidSurface(
+    materialPointSystem& points, const fvMesh& mesh, const coupledFaces& coupled) :
     points_(points),
     mesh_(mesh),
-    coupled_(returnReduce(hasCoupled(mesh), orOp<bool>())),
+    coupled_(coupled),
     phases_(points.phases().size()),
     any_(false),
     phaseIn_(mesh.nCells(), label(none)),

@@ -137,3 +137,9 @@ void Foam::mpm::coupledFaces::swap(UList<scalar>& b, const label n) const
     List<List<scalar>> send, receive;
     exchange(patches_, nInternal_, processor_, cyclic_, n, b, send, receive, [](const label) {});
 }
+
+void Foam::mpm::coupledFaces::swap(UList<label>& b) const
+{
+    List<List<label>> send, receive;
+    exchange(patches_, nInternal_, processor_, cyclic_, 1, b, send, receive, [](const label) {});
+}

@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
+#include "largestOfAll.H"
 #include "noTraps.H"
 #include "Time.H"
 
@@ -409,7 +410,7 @@ bool Foam::mpm::eulerianFluids::newStates(const scalar dt, const solidOnFaces* p
             bad_.append(oldState{c, rho_[c], rhoE_[c], rhoU_[c]});
         }
     }
-    return !returnReduce(bad_.size() > 0, orOp<bool>());
+    return !onAny(bad_.size() > 0);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -3,6 +3,7 @@
 #include "materialPointCloud.H"
 #include "outflowPatches.H"
 #include "wallPatches.H"
+#include "largestOfAll.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 #include "PstreamReduceOps.H"
@@ -209,7 +210,7 @@ void Foam::mpm::materialPointCloud::exchange(
                     || (cellChanges[m].cell >= grid_.nCells()
                         && cellChanges[m].cell != outflowPatches::gone);
             }
-            reduce(more, orOp<bool>());
+            more = onAny(more);
         }
     }
 }

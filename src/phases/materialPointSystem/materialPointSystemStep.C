@@ -183,11 +183,17 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
             bad = badPoint{phasei, result.badPoint, result.left};
         }
     }
-    travel = largestOfAll(travel);
-    rate_ = largestOfAll(bad.phase < 0 ? rate : VGREAT);
+    // In one number: the rate, or that a point is bad or has gone too far,
+    // which is asked for only then
+    rate_ = largestOfAll(bad.phase < 0 && travel <= maxTravel_ ? rate : VGREAT);
     if (rate_ >= VGREAT)
     {
-        stop(bad);
+        travel = largestOfAll(travel);
+        rate_ = largestOfAll(bad.phase < 0 ? rate : VGREAT);
+        if (rate_ >= VGREAT)
+        {
+            stop(bad);
+        }
     }
     energy_->addMove(dt, work, momentum, body);
 
@@ -231,7 +237,7 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
                 strain, fields_[fieldOf_[phasei]].maxStrain(phases_[phasei].cloud().cells(), dt));
         }
     }
-    strain = largestOfAll(strain);
+    strain = energy_->largest(strain);
 
     // c/h changes with the cell where cells differ in size
     if (grid_.sameWidth() <= 0)
