@@ -35,7 +35,7 @@ void Foam::mpm::solidSurface::mark()
     }
 }
 
-void Foam::mpm::solidSurface::findBeside(labelList& behind)
+void Foam::mpm::solidSurface::findBeside(scalarList& behind)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -81,7 +81,7 @@ void Foam::mpm::solidSurface::findBeside(labelList& behind)
 }
 
 void Foam::mpm::solidSurface::addCell(
-    const label celli, const labelList& behind, const std::function<vector(label)>& area)
+    const label celli, const scalarList& behind, const std::function<vector(label)>& area)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -96,7 +96,7 @@ void Foam::mpm::solidSurface::addCell(
         else if (
             behind.size() && mesh_.boundaryMesh()[mesh_.boundaryMesh().whichPatch(f)].coupled())
         {
-            phasei = behind[f - nei.size()];
+            phasei = label(behind[f - nei.size()]);
         }
         if (phasei < 0 || !phases_[phasei].wanted)
         {
@@ -173,7 +173,7 @@ void Foam::mpm::solidSurface::find(
         of.A.clear();
     }
     mark();
-    labelList behind;
+    scalarList behind;
     findBeside(behind);
     for (const label c : beside_)
     {

@@ -75,11 +75,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
     if (!coupled_.empty())
     {
         // The donor's side says what leaves
-        List<scalarField> sent(n_);
-        for (label k = 0; k < n_; ++k)
-        {
-            sent[k].setSize(Wb_.size(), 0);
-        }
+        scalarField sent(n_ * Wb_.size(), 0);
         for (const label f : faces_.coupled)
         {
             const label P = own[f], i = f - nInternal;
@@ -88,23 +84,17 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
             {
                 for (label k = 0; k < n_; ++k)
                 {
-                    sent[k][i] = k == interfaces_->single()[P];
+                    sent[n_ * i + k] = k == interfaces_->single()[P];
                 }
                 continue;
             }
             if (phi[f] > 0)
             {
                 add(f, P, alphaB_.cdata() + n_ * i);
-                for (label k = 0; k < n_; ++k)
-                {
-                    sent[k][i] = shares[faceStart_[f] + k];
-                }
+                std::copy_n(shares.cdata() + faceStart_[f], n_, sent.begin() + n_ * i);
             }
         }
-        for (label k = 0; k < n_; ++k)
-        {
-            coupled_.swap(sent[k]);
-        }
+        coupled_.swap(sent, n_);
         for (const label f : faces_.coupled)
         {
             if (slot[own[f]] >= 0 && faceStart_[f] < 0)
@@ -112,7 +102,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
                 faceStart_[f] = shares.size();
                 for (label k = 0; k < n_; ++k)
                 {
-                    shares.append(sent[k][f - nInternal]);
+                    shares.append(sent[n_ * (f - nInternal) + k]);
                 }
             }
         }
