@@ -466,7 +466,7 @@ void Foam::mpm::dragExchange::updateFaces()
         b[0] = Kc_[own[f]];
         b[1] = mass(own[f]);
     }
-    gas_.coupled().swap(behind, 2);
+    fraction_.coupled().swap(behind, 2);
     for (const label f : coupledFaces_)
     {
         const scalar* b = behind.cdata() + 2 * (f - nei.size());

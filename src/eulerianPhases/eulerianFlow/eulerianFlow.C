@@ -301,7 +301,6 @@ Foam::mpm::eulerianFlow::eulerianFlow(
     promisedEnergy_(0),
     fixedCell_(-1),
     fixedMost_(0),
-    companion_(nullptr),
     badCell_(-1),
     share_(1),
     handle_(*this)

@@ -210,10 +210,21 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
     bool changed = false;
     {
         const timer t(clock_.sort);
+
+        // Without a lattice a point may travel by way of a third processor
+        bool more = Pstream::parRun();
+        for (label round = 1; more; ++round)
+        {
+            more = false;
+            forAll(phases_, phasei)
+            {
+                const wallPatches* walls = phases_[phasei].motion() ? nullptr : walls_.get();
+                more |= phases_[phasei].cloud().exchange(cellChanges_[phasei], round, walls);
+            }
+            more = !grid_.locatesAtOnce() && onAny(more);
+        }
         forAll(phases_, phasei)
         {
-            phases_[phasei].cloud().exchange(
-                cellChanges_[phasei], phases_[phasei].motion() ? nullptr : walls_.get());
             checkExtent(phases_[phasei], cellChanges_[phasei]);
             if (phases_[phasei].cloud().sort(cellChanges_[phasei]))
             {
