@@ -4,7 +4,6 @@
 #include "pointEnergy.H"
 #include "dictionaryTools.H"
 #include "lanes.H"
-#include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -344,7 +343,6 @@ Foam::mpm::dragExchange::dragExchange(
     held_(fraction.mesh().nCells(), 0),
     K_(fraction.mesh().nFaces(), 0),
     inertia_(fraction.mesh().nFaces(), 0),
-    coupled_(false),
     levels_(dynamic_cast<const twoLevelShares*>(&points.gridTransfer())),
     work_(0),
     toBodies_(0),
@@ -376,13 +374,11 @@ Foam::mpm::dragExchange::dragExchange(
     }
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        coupled_ = coupled_ || pp.coupled();
         for (label i = 0; pp.coupled() && i < pp.size(); ++i)
         {
             coupledFaces_.append(pp.start() + i);
         }
     }
-    reduce(coupled_, orOp<bool>());
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -420,7 +416,7 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
     }
     if (points_.energy().active())
     {
-        points_.energy().sums().step.drag += returnReduce(toBodies_, sumOp<scalar>());
+        points_.energy().book(points_.energy().sums().step.drag, toBodies_);
     }
 }
 
@@ -461,24 +457,21 @@ void Foam::mpm::dragExchange::updateFaces()
             }
         }
     }
-    if (!coupled_)
-    {
-        return;
-    }
 
-    const label n = mesh.nFaces() - nei.size();
-    scalarField Kbehind(n, 0), massBehind(n, 0);
+    // Of the cells behind the others: K and mass
+    scalarList behind(2 * (mesh.nFaces() - nei.size()), scalar(0));
     for (const label f : coupledFaces_)
     {
-        Kbehind[f - nei.size()] = Kc_[own[f]];
-        massBehind[f - nei.size()] = mass(own[f]);
+        scalar* b = behind.data() + 2 * (f - nei.size());
+        b[0] = Kc_[own[f]];
+        b[1] = mass(own[f]);
     }
-    syncTools::swapBoundaryFaceList(mesh, Kbehind);
-    syncTools::swapBoundaryFaceList(mesh, massBehind);
+    fraction_.coupled().swap(behind, 2);
     for (const label f : coupledFaces_)
     {
-        K_[f] = max(Kc_[own[f]], Kbehind[f - nei.size()]);
-        inertia_[f] = min(mass(own[f]), massBehind[f - nei.size()]);
+        const scalar* b = behind.cdata() + 2 * (f - nei.size());
+        K_[f] = max(Kc_[own[f]], b[0]);
+        inertia_[f] = min(mass(own[f]), b[1]);
     }
 }
 

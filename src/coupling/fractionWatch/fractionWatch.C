@@ -70,7 +70,15 @@ Foam::string Foam::mpm::fractionWatch::advice(const label celli) const
 Foam::mpm::fractionWatch::fractionWatch(
     materialPointSystem& points, eulerianFlow& gas, const solidFraction& fraction,
     const granularForce& grains) :
-    points_(points), gas_(gas), fraction_(fraction), grains_(grains), energy_(0)
+    points_(points),
+    gas_(gas),
+    fraction_(fraction),
+    grains_(grains),
+    energy_(0),
+    asks_(false),
+    at_(-1),
+    fixed_(0),
+    time_(0)
 {
 }
 
@@ -102,11 +110,11 @@ void Foam::mpm::fractionWatch::check()
     // volume; others in disorder have up to 1.25 (tests/cases/bodiesInGas)
     constexpr scalar mostGrains = 1.1, mostOthers = 1.3;
 
-    // Share of the energy of all that fix-ups may have added
-    constexpr scalar mostFixed = 0.1;
-
     const fvMesh& mesh = fraction_.mesh();
-    const scalar fixed = returnReduce(gas_.fixed().energy, sumOp<scalar>());
+    asks_ = true;
+    at_ = -1;
+    fixed_ = gas_.fixed().energy;
+    time_ = mesh.time().value();
     scalar most = mostGrains;
     for (const materialPointPhase& phase : points_.phases())
     {
@@ -116,7 +124,6 @@ void Foam::mpm::fractionWatch::check()
         }
     }
     scalar worst = 0;
-    label at = -1;
     for (const materialPointPhase& phase : points_.phases())
     {
         for (const label c : phase.cloud().cells())
@@ -125,30 +132,38 @@ void Foam::mpm::fractionWatch::check()
             if (over > worst)
             {
                 worst = over;
-                at = c;
+                at_ = c;
             }
         }
     }
-    if (at >= 0)
+    if (at_ >= 0)
     {
         OStringStream os;
-        os << "Volume fractions of cell " << at << " at " << mesh.cellCentres()[at] << " add up to "
-           << Theta(at) << ", time " << mesh.time().value() << ". " << advice(at).c_str();
-        gas_.condemn(at, os.str());
-        return;
+        os << "Volume fractions of cell " << at_ << " at " << mesh.cellCentres()[at_]
+           << " add up to " << Theta(at_) << ", time " << time_ << ". " << advice(at_).c_str();
+        gas_.condemn(at_, os.str());
     }
+}
 
-    if (mag(fixed) > mostFixed * energy_ && gas_.fixedCell() >= 0)
+bool Foam::mpm::fractionWatch::judge(const scalar fixed)
+{
+    // Share of the energy of all that fix-ups may have added
+    constexpr scalar mostFixed = 0.1;
+
+    const bool most = asks_ && mag(fixed) > mostFixed * energy_;
+    asks_ = false;
+    const label at = gas_.fixedCell();
+    if (most && at_ < 0 && at >= 0)
     {
-        at = gas_.fixedCell();
         OStringStream os;
         os << "Fix-ups have added " << fixed << " J to gas " << gas_.name()
            << "; without them it and the motion of the points had " << energy_
-           << " J. The largest was in cell " << at << " at " << mesh.cellCentres()[at] << ", theta "
-           << gas_.theta()[at] << ", all fractions " << Theta(at) << "; time "
-           << mesh.time().value() << ". " << advice(at).c_str();
+           << " J. The largest was in cell " << at << " at " << fraction_.mesh().cellCentres()[at]
+           << ", theta " << gas_.theta()[at] << ", all fractions " << Theta(at) << "; time "
+           << time_ << ". " << advice(at).c_str();
         gas_.condemn(at, os.str());
     }
+    return most;
 }
 
 void Foam::mpm::fractionWatch::report() const

@@ -5,6 +5,7 @@
 #include "cellSums.H"
 #include "dictionaryTools.H"
 #include "fieldDictionary.H"
+#include "largestOfAll.H"
 #include "noTraps.H"
 #include "startFields.H"
 #include "OSspecific.H"
@@ -161,6 +162,7 @@ Foam::mpm::gasCoupling::gasCoupling(
     settles_(false),
     gasDeltaT_(GREAT),
     passed_(0),
+    poreRate_(-1),
     ended_(false),
     removed_(false),
     books_(false)
@@ -187,6 +189,7 @@ Foam::mpm::gasCoupling::gasCoupling(
     gas_.setTheta(theta);
     readOwed(fields);
     watch_.measureEnergy();
+    gas_.accompany(*this);
     if (points_.energy().active())
     {
         // The points began before the gas was there
@@ -381,24 +384,33 @@ Foam::scalar Foam::mpm::gasCoupling::largestRate(const Function& rateOf) const
             rate = max(rate, rateOf(c, theta, rho));
         }
     }
-    return returnReduce(rate, maxOp<scalar>());
+    return rate;
 }
 
 Foam::scalar Foam::mpm::gasCoupling::lagRate() const
 {
     // See gasCoupling.H
     constexpr scalar added = 0.5, pores = 0.6, drains = 70;
-    return largestRate(
+    return largestOfAll(largestRate(
         [&](const label c, const scalar theta, const scalar rho)
         {
             const eulerianFlow::waveState w(gas_.wave(c));
             const scalar spring =
                 std::sqrt(w.K / (theta * rho)) / (1 + drains * min(w.drained, 0.1));
             return inverse_[c] * max(w.z / (added * rho), spring / pores);
-        });
+        }));
 }
 
 Foam::scalar Foam::mpm::gasCoupling::poreRate() const
+{
+    if (poreRate_ < 0)
+    {
+        poreRate_ = largestOfAll(rateHere());
+    }
+    return poreRate_;
+}
+
+Foam::scalar Foam::mpm::gasCoupling::rateHere() const
 {
     // Of a phase of type gas Y is small
     if (gas_.oneThermo() && gas_.oneThermo()->isGammaLaw())

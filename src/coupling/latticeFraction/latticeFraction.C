@@ -1,7 +1,6 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "latticeFraction.H"
-#include "syncTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -188,8 +187,7 @@ void Foam::mpm::latticeFraction::limitDrag()
     };
     forCells([&](const label, const label c) { largest_[c] = 0; });
     forCells([&](const label f, const label c) { largest_[c] = max(largest_[c], dragLimit_[f]); });
-    scalarField behind;
-    syncTools::swapBoundaryCellList(mesh_, largest_, behind);
+    const scalarList behind(coupled_.behind(largest_));
     for (const label f : live_.faces())
     {
         const label i = f - nei.size();
@@ -339,8 +337,7 @@ void Foam::mpm::latticeFraction::gather(const label phasei, const scalarField* p
 {
     if (pOwn)
     {
-        scalarField behind;
-        syncTools::swapBoundaryCellList(mesh_, *pOwn, behind);
+        const scalarList behind(coupled_.behind(*pOwn));
         sumJumps(
             *pOwn, behind,
             [&](const label f, const scalar pO, const scalar pN) -> scalar

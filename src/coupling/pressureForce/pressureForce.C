@@ -225,7 +225,7 @@ void Foam::mpm::pressureForce::sumWork(const scalar dt)
         work_ -= phase.prescribed() ? work : 0;
         toPoints += phase.prescribed() ? 0 : work;
     }
-    points_.energy().sums().step.pressure += returnReduce(toPoints, sumOp<scalar>());
+    points_.energy().book(points_.energy().sums().step.pressure, toPoints);
 }
 
 void Foam::mpm::pressureForce::addWork(gasBudget& sums)
@@ -243,7 +243,7 @@ void Foam::mpm::pressureForce::addWork(gasBudget& sums)
             compression += P[p] * (v[p] - fraction_.oldVolume(phasei)[p]);
         }
     }
-    points_.energy().sums().compression += returnReduce(compression, sumOp<scalar>());
+    points_.energy().book(points_.energy().sums().compression, compression);
     forAll(points_.phases(), phasei)
     {
         // Dry ones have no pressure in the step (dryPressure)

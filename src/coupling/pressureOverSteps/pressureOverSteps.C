@@ -1,7 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pressureOverSteps.H"
-#include "PstreamReduceOps.H"
+#include "largestOfAll.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -12,7 +12,7 @@ void Foam::mpm::pressureOverSteps::update()
     {
         any = any || C != 0;
     }
-    acts_ = returnReduce(any, orOp<bool>());
+    acts_ = onAny(any);
     const label nInternal = mesh_.nInternalFaces();
     forAll(behind_, i)
     {

@@ -2,7 +2,6 @@
 
 #include "solidSurface.H"
 #include "cellSums.H"
-#include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -11,18 +10,6 @@ namespace Foam::mpm
 
 // Beside phases, in phaseIn_
 static constexpr label none = -1, listed = -2;
-
-static bool hasCoupled(const polyMesh& mesh)
-{
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (patch.coupled())
-        {
-            return true;
-        }
-    }
-    return false;
-}
 
 } // End namespace Foam::mpm
 
@@ -48,7 +35,7 @@ void Foam::mpm::solidSurface::mark()
     }
 }
 
-void Foam::mpm::solidSurface::findBeside(labelList& behind)
+void Foam::mpm::solidSurface::findBeside(scalarList& behind)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -73,11 +60,11 @@ void Foam::mpm::solidSurface::findBeside(labelList& behind)
             }
         }
     }
-    if (!coupled_)
+    if (coupled_.empty())
     {
         return;
     }
-    syncTools::swapBoundaryCellList(mesh_, phaseIn_, behind);
+    behind = coupled_.behind(phaseIn_);
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         if (patch.coupled())
@@ -94,7 +81,7 @@ void Foam::mpm::solidSurface::findBeside(labelList& behind)
 }
 
 void Foam::mpm::solidSurface::addCell(
-    const label celli, const labelList& behind, const std::function<vector(label)>& area)
+    const label celli, const scalarList& behind, const std::function<vector(label)>& area)
 {
     const labelUList& own = mesh_.faceOwner();
     const labelUList& nei = mesh_.faceNeighbour();
@@ -109,7 +96,7 @@ void Foam::mpm::solidSurface::addCell(
         else if (
             behind.size() && mesh_.boundaryMesh()[mesh_.boundaryMesh().whichPatch(f)].coupled())
         {
-            phasei = behind[f - nei.size()];
+            phasei = label(behind[f - nei.size()]);
         }
         if (phasei < 0 || !phases_[phasei].wanted)
         {
@@ -157,10 +144,11 @@ void Foam::mpm::solidSurface::unmark()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::solidSurface::solidSurface(materialPointSystem& points, const fvMesh& mesh) :
+Foam::mpm::solidSurface::solidSurface(
+    materialPointSystem& points, const fvMesh& mesh, const coupledFaces& coupled) :
     points_(points),
     mesh_(mesh),
-    coupled_(returnReduce(hasCoupled(mesh), orOp<bool>())),
+    coupled_(coupled),
     phases_(points.phases().size()),
     any_(false),
     phaseIn_(mesh.nCells(), label(none)),
@@ -185,7 +173,7 @@ void Foam::mpm::solidSurface::find(
         of.A.clear();
     }
     mark();
-    labelList behind;
+    scalarList behind;
     findBeside(behind);
     for (const label c : beside_)
     {

@@ -2,7 +2,6 @@
 
 #include "starFraction.H"
 #include "lanes.H"
-#include "syncTools.H"
 #include "addToRunTimeSelectionTable.H"
 #include <algorithm>
 
@@ -366,8 +365,7 @@ Foam::mpm::starFraction::starFraction(materialPointSystem& points, const diction
         }
     }
     sides_.transfer(sides);
-    scalarField behind;
-    syncTools::swapBoundaryCellList(mesh_, limit, behind);
+    const scalarList behind(coupled_.behind(limit));
     forAll(soundLimit_, f)
     {
         const label i = f - mesh_.nInternalFaces();

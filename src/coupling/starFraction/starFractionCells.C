@@ -1,7 +1,6 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "starFraction.H"
-#include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -144,8 +143,7 @@ void Foam::mpm::starFraction::updatePush(const label phasei, const scalarField& 
         clear(others->nodes().nodes());
     }
 
-    scalarField behind;
-    syncTools::swapBoundaryCellList(mesh_, q, behind);
+    const scalarList behind(coupled_.behind(q));
     const scalarList& of = ofPhase_[phasei];
     for (const label f : faces_)
     {
@@ -271,7 +269,7 @@ void Foam::mpm::starFraction::limitDrag()
     }
     if (others)
     {
-        syncTools::swapBoundaryCellList(mesh_, around1_, behind_);
+        behind_ = coupled_.behind(around1_);
     }
     for (const label f : faces_)
     {

@@ -6,76 +6,7 @@
 #include "transform.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Exchange of n of any plain type per face; turn() is called with what came
-template<class T, class Turn>
-void exchange(
-    const polyBoundaryMesh& patches, const label nInternal, const labelList& processor,
-    const labelList& cyclic, const label n, UList<T>& b, List<List<T>>& send,
-    List<List<T>>& receive, const Turn& turn)
-{
-    const label request = UPstream::nRequests();
-    send.setSize(processor.size());
-    receive.setSize(processor.size());
-    forAll(processor, i)
-    {
-        const auto& pp = refCast<const processorPolyPatch>(patches[processor[i]]);
-        const SubList<T> mine(b, n * pp.size(), n * (pp.start() - nInternal));
-        receive[i].setSize(mine.size());
-        send[i] = mine;
-        UIPstream::read(
-            UPstream::commsTypes::nonBlocking, pp.neighbProcNo(),
-            reinterpret_cast<char*>(receive[i].data()),
-            std::streamsize(receive[i].size() * sizeof(T)), pp.tag(), pp.comm());
-    }
-    forAll(processor, i)
-    {
-        const auto& pp = refCast<const processorPolyPatch>(patches[processor[i]]);
-        UOPstream::write(
-            UPstream::commsTypes::nonBlocking, pp.neighbProcNo(),
-            reinterpret_cast<const char*>(send[i].cdata()),
-            std::streamsize(send[i].size() * sizeof(T)), pp.tag(), pp.comm());
-    }
-
-    // Each pair of cyclic patches once
-    for (const label patchi : cyclic)
-    {
-        const auto& pp = refCast<const cyclicPolyPatch>(patches[patchi]);
-        if (pp.owner())
-        {
-            const label a = n * (pp.start() - nInternal);
-            const label c = n * (pp.neighbPatch().start() - nInternal);
-            for (label i = 0; i < n * pp.size(); ++i)
-            {
-                std::swap(b[a + i], b[c + i]);
-            }
-        }
-    }
-
-    UPstream::waitRequests(request);
-    forAll(processor, i)
-    {
-        const polyPatch& pp = patches[processor[i]];
-        SubList<T>(b, n * pp.size(), n * (pp.start() - nInternal)) = receive[i];
-    }
-    for (const label patchi : processor)
-    {
-        turn(patchi);
-    }
-    for (const label patchi : cyclic)
-    {
-        turn(patchi);
-    }
-}
-
-}
+#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -125,15 +56,79 @@ Foam::mpm::coupledFaces::coupledFaces(const fvMesh& mesh) :
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::mpm::coupledFaces::swap(UList<gasState>& b) const
+void Foam::mpm::coupledFaces::swap(const UList<column>& columns) const
 {
-    exchange(
-        patches_, nInternal_, processor_, cyclic_, 1, b, send_, receive_,
-        [&](const label patchi) { rotate(patchi, b); });
+    label width = 0;
+    for (const column& c : columns)
+    {
+        width += c.n;
+    }
+    const auto at = [&](const column& c, const polyPatch& pp)
+    { return c.values + c.n * (pp.start() - nInternal_); };
+
+    const label request = UPstream::nRequests();
+    send_.setSize(processor_.size());
+    receive_.setSize(processor_.size());
+    forAll(processor_, i)
+    {
+        const auto& pp = refCast<const processorPolyPatch>(patches_[processor_[i]]);
+        receive_[i].setSize(width * pp.size());
+        UIPstream::read(
+            UPstream::commsTypes::nonBlocking, pp.neighbProcNo(),
+            reinterpret_cast<char*>(receive_[i].data()),
+            std::streamsize(receive_[i].size() * sizeof(scalar)), pp.tag(), pp.comm());
+    }
+    forAll(processor_, i)
+    {
+        const auto& pp = refCast<const processorPolyPatch>(patches_[processor_[i]]);
+        send_[i].setSize(width * pp.size());
+        scalar* to = send_[i].data();
+        for (const column& c : columns)
+        {
+            to = std::copy_n(at(c, pp), c.n * pp.size(), to);
+        }
+        UOPstream::write(
+            UPstream::commsTypes::nonBlocking, pp.neighbProcNo(),
+            reinterpret_cast<const char*>(send_[i].cdata()),
+            std::streamsize(send_[i].size() * sizeof(scalar)), pp.tag(), pp.comm());
+    }
+
+    // Each pair of cyclic patches once
+    for (const label patchi : cyclic_)
+    {
+        const auto& pp = refCast<const cyclicPolyPatch>(patches_[patchi]);
+        for (const column& c : columns)
+        {
+            if (pp.owner())
+            {
+                std::swap_ranges(at(c, pp), at(c, pp) + c.n * pp.size(), at(c, pp.neighbPatch()));
+            }
+        }
+    }
+
+    UPstream::waitRequests(request);
+    forAll(processor_, i)
+    {
+        const polyPatch& pp = patches_[processor_[i]];
+        const scalar* from = receive_[i].cdata();
+        for (const column& c : columns)
+        {
+            std::copy_n(from, c.n * pp.size(), at(c, pp));
+            from += c.n * pp.size();
+        }
+    }
 }
 
-void Foam::mpm::coupledFaces::swap(UList<scalar>& b, const label n) const
+void Foam::mpm::coupledFaces::swap(UList<gasState>& b, List<column> others) const
 {
-    List<List<scalar>> send, receive;
-    exchange(patches_, nInternal_, processor_, cyclic_, n, b, send, receive, [](const label) {});
+    static_assert(sizeof(gasState) == 5 * sizeof(scalar), "plain numbers");
+    others.append(column{reinterpret_cast<scalar*>(b.data()), 5});
+    swap(others);
+    for (const labelList* list : {&processor_, &cyclic_})
+    {
+        for (const label patchi : *list)
+        {
+            rotate(patchi, b);
+        }
+    }
 }

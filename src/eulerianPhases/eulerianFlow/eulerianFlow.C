@@ -2,6 +2,7 @@
 
 #include "eulerianFlow.H"
 #include "dictionaryTools.H"
+#include "largestOfAll.H"
 #include "fullPrecision.H"
 #include "noTraps.H"
 #include "Time.H"
@@ -120,7 +121,22 @@ void Foam::mpm::eulerianFlow::forState(const fieldAction& f)
 void Foam::mpm::eulerianFlow::setRate(const scalar rate, label bad)
 {
     bad = badCell_ < 0 ? bad : badCell_;
-    rate_ = returnReduce(bad < 0 ? rate : VGREAT, maxOp<scalar>());
+    rate_ = bad < 0 ? rate : VGREAT;
+    if (companion_)
+    {
+        scalarList all({companion_->sumHere(), rate_, companion_->rateHere()});
+        sumsAndLargest(all, 2);
+        rate_ = all[1];
+        if (companion_->judge(all[2], all[0]))
+        {
+            bad = badCell_ < 0 ? bad : badCell_;
+            rate_ = largestOfAll(bad < 0 ? rate_ : VGREAT);
+        }
+    }
+    else
+    {
+        rate_ = largestOfAll(rate_);
+    }
     if (rate_ >= VGREAT)
     {
         stop(bad);

@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFlow.H"
+#include "largestOfAll.H"
 #include "noTraps.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "emptyPolyPatch.H"
@@ -244,7 +245,7 @@ void Foam::mpm::eulerianFlow::limitOutflow(const scalar dt, const solidOnFaces* 
 
     limits_ = false;
     region_.forCells([&](const label c) { limits_ = limits_ || dt * out_[c] > most(c) * V[c]; });
-    reduce(limits_, orOp<bool>());
+    limits_ = onAny(limits_);
     if (!limits_)
     {
         return;

@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
+#include "largestOfAll.H"
 #include "noTraps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -88,7 +89,7 @@ void Foam::mpm::eulerianFluids::spreadTears()
 {
     // Nothing holds a surface under tension
     const label nCells = mesh_.nCells(), nInternal = mesh_.nInternalFaces();
-    anyTorn_ = mixture_.tears() && returnReduce(torn_.size() > 0, orOp<bool>());
+    anyTorn_ = mixture_.tears() && onAny(torn_.size() > 0);
     if (!anyTorn_)
     {
         return;
@@ -310,7 +311,7 @@ bool Foam::mpm::eulerianFluids::boundFaces(const solidOnFaces* pores)
     }
     fixups_.positive += more;
     old_.done.positive += more;
-    return returnReduce(more > 0, orOp<bool>());
+    return onAny(more > 0);
 }
 
 void Foam::mpm::eulerianFluids::addBounded(

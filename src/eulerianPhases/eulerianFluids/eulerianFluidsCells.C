@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
+#include "largestOfAll.H"
 #include "noTraps.H"
 #include "Time.H"
 
@@ -65,11 +66,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
     if (!coupled_.empty())
     {
         // The donor's side says what leaves
-        List<scalarField> sent(n_);
-        for (label k = 0; k < n_; ++k)
-        {
-            sent[k].setSize(Wb_.size(), 0);
-        }
+        scalarField sent(n_ * Wb_.size(), 0);
         for (const label f : faces_.coupled)
         {
             const label P = own[f], i = f - nInternal;
@@ -78,23 +75,17 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
             {
                 for (label k = 0; k < n_; ++k)
                 {
-                    sent[k][i] = k == interfaces_->single()[P];
+                    sent[n_ * i + k] = k == interfaces_->single()[P];
                 }
                 continue;
             }
             if (phi[f] > 0)
             {
                 add(f, P, alphaB_.cdata() + n_ * i, 1);
-                for (label k = 0; k < n_; ++k)
-                {
-                    sent[k][i] = shares[faceStart_[f] + k];
-                }
+                std::copy_n(shares.cdata() + faceStart_[f], n_, sent.begin() + n_ * i);
             }
         }
-        for (label k = 0; k < n_; ++k)
-        {
-            coupled_.swap(sent[k]);
-        }
+        coupled_.swap(sent, n_);
         for (const label f : faces_.coupled)
         {
             if (slot[own[f]] >= 0 && faceStart_[f] < 0)
@@ -102,7 +93,7 @@ void Foam::mpm::eulerianFluids::setComposition(const scalar dt)
                 faceStart_[f] = shares.size();
                 for (label k = 0; k < n_; ++k)
                 {
-                    shares.append(sent[k][f - nInternal]);
+                    shares.append(sent[n_ * (f - nInternal) + k]);
                 }
             }
         }
@@ -409,7 +400,7 @@ bool Foam::mpm::eulerianFluids::newStates(const scalar dt, const solidOnFaces* p
             bad_.append(oldState{c, rho_[c], rhoE_[c], rhoU_[c]});
         }
     }
-    return !returnReduce(bad_.size() > 0, orOp<bool>());
+    return !onAny(bad_.size() > 0);
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -108,27 +108,14 @@ void Foam::mpm::eulerianFluids::updateBoundaryStates()
     {
         return;
     }
-    coupled_.swap(Wb_);
-    coupled_.swap(zB_);
-    if (porous_)
-    {
-        coupled_.swap(thetaB_);
-    }
-    coupled_.swap(alphaB_, n_);
-    coupled_.swap(rhoB_, n_);
-    scalarField terms(3 * tb_.size());
-    forAll(tb_, i)
-    {
-        terms[3 * i] = tb_[i].K;
-        terms[3 * i + 1] = tb_[i].rhoE;
-        terms[3 * i + 2] = tb_[i].strength;
-    }
-    coupled_.swap(terms, 3);
-    for (const label f : faces_.coupled)
-    {
-        const label i = f - nInternal;
-        tb_[i] = stateTerms{terms[3 * i], terms[3 * i + 1], terms[3 * i + 2]};
-    }
+    static_assert(sizeof(stateTerms) == 3 * sizeof(scalar), "plain numbers");
+    coupled_.swap(
+        Wb_,
+        {{zB_.data(), 1},
+         {thetaB_.data(), porous_ ? 1 : 0},
+         {alphaB_.data(), n_},
+         {rhoB_.data(), n_},
+         {reinterpret_cast<scalar*>(tb_.data()), 3}});
 }
 
 void Foam::mpm::eulerianFluids::setJumps()

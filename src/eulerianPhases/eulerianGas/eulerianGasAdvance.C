@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianGas.H"
+#include "largestOfAll.H"
 #include "noTraps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -189,7 +190,7 @@ void Foam::mpm::eulerianGas::cells(const scalar dt, const solidOnFaces* pores)
         boolList bad(rho_.size());
         positive = closure_.markBad(conserved(), bad);
     }
-    if (Energy && !returnReduce(positive, andOp<bool>()))
+    if (Energy && onAny(!positive))
     {
         keepPositive<Porous, General>(dt);
     }
@@ -287,7 +288,7 @@ void Foam::mpm::eulerianGas::keepPositive(const scalar dt)
         return d;
     };
 
-    while (returnReduce(changed, orOp<bool>()))
+    while (onAny(changed))
     {
         changed = false;
         closure_.markBad(conserved(), bad);

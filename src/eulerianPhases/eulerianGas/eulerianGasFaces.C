@@ -104,11 +104,7 @@ void Foam::mpm::eulerianGas::updateBoundaryStates()
     }
     if (!coupled_.empty())
     {
-        coupled_.swap(Wb_);
-        if (porous_)
-        {
-            coupled_.swap(thetaB_);
-        }
+        coupled_.swap(Wb_, {{thetaB_.data(), porous_ ? 1 : 0}});
         forAll(patches, patchi)
         {
             const polyPatch& pp = patches[patchi];

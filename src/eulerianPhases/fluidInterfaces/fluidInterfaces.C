@@ -23,7 +23,7 @@ Foam::scalar Foam::mpm::fluidInterfaces::tangent(
         + 0.5 * sign / (b * lambda) * std::log(E / (0.5 * (o + 1 / o) - 0.5 * (o - 1 / o) * T));
 }
 
-void Foam::mpm::fluidInterfaces::swapLabels(labelList& ofBoth) const
+void Foam::mpm::fluidInterfaces::swapLabels(std::initializer_list<labelList*> ofBoth) const
 {
     if (coupled_.empty())
     {
@@ -31,15 +31,24 @@ void Foam::mpm::fluidInterfaces::swapLabels(labelList& ofBoth) const
     }
     const fvMesh& mesh = faces_.mesh;
     const label nCells = mesh.nCells(), nInternal = mesh.nInternalFaces();
-    scalarField values(mesh.nFaces() - nInternal, 0);
+    const label n = ofBoth.size();
+    scalarField values(n * (mesh.nFaces() - nInternal), 0);
     for (const label f : faces_.coupled)
     {
-        values[f - nInternal] = ofBoth[mesh.faceOwner()[f]];
+        scalar* to = values.begin() + n * (f - nInternal);
+        for (const labelList* list : ofBoth)
+        {
+            *to++ = (*list)[mesh.faceOwner()[f]];
+        }
     }
-    coupled_.swap(values);
+    coupled_.swap(values, n);
     for (const label f : faces_.coupled)
     {
-        ofBoth[nCells + f - nInternal] = label(values[f - nInternal]);
+        const scalar* from = values.cdata() + n * (f - nInternal);
+        for (labelList* list : ofBoth)
+        {
+            (*list)[nCells + f - nInternal] = label(*from++);
+        }
     }
 }
 
@@ -83,8 +92,7 @@ void Foam::mpm::fluidInterfaces::sortCells(const contents& of)
             sort(nCells + i, of.alphaB.cdata() + n_ * i, 1);
         }
     }
-    swapLabels(single_);
-    swapLabels(major_);
+    swapLabels({&single_, &major_});
 }
 
 void Foam::mpm::fluidInterfaces::setSlots()
@@ -243,7 +251,7 @@ void Foam::mpm::fluidInterfaces::setInterfaces(const contents& of)
         {
             near[i] = near_[i];
         }
-        swapLabels(near);
+        swapLabels({&near});
         for (const label f : faces_.coupled)
         {
             near_[nCells + f - nInternal] = near[nCells + f - nInternal];

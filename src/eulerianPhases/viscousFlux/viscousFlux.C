@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "viscousFlux.H"
+#include "largestOfAll.H"
 #include "leastSquaresGrad.H"
 #include "emptyPolyPatch.H"
 #include "wedgePolyPatch.H"
@@ -160,7 +161,7 @@ Foam::scalar Foam::mpm::viscousFlux::rate(
             }
         }
     }
-    return returnReduce(most, maxOp<scalar>());
+    return largestOfAll(most);
 }
 
 Foam::mpm::viscousFlux::exchange Foam::mpm::viscousFlux::between(
@@ -248,7 +249,7 @@ void Foam::mpm::viscousFlux::add(
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
     const label nInternal = mesh.nInternalFaces();
-    const bool heat = returnReduce(T && to.rhoE.size() && max(kappa) > 0, orOp<bool>());
+    const bool heat = onAny(T && to.rhoE.size() && max(kappa) > 0);
     const tmp<volTensorField> tG(gradient(U));
     tmp<volVectorField> tGT;
     if (heat)

@@ -174,44 +174,34 @@ void Foam::mpm::materialPointCloud::fromRow(const scalar* row, const label point
         });
 }
 
-void Foam::mpm::materialPointCloud::exchange(
-    DynamicList<cellChange>& cellChanges, const wallPatches* walls)
+bool Foam::mpm::materialPointCloud::exchange(
+    DynamicList<cellChange>& cellChanges, const label round, const wallPatches* walls)
 {
-    if (!Pstream::parRun())
-    {
-        return;
-    }
     if (leaving_.empty())
     {
         procs_ = grid_.ghostProcs();
         leaving_.setSize(procs_.size());
         arriving_.setSize(procs_.size());
     }
-
-    // Without a lattice a point may travel by way of a third processor. One
-    // between the planes of warped faces, which no cell wants, stays at last
-    constexpr label maxRounds = 20;
-    label first = 0;
-    bool more = true;
-    for (label round = 1; more; ++round)
+    if (round == 1)
     {
-        pack(SubList<cellChange>(cellChanges, cellChanges.size() - first, first));
-        first = cellChanges.size();
-        sendRows();
-        unpack(cellChanges, walls, round == maxRounds);
-
-        more = false;
-        if (!grid_.locatesAtOnce())
-        {
-            for (label m = first; m < cellChanges.size(); ++m)
-            {
-                more = more
-                    || (cellChanges[m].cell >= grid_.nCells()
-                        && cellChanges[m].cell != outflowPatches::gone);
-            }
-            reduce(more, orOp<bool>());
-        }
+        seen_ = 0;
     }
+    pack(SubList<cellChange>(cellChanges, cellChanges.size() - seen_, seen_));
+    seen_ = cellChanges.size();
+    sendRows();
+
+    // One between the planes of warped faces, which no cell wants, stays at last
+    unpack(cellChanges, walls, round == 20);
+
+    bool more = false;
+    for (label m = seen_; m < cellChanges.size(); ++m)
+    {
+        more = more
+            || (cellChanges[m].cell >= grid_.nCells()
+                && cellChanges[m].cell != outflowPatches::gone);
+    }
+    return more;
 }
 
 Foam::mpm::pointRows Foam::mpm::materialPointCloud::rows()

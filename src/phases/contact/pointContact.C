@@ -4,6 +4,7 @@
 #include "materialPointSystem.H"
 #include "pointEnergy.H"
 #include "dictionaryTools.H"
+#include "largestOfAll.H"
 #include "twoLevelShares.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -159,7 +160,7 @@ void Foam::mpm::pointContact::update()
     {
         meet(pairi);
     }
-    any_ = returnReduce(!contactNodes_.empty(), orOp<bool>());
+    any_ = onAny(!contactNodes_.empty());
     if (any_)
     {
         sumGradients();
@@ -275,7 +276,7 @@ void Foam::mpm::pointContact::impulse(const scalar dt)
     const scalar boundary = applyImpulses(dt, energy.active());
     if (energy.active())
     {
-        energy.sums().step.boundary += returnReduce(boundary, sumOp<scalar>());
+        energy.book(energy.sums().step.boundary, boundary);
     }
 }
 
@@ -286,8 +287,8 @@ void Foam::mpm::pointContact::moving(const scalar)
     {
         scalar driven;
         const scalar all = work(driven);
-        energy.sums().step.contact += returnReduce(all, sumOp<scalar>());
-        energy.sums().step.driven += returnReduce(driven, sumOp<scalar>());
+        energy.book(energy.sums().step.contact, all);
+        energy.book(energy.sums().step.driven, driven);
     }
 }
 

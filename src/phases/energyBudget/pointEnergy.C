@@ -6,6 +6,7 @@
 #include "pointErosion.H"
 #include "pointContact.H"
 #include "dictionaryTools.H"
+#include "largestOfAll.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -110,6 +111,7 @@ void Foam::mpm::pointEnergy::noteEnergy(
 
 void Foam::mpm::pointEnergy::update() const
 {
+    finish();
     const pointCoupling* gas = points_.coupling();
     sums_.kinetic = sums_.strain = 0;
     for (const materialPointPhase& phase : points_.phases())
@@ -135,6 +137,24 @@ void Foam::mpm::pointEnergy::update() const
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::pointEnergy::largest(const scalar x) const
+{
+    if (waiting_.empty())
+    {
+        return largestOfAll(x);
+    }
+    here_.append(x);
+    scalarList all(here_);
+    sumsAndLargest(all, 1);
+    forAll(waiting_, i)
+    {
+        *waiting_[i] += all[i];
+    }
+    waiting_.clear();
+    here_.clear();
+    return all.last();
+}
 
 bool Foam::mpm::pointEnergy::hasContact() const { return points_.parts().find<pointContact>(); }
 
@@ -168,8 +188,8 @@ const Foam::mpm::energyBudget* Foam::mpm::pointEnergy::budget() const
 void Foam::mpm::pointEnergy::begin(const scalar)
 {
     lossesBefore_ = losses_;
-    compressionBefore_ = sums_.compression;
-    sums_.all = 0;
+    sums_.all = bodyWork_ = load_ = 0;
+    momentum_ = Zero;
     sums_.step = forceWork();
     mean_.setSize(points_.fields().size());
     impulse_.setSize(points_.fields().size());
@@ -187,7 +207,7 @@ void Foam::mpm::pointEnergy::impulse(const scalar dt)
     {
         boundary += field.boundaryWork(dt, points_.g());
     }
-    sums_.step.boundary += returnReduce(boundary, sumOp<scalar>());
+    book(sums_.step.boundary, boundary);
 }
 
 template<class Function>
@@ -250,7 +270,7 @@ void Foam::mpm::pointEnergy::moving(const scalar)
                 drag += given_[fieldi] ? impulse_[fieldi][i] * mean[i] : 0;
             });
     }
-    sums_.step.drag += returnReduce(drag, sumOp<scalar>());
+    book(sums_.step.drag, drag);
 }
 
 void Foam::mpm::pointEnergy::addMove(
@@ -265,22 +285,30 @@ void Foam::mpm::pointEnergy::addMove(
     {
         load += field.loadWork(dt);
     }
-    sums_.all += returnReduce(work, sumOp<scalar>());
-    sums_.step.external += dt
-            * ((points_.g() & returnReduce(momentum, sumOp<vector>()))
-               + returnReduce(bodyWork, sumOp<scalar>()))
-        + returnReduce(load, sumOp<scalar>());
+    book(sums_.all, work);
+    for (direction d = 0; d < 3; ++d)
+    {
+        book(momentum_[d], momentum[d]);
+    }
+    book(bodyWork_, bodyWork);
+    book(load_, load);
 }
 
-void Foam::mpm::pointEnergy::accepted(const scalar)
+void Foam::mpm::pointEnergy::accepted(const scalar dt)
 {
+    compressionBefore_ = sums_.compression;
     forceWork& step = sums_.step;
+    step.external += dt * ((points_.g() & momentum_) + bodyWork_) + load_;
     step.internal = sums_.all - (step.sum() - step.internal);
     sums_.work += step;
     sums_.exchanged += mag(step.external) + mag(step.boundary) + mag(step.driven);
 }
 
-void Foam::mpm::pointEnergy::rejected() { losses_ = lossesBefore_; }
+void Foam::mpm::pointEnergy::rejected()
+{
+    finish();
+    losses_ = lossesBefore_;
+}
 
 void Foam::mpm::pointEnergy::addState(dictionary& state) const
 {
@@ -288,6 +316,7 @@ void Foam::mpm::pointEnergy::addState(dictionary& state) const
     {
         return;
     }
+    finish();
     dictionary energy;
     const auto add = [&](const char* name, const scalar value) { energy.add(name, value); };
     forTerms(sums_, add);

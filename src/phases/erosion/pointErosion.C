@@ -5,6 +5,7 @@
 #include "materialPointSystem.H"
 #include "pointEnergy.H"
 #include "dictionaryTools.H"
+#include "largestOfAll.H"
 #include "noTraps.H"
 #include "Time.H"
 
@@ -66,7 +67,7 @@ void Foam::mpm::pointErosion::end(const scalar dt)
         step[phasei] = phases_[phasei].erode(dt, to < 0 ? nullptr : &phases_[to].cloud());
         n += step[phasei].n;
     }
-    if (!returnReduce(n, sumOp<label>()))
+    if (!onAny(n > 0))
     {
         return;
     }
@@ -92,7 +93,7 @@ void Foam::mpm::pointErosion::end(const scalar dt)
             nLeft += phases_[phasei].cloud().size();
         }
     }
-    if (!returnReduce(nLeft, sumOp<label>()))
+    if (!onAny(nLeft > 0))
     {
         FatalErrorInFunction << "All points have eroded in the step of " << dt << " s after time "
                              << points_.time().timeName() << ": nothing is left to compute." << nl
@@ -130,7 +131,7 @@ void Foam::mpm::pointErosion::accepted(const scalar)
             n += step[phasei].n;
         }
     }
-    if (!returnReduce(n, sumOp<label>()))
+    if (!onAny(n > 0))
     {
         return;
     }
@@ -143,7 +144,7 @@ void Foam::mpm::pointErosion::accepted(const scalar)
         bookLoss(step[phasei]);
         nLeft += phases_[phasei].motion() ? 0 : phases_[phasei].cloud().size();
     }
-    empty_ = !returnReduce(nLeft, sumOp<label>());
+    empty_ = !onAny(nLeft > 0);
 }
 
 Foam::mpm::erodedPoints Foam::mpm::pointErosion::eroded(const label phasei) const
@@ -347,5 +348,5 @@ void Foam::mpm::pointErosion::setState(const dictionary& state)
     {
         n += phase.motion() ? 0 : phase.cloud().size();
     }
-    empty_ = points_.outflow() && !returnReduce(n, sumOp<label>());
+    empty_ = points_.outflow() && !onAny(n > 0);
 }

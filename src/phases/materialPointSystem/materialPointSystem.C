@@ -111,7 +111,7 @@ void Foam::mpm::materialPointSystem::addImpulse(const label fieldi, scalar* impu
     const scalar work = field.addImpulse(impulse, energy_->active());
     if (energy_->active())
     {
-        energy_->sums().step.boundary += returnReduce(work, sumOp<scalar>());
+        energy_->book(energy_->sums().step.boundary, work);
     }
 }
 

@@ -19,7 +19,7 @@ void Foam::mpm::materialPointSystem::keepStress()
     }
 }
 
-void Foam::mpm::materialPointSystem::updateWaveRate()
+Foam::scalar Foam::mpm::materialPointSystem::waveRateHere() const
 {
     scalar rate = 0;
     for (const materialPointPhase& phase : phases_)
@@ -27,7 +27,7 @@ void Foam::mpm::materialPointSystem::updateWaveRate()
         const scalar h = gridTransfer_->shortestWidth(phase.cloud(), phase.shortestSide());
         rate = max(rate, phase.waveRate(g_, h));
     }
-    waveRate_ = largestOfAll(rate);
+    return rate;
 }
 
 Foam::mpm::moveCoefficients
@@ -183,11 +183,17 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
             bad = badPoint{phasei, result.badPoint, result.left};
         }
     }
-    travel = largestOfAll(travel);
-    rate_ = largestOfAll(bad.phase < 0 ? rate : VGREAT);
+    // In one number: the rate, or that a point is bad or has gone too far,
+    // which is asked for only then
+    rate_ = largestOfAll(bad.phase < 0 && travel <= maxTravel_ ? rate : VGREAT);
     if (rate_ >= VGREAT)
     {
-        stop(bad);
+        travel = largestOfAll(travel);
+        rate_ = largestOfAll(bad.phase < 0 ? rate : VGREAT);
+        if (rate_ >= VGREAT)
+        {
+            stop(bad);
+        }
     }
     energy_->addMove(dt, work, momentum, body);
 
@@ -204,10 +210,27 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
     bool changed = false;
     {
         const timer t(clock_.sort);
+
+        // 2: some point, 1: none of them travels on, which without a lattice is
+        // by way of a third processor; 0: none has left its cell
+        scalar most = Pstream::parRun() ? 2 : 1;
+        for (label round = 1; most > 1; ++round)
+        {
+            bool more = false, any = false;
+            forAll(phases_, phasei)
+            {
+                const wallPatches* walls = phases_[phasei].motion() ? nullptr : walls_.get();
+                more |= phases_[phasei].cloud().exchange(cellChanges_[phasei], round, walls);
+                any |= cellChanges_[phasei].size() > 0;
+            }
+            most = grid_.locatesAtOnce() ? 1 : largestOfAll(more ? 2 : any ? 1 : 0);
+        }
+        if (most > 0)
+        {
+            gridTransfer_->cellsChange();
+        }
         forAll(phases_, phasei)
         {
-            phases_[phasei].cloud().exchange(
-                cellChanges_[phasei], phases_[phasei].motion() ? nullptr : walls_.get());
             checkExtent(phases_[phasei], cellChanges_[phasei]);
             if (phases_[phasei].cloud().sort(cellChanges_[phasei]))
             {
@@ -231,11 +254,18 @@ Foam::scalar Foam::mpm::materialPointSystem::project(const scalar dt)
                 strain, fields_[fieldOf_[phasei]].maxStrain(phases_[phasei].cloud().cells(), dt));
         }
     }
-    strain = largestOfAll(strain);
 
-    // c/h changes with the cell where cells differ in size
-    if (grid_.sameWidth() <= 0)
+    // c/h changes with the cell where cells differ in size; the strain itself
+    // is asked for only if it is too large
+    const bool varies = grid_.sameWidth() <= 0;
+    const scalar rate = energy_->largest(
+        !(strain <= maxStrain_) ? VGREAT
+            : varies            ? waveRateHere()
+                                : 0);
+    waveRate_ = varies ? rate : waveRate_;
+    if (rate >= VGREAT)
     {
+        strain = largestOfAll(strain);
         updateWaveRate();
     }
 
@@ -269,6 +299,7 @@ void Foam::mpm::materialPointSystem::reject()
         {
             field.reject();
         }
+        gridTransfer_->cellsChange();
         updateWaveRate();
         sharesHold_ = false;
     }
@@ -359,6 +390,7 @@ void Foam::mpm::materialPointSystem::projectAnew(const scalar dt)
 {
     const noTraps guard;
 
+    gridTransfer_->cellsChange();
     activate(true);
     projectAll(pointGridTransfer::current);
     for (velocityField& field : fields_)

@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "dualNodes.H"
+#include "largestOfAll.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -157,12 +158,14 @@ Foam::mpm::dualNodes::dualNodes(const nodeDual& dual, const boundary& edge) :
 void Foam::mpm::dualNodes::update(const labelList& cells, const cellSimplices& vertices)
 {
     // Points of others give mass to nodes here
-    bool change = !found_ || cells != cells_;
-    if (boundary_.any)
+    const bool together = boundary_.any && Pstream::parRun();
+    if (together && !asks_)
     {
-        reduce(change, orOp<bool>());
+        return;
     }
-    if (!change)
+    asks_ = false;
+    const bool change = !found_ || cells != cells_;
+    if (!(together ? onAny(change) : change))
     {
         return;
     }
