@@ -267,34 +267,41 @@ bool Foam::mpm::cellSimplices::sortBox(
         }
         at[to[i]] = i;
     }
-    const labelList oldPoints(points);
+
+    // The corners of a simplex have the bit of its direction alike
+    DynamicList<label> order;
+    for (int side = 0; side < 2 * nDim; ++side)
+    {
+        forAll(faces, s)
+        {
+            bool here = true;
+            for (int k = 0; k < nDim; ++k)
+            {
+                here = here && (to[corners[nDim * s + k]] >> (side / 2)) % 2 == side % 2;
+            }
+            if (here)
+            {
+                order.append(s);
+            }
+        }
+    }
+    if (order.size() != faces.size())
+    {
+        return false;
+    }
+    const labelList oldPoints(points), oldCorners(corners), oldFaces(faces);
     const scalarList oldX(x);
     for (label i = 0; i < n; ++i)
     {
         points[i] = oldPoints[at[i]];
         std::copy_n(oldX.begin() + nDim * at[i], nDim, x.begin() + nDim * i);
     }
-
-    // The corners of a simplex have the bit of its direction alike
-    const labelList oldCorners(corners), oldFaces(faces);
-    label next = 0;
-    for (int side = 0; side < 2 * nDim; ++side)
+    forAll(order, s)
     {
-        forAll(oldFaces, s)
+        faces[s] = oldFaces[order[s]];
+        for (int k = 0; k < nDim; ++k)
         {
-            bool here = true;
-            for (int k = 0; k < nDim; ++k)
-            {
-                here = here && (to[oldCorners[nDim * s + k]] >> (side / 2)) % 2 == side % 2;
-            }
-            for (int k = 0; here && k < nDim; ++k)
-            {
-                corners[nDim * next + k] = to[oldCorners[nDim * s + k]];
-            }
-            if (here)
-            {
-                faces[next++] = oldFaces[s];
-            }
+            corners[nDim * s + k] = to[oldCorners[nDim * order[s] + k]];
         }
     }
     return true;
