@@ -67,6 +67,10 @@ def set_text(path, pattern, value):
 CELLS = {"tetrahedra": ("tets", (30, 30, 27)), "polyhedra": ("tets", (30, 30, 27)),
          "prisms": ("prisms", (30, 30, 27)), "hexahedra": ("hexes", (40, 40, 36))}
 
+#: Blocks of boxes of which some are halved, in the middle and above the points
+REFINED = {"refined": "(0.5 0.5 0.25) (0.75 0.75 0.5)",
+           "refinedAbove": "(0.5 0.5 1.07) (0.75 0.75 1.125)"}
+
 
 def prepare(name, template, velocity=None, small=False):
     case = os.path.join(RUN, name)
@@ -96,6 +100,13 @@ def prepare(name, template, velocity=None, small=False):
             run(["polyDualMesh", "60", "-overwrite"], case)
     else:
         run(["blockMesh"], case)
+    if template in REFINED:
+        with open(os.path.join(case, "system/topoSetDict"), "w") as f:
+            f.write("FoamFile { version 2.0; format ascii; class dictionary;"
+                    " object topoSetDict; }\nactions ( { name fine; type cellSet; action new;"
+                    f" source boxToCell; sourceInfo {{ box {REFINED[template]}; }} }} );\n")
+        run(["topoSet"], case)
+        run(["refineHexMesh", "fine", "-overwrite"], case)
     run(["setMaterialPoints"], case)
     return case
 
@@ -206,7 +217,7 @@ def cells():
     triad, fma = re.findall(r"([\d.]+) G", run(first + ["machineRates"], RUN))
     print(f"machine, one core: triad {triad} GB/s, FMA {fma} GFlop/s; compiler flags"
           f" {os.environ.get('MPM_CXXFLAGS', '?')}; {' '.join(first) or 'no'} priority\n")
-    runs = [("block", "linear"), ("block", "nodeDual")] + [(k, "nodeDual") for k in CELLS]
+    runs = [("block", "linear")] + [(k, "nodeDual") for k in ("block", *REFINED, *CELLS)]
     cases = {(k, v): prepare(f"cells-{k}-{v}", k, MOTIONS[v])
              for k in dict(runs) for v in MOTIONS}
     best = {}

@@ -23,6 +23,9 @@ using namespace Foam::mpm;
 namespace
 {
 
+constexpr cellMesh::kinds allKinds[] = {
+    cellMesh::tets, cellMesh::prisms, cellMesh::hexes, cellMesh::polyhedra, cellMesh::halfCubes};
+
 //- Position of a node in the computed directions
 vector place(const pointGrid& g, const label node)
 {
@@ -45,14 +48,15 @@ vector way(const pointGrid& g, const vector& from, const label to, bool cyclic)
 //- Largest errors of the identities of W and G, and the volume; cyclic
 //  directions are left out
 void identities(
-    const pointGrid& g, const scalar volume, const scalar size, const bool products = false,
-    const bool cyclic = false)
+    const pointGrid& g, const scalar volume, const scalar size,
+    const cellSimplices::kinds kind = cellSimplices::boxes, const bool cyclic = false)
 {
     const int D = g.nDim();
-    const cellSimplices cells(g, products);
+    const cellSimplices cells(g, kind);
     const nodeDual dual(g, cells);
-    scalar sum = 0, least = 0, centre = 0, grad = 0, unit = 0, all = 0;
+    scalar sum = 0, least = 0, centre = 0, grad = 0, unit = 0, all = 0, push = 0;
     label alone = 0;
+    vectorField rest(g.nNodes(), Zero);
     for (label m = 0; m < g.nNodes(); ++m)
     {
         scalar W = -1;
@@ -75,6 +79,7 @@ void identities(
             least = min(least, dual.W(e));
             d += dual.W(e) * x;
             G += Ge;
+            rest[dual.node(e)] += dual.volume(m) * Ge;
             I += x * Ge;
             own += dual.node(e) == m ? dual.W(e) : 0;
         }
@@ -85,14 +90,21 @@ void identities(
         unit = max(unit, mag(I));
         all += dual.volume(m);
     }
+
+    // The force of a uniform stress inside
+    for (label m = 0; m < g.nNodes(); ++m)
+    {
+        push = max(push, dual.reduced(m) ? 0 : mag(rest[m]) / std::pow(size, D - 1));
+    }
     INFO(
         "sum " << sum << " centre " << centre << " grad " << grad << " unit " << unit << " volume "
-               << all / volume - 1 << " corners " << alone);
+               << all / volume - 1 << " corners " << alone << " at rest " << push);
     CHECK(sum < 1e-12);
     CHECK(least >= 0);
     CHECK(centre < 1e-12);
     CHECK(grad < 1e-12);
     CHECK(unit < 1e-12);
+    CHECK(push < 1e-12);
     CHECK(mag(all / volume - 1) < 1e-12);
     CHECK(alone == (cyclic ? 0 : label(1) << D));
 }
@@ -435,18 +447,20 @@ TEST_CASE("node-dual operators: identities on all kinds of cells")
     identities(cellMesh(cellMesh::prisms, 5).grid(), 1, 0.2);
     identities(cellMesh(cellMesh::hexes, 5).grid(), 1, 0.2);
     identities(cellMesh(cellMesh::polyhedra, 5).grid(), 1, 0.2);
-    for (const auto kind : {cellMesh::tets, cellMesh::prisms, cellMesh::hexes, cellMesh::polyhedra})
+    identities(cellMesh(cellMesh::halfCubes, 5).grid(), 1, 0.2);
+    for (const auto kind : allKinds)
     {
         CAPTURE(int(kind));
-        identities(cellMesh(kind, 6, false, true).grid(), 1, 0.2, false, true);
+        identities(cellMesh(kind, 6, false, true).grid(), 1, 0.2, cellSimplices::boxes, true);
     }
     identities(testMesh(7, 5, 0, graded).grid(), 1.4 * 3, 0.2);
+    identities(testMesh(7, 5, 0, graded).grid(), 1.4 * 3, 0.2, cellSimplices::linear);
     identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2);
     const scalar volume = 1.4 * 3 * (std::exp(1) - 1);
-    identities(testMesh(7, 5, 4, graded).grid(), volume, 0.2, true);
-    identities(testMesh(9, 5, 4, uniform(vector(1, 1, 1))).grid(), 1, 0.2, true);
-    identities(testMesh(7, 5, 0, graded).grid(), 1.4 * 3, 0.2, true);
-    identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2, true);
+    identities(testMesh(7, 5, 4, graded).grid(), volume, 0.2, cellSimplices::products);
+    identities(testMesh(9, 5, 4, uniform(vector(1, 1, 1))).grid(), 1, 0.2, cellSimplices::products);
+    identities(testMesh(7, 5, 0, graded).grid(), 1.4 * 3, 0.2, cellSimplices::products);
+    identities(testMesh(7, 0, 0, graded).grid(), 1.4, 0.2, cellSimplices::products);
 }
 
 TEST_CASE("node-dual cells: points are found by the triangles of warped faces")
@@ -455,6 +469,7 @@ TEST_CASE("node-dual cells: points are found by the triangles of warped faces")
     foundByCells(cellMesh(cellMesh::prisms, 4).grid());
     foundByCells(cellMesh(cellMesh::hexes, 4).grid());
     foundByCells(cellMesh(cellMesh::polyhedra, 4).grid());
+    foundByCells(cellMesh(cellMesh::halfCubes, 4).grid());
 }
 
 TEST_CASE("node-dual functions: passes in two levels are sums over the functions")
@@ -466,6 +481,8 @@ TEST_CASE("node-dual functions: passes in two levels are sums over the functions
     explicitSums<3>(cellMesh(cellMesh::tets, 6, false, true).grid(), 7, false, true);
     const cellMesh joined(cellMesh::polyhedra, 6, true, true);
     explicitSums<3>(joined.grid(), 8, false, true);
+    explicitSums<3>(cellMesh(cellMesh::halfCubes, 4).grid(), 11);
+    explicitSums<3>(cellMesh(cellMesh::halfCubes, 6, false, true).grid(), 12, false, true);
     explicitSums<2>(testMesh(6, 5, 0, graded).grid(), 5);
     explicitSums<1>(testMesh(9, 0, 0, graded).grid(), 6);
 
@@ -478,6 +495,84 @@ TEST_CASE("node-dual functions: passes in two levels are sums over the functions
         explicitSums<2>(testMesh(90, 6, 0, cube).grid(), 9, inner);
         explicitSums<1>(testMesh(80, 0, 0, cube).grid(), 10, inner);
     }
+}
+
+TEST_CASE("functions of boxes among other cells: products, and the integrals of these")
+{
+    typedef Foam::mpm::simplexShape<3> shape;
+    typedef shape::T T;
+    const label n = 5;
+    const cellMesh mesh(cellMesh::halfCubes, n);
+    const shape functions(mesh.grid());
+    const cellSimplices& cells = functions.cells;
+    label nBoxes = 0;
+    scalar wrong = 0, ofIntegral = 0;
+    for (label celli = 0; celli < mesh.grid().nCells(); ++celli)
+    {
+        if (!cells.isBox(celli))
+        {
+            continue;
+        }
+        ++nBoxes;
+        shape::stencil s;
+        functions.prepare(celli, s);
+        REQUIRE(s.n == 8);
+        const scalar h = 1.0 / n;
+        const auto at = [&](const scalar(&xi)[3], const int i)
+        {
+            T x[3], l[1] = {};
+            scalar S = 1;
+            for (int d = 0; d < 3; ++d)
+            {
+                x[d] = broadcast<shape::W>(cells.origin(celli)[d] + h * xi[d]);
+                const scalar side = cells.position(celli, i)[d] - cells.origin(celli)[d];
+                S *= 0.5 + xi[d] * sign(side);
+            }
+            shape::weights of;
+            functions.evaluate(s, x, l, of);
+            wrong = max(wrong, mag(shape::weight(of, i)[0] - S));
+            return shape::weight(of, i)[0];
+        };
+
+        // Gauss points, which have S_i dS_j/dx exactly; the derivatives by differences
+        scalar volume[8] = {}, SdS[8][24] = {}, given[24];
+        for (int g = 0; g < 8; ++g)
+        {
+            scalar xi[3], S[8];
+            for (int d = 0; d < 3; ++d)
+            {
+                xi[d] = ((g >> d) % 2 ? 0.5 : -0.5) / std::sqrt(3.0);
+            }
+            for (int i = 0; i < 8; ++i)
+            {
+                S[i] = at(xi, i);
+                volume[i] += S[i] * pow3(h) / 8;
+            }
+            for (int j = 0; j < 24; ++j)
+            {
+                scalar up[3] = {xi[0], xi[1], xi[2]}, down[3] = {xi[0], xi[1], xi[2]};
+                up[j % 3] = 0.4;
+                down[j % 3] = -0.4;
+                const scalar dS = (at(up, j / 3) - at(down, j / 3)) / (0.8 * h);
+                for (int i = 0; i < 8; ++i)
+                {
+                    SdS[i][j] += S[i] * dS * pow3(h) / 8;
+                }
+            }
+        }
+        for (int i = 0; i < 8; ++i)
+        {
+            cells.integrals(celli, i, given);
+            ofIntegral = max(ofIntegral, mag(cells.integral(celli, i) - volume[i]) / pow3(h));
+            for (int j = 0; j < 24; ++j)
+            {
+                ofIntegral = max(ofIntegral, mag(given[j] - SdS[i][j]) / sqr(h));
+            }
+        }
+    }
+    CHECK(nBoxes == n * n * (n / 2) - 8);
+    CHECK(wrong < 1e-12);
+    CHECK(ofIntegral < 1e-12);
 }
 
 TEST_CASE("functions of simplices: what is remembered of a point changes none of them")
@@ -566,7 +661,7 @@ TEST_CASE("functions of simplices: what is remembered of a point changes none of
 
 TEST_CASE("node-dual cells: points located together are where each alone is")
 {
-    for (const auto kind : {cellMesh::tets, cellMesh::prisms, cellMesh::hexes, cellMesh::polyhedra})
+    for (const auto kind : allKinds)
     {
         CAPTURE(int(kind));
         locatedTogether(cellMesh(kind, 4).grid());

@@ -10,8 +10,8 @@
 namespace Foam::mpm
 {
 
-//- By products on a lattice, linear where all cells are simplices, in their
-//  simplices elsewhere
+//- By products on a lattice, linear where all cells are simplices; elsewhere
+//  products in boxes, linear in the simplices of other cells
 struct nodeDualFunctions
 {
     static bool onlySimplices(const pointGrid& grid)

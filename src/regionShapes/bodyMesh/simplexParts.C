@@ -13,6 +13,17 @@ using namespace Foam;
 //- Parts along each edge of the simplices of a cell that is one or not
 label alongEdges(const bool isSimplex, const label n) { return isSimplex ? n - 1 : n / 2; }
 
+label alongEdges(const Foam::mpm::cellSimplices& cells, const label celli, const label n)
+{
+    return cells.isBox(celli) ? n : alongEdges(cells.isSimplex(celli), n);
+}
+
+//- Simplices that are divided, a box as one
+label nWhole(const Foam::mpm::cellSimplices& cells, const label celli)
+{
+    return cells.isBox(celli) ? label(1) : cells.nSimplices(celli);
+}
+
 label nParts(const int nDim, const label k) { return nDim == 3 ? k * k * k : k * k; }
 
 label nTriangles(const faceList& faces)
@@ -42,7 +53,7 @@ Foam::mpm::simplexParts::simplexParts(const int nDim, const label k, const label
 }
 
 void Foam::mpm::simplexParts::divide(
-    const int nDim, const FixedList<point, 4>& y, const scalar volume)
+    const int nDim, const FixedList<point, 4>& y, const scalar volume, const bool box)
 {
     const label all = nParts(nDim, k_);
     for (label cube = 0; cube < all; ++cube)
@@ -61,7 +72,7 @@ void Foam::mpm::simplexParts::divide(
                 for (int i = 0; i < nDim; ++i)
                 {
                     x[v] += (scalar(z[i]) / k_) * (y[i + 1] - y[i]);
-                    inside = inside && (i == 0 || z[i - 1] >= z[i]);
+                    inside = inside && (box || i == 0 || z[i - 1] >= z[i]);
                 }
                 mean += x[v] / (nDim + 1);
                 if (v < nDim)
@@ -72,7 +83,8 @@ void Foam::mpm::simplexParts::divide(
             if (inside)
             {
                 x[3] = x[nDim];
-                add(n_++, volume / all, mean, nDim + 1, x);
+                add(box ? cube : n_++, volume / (box ? nDim * (nDim - 1) * all : all), mean,
+                    nDim + 1, x);
             }
         } while (std::next_permutation(order, order + nDim));
     }
@@ -83,15 +95,14 @@ void Foam::mpm::simplexParts::divide(
 Foam::label Foam::mpm::simplexParts::number(const pointGrid& grid, const label celli, const label n)
 {
     const cellSimplices& cells = grid.simplices();
-    return cells.nSimplices(celli) * nParts(grid.nDim(), alongEdges(cells.isSimplex(celli), n));
+    return nWhole(cells, celli) * nParts(grid.nDim(), alongEdges(cells, celli, n));
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::simplexParts::simplexParts(const pointGrid& grid, const label celli, const label n) :
     simplexParts(
-        grid.nDim(), alongEdges(grid.simplices().isSimplex(celli), n),
-        grid.simplices().nSimplices(celli))
+        grid.nDim(), alongEdges(grid.simplices(), celli, n), nWhole(grid.simplices(), celli))
 {
     const cellSimplices& cells = grid.simplices();
     const int nDim = grid.nDim();
@@ -104,6 +115,18 @@ Foam::mpm::simplexParts::simplexParts(const pointGrid& grid, const label celli, 
         }
         return at;
     };
+    if (cells.isBox(celli))
+    {
+        FixedList<point, 4> y(place(cells.position(celli, 0)));
+        scalar volume = 1;
+        for (int i = 1; i <= nDim; ++i)
+        {
+            y[i] = place(cells.position(celli, (1 << i) - 1));
+            volume *= mag(y[i] - y[i - 1]);
+        }
+        divide(nDim, y, volume, true);
+        return;
+    }
     for (label s = 0; s < cells.nSimplices(celli); ++s)
     {
         FixedList<point, 4> y(place(cells.origin(celli)));

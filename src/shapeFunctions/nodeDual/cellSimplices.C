@@ -229,6 +229,84 @@ void Foam::mpm::cellSimplices::addCorners(
     }
 }
 
+bool Foam::mpm::cellSimplices::sortBox(
+    const int nDim, DynamicList<label>& points, DynamicList<scalar>& x, DynamicList<label>& corners,
+    labelUList faces)
+{
+    // Rounding of positions in a file may be 1e-8 of the width
+    const label n = points.size();
+    if (nDim < 2 || n != label(1) << nDim || faces.size() != (nDim - 1) * 2 * nDim)
+    {
+        return false;
+    }
+    scalar low[3], high[3];
+    for (int d = 0; d < nDim; ++d)
+    {
+        low[d] = high[d] = x[d];
+        for (label i = 1; i < n; ++i)
+        {
+            low[d] = min(low[d], x[nDim * i + d]);
+            high[d] = max(high[d], x[nDim * i + d]);
+        }
+    }
+    labelList to(n, Zero), at(n, -1);
+    for (label i = 0; i < n; ++i)
+    {
+        for (int d = 0; d < nDim; ++d)
+        {
+            const scalar up = (x[nDim * i + d] - low[d]) / (high[d] - low[d]);
+            to[i] |= (up > 0.5) << d;
+            if (!(min(up, 1 - up) < 1e-8))
+            {
+                return false;
+            }
+        }
+        if (at[to[i]] >= 0)
+        {
+            return false;
+        }
+        at[to[i]] = i;
+    }
+
+    // The corners of a simplex have the bit of its direction alike
+    DynamicList<label> order;
+    for (int side = 0; side < 2 * nDim; ++side)
+    {
+        forAll(faces, s)
+        {
+            bool here = true;
+            for (int k = 0; k < nDim; ++k)
+            {
+                here = here && (to[corners[nDim * s + k]] >> (side / 2)) % 2 == side % 2;
+            }
+            if (here)
+            {
+                order.append(s);
+            }
+        }
+    }
+    if (order.size() != faces.size())
+    {
+        return false;
+    }
+    const labelList oldPoints(points), oldCorners(corners), oldFaces(faces);
+    const scalarList oldX(x);
+    for (label i = 0; i < n; ++i)
+    {
+        points[i] = oldPoints[at[i]];
+        std::copy_n(oldX.begin() + nDim * at[i], nDim, x.begin() + nDim * i);
+    }
+    forAll(order, s)
+    {
+        faces[s] = oldFaces[order[s]];
+        for (int k = 0; k < nDim; ++k)
+        {
+            corners[nDim * s + k] = to[oldCorners[nDim * order[s] + k]];
+        }
+    }
+    return true;
+}
+
 void Foam::mpm::cellSimplices::setMaps()
 {
     const label n = nDim_ * (nDim_ + 1);
@@ -285,10 +363,10 @@ void Foam::mpm::cellSimplices::refuse(const polyMesh& mesh, const labelUList& ba
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid, const bool products) :
+Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid, const kinds kind) :
     nDim_(grid.nDim()),
     radial_(grid.radial()),
-    products_(products),
+    box_(grid.nCells(), kind == products),
     start_(grid.nCells() + 1, Zero),
     origin_(grid.nDim() * grid.nCells(), Zero),
     subStart_(grid.nCells() + 1, Zero)
@@ -304,26 +382,40 @@ Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid, const bool produc
     }
     reduce(triangles, andOp<bool>());
     const labelList basePoints(
-        nDim_ < 3 || triangles || products ? labelList() : findBasePoints(grid));
+        nDim_ < 3 || triangles || kind == products ? labelList() : findBasePoints(grid));
 
     DynamicList<label> nodes, corners, points, ofCell, faces;
-    DynamicList<scalar> x, inverses, volumes;
+    DynamicList<scalar> x, at, inverses, volumes;
     DynamicList<label> bad;
     for (label celli = 0; celli < grid.nCells(); ++celli)
     {
         addVertices(grid, isEmpty, celli, points);
-        const label n = points.size();
+        const label n = points.size(), firstSub = volumes.size();
+        at.clear();
+        for (const label pointi : points)
+        {
+            for (int d = 0; d < nDim_; ++d)
+            {
+                at.append(mesh.points()[pointi][grid.direction(d)]);
+            }
+        }
+        ofCell.clear();
+        if (kind != products)
+        {
+            addCorners(grid, isEmpty, basePoints, celli, points, ofCell, faces);
+        }
+        if (kind == boxes && radial_ < 0 && mesh.cells()[celli].size() == 6)
+        {
+            SubList<label> ofSimplices(faces, faces.size() - firstSub, firstSub);
+            box_[celli] = sortBox(nDim_, points, at, ofCell, ofSimplices);
+        }
         for (const label pointi : points)
         {
             nodes.append(grid.pointToNode()[pointi]);
-            for (int d = 0; d < nDim_; ++d)
-            {
-                x.append(mesh.points()[pointi][grid.direction(d)]);
-            }
         }
-        const scalar* at = x.begin() + nDim_ * start_[celli];
+        x.append(at);
         scalar* O = origin_.begin() + nDim_ * celli;
-        const bool simplex = !products && n == nDim_ + 1;
+        const bool simplex = kind != products && n == nDim_ + 1;
         for (label i = 0; i < (simplex ? 1 : n); ++i)
         {
             for (int d = 0; d < nDim_; ++d)
@@ -332,14 +424,8 @@ Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid, const bool produc
             }
         }
 
-        ofCell.clear();
-        if (!products)
-        {
-            addCorners(grid, isEmpty, basePoints, celli, points, ofCell, faces);
-        }
         bool valid = n > nDim_ && mesh.cellVolumes()[celli] > 0;
         scalar sum = 0;
-        const label firstSub = volumes.size();
         for (label k = 0; valid && k < ofCell.size(); k += nDim_)
         {
             scalar E[9], I[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -378,9 +464,21 @@ Foam::mpm::cellSimplices::cellSimplices(const pointGrid& grid, const bool produc
     inverse_.transfer(inverses);
     volume_.transfer(volumes);
     face_.transfer(faces);
-    if (!products)
+    if (kind != products)
     {
         setMaps();
+    }
+    if (kind == boxes && nDim_ == 3)
+    {
+        sides_.setSize(mesh.nFaces());
+        forAll(box_, celli)
+        {
+            if (box_[celli])
+            {
+                sides_.set(mesh.cells()[celli]);
+            }
+        }
+        syncTools::syncFaceList(mesh, sides_, orEqOp<unsigned int>());
     }
 }
 
@@ -403,10 +501,25 @@ Foam::label Foam::mpm::cellSimplices::simplexOf(const label celli, const scalar*
     {
         y[d] = x[d] - origin(celli)[d];
     }
-    const scalar* I = inverses(celli);
-    label best = 0;
+    label best = 0, end = nSimplices(celli);
+    if (box_[celli])
+    {
+        // Those of one side
+        scalar furthest = -1;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            const scalar up = y[d] / (origin(celli)[d] - position(celli, 0)[d]);
+            if (mag(up) > furthest)
+            {
+                furthest = mag(up);
+                best = (nDim_ - 1) * (2 * d + (up > 0));
+            }
+        }
+        end = best + nDim_ - 1;
+    }
+    const scalar* I = inverses(celli) + nDim_ * nDim_ * best;
     scalar most = -GREAT;
-    for (label s = 0; s < nSimplices(celli); ++s)
+    for (label s = best; s < end; ++s)
     {
         scalar least = GREAT;
         for (int k = 0; k < nDim_; ++k)

@@ -5,6 +5,37 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::mpm::cellSimplices::addSides(const label celli, const label i, scalar* SdS) const
+{
+    const auto has = [](const label* triangle, const label v)
+    { return triangle[0] == v || triangle[1] == v || triangle[2] == v; };
+    for (label s = 0; sides_.size() && s + 1 < nSimplices(celli); ++s)
+    {
+        // Two triangles, the second of them with the vertices of the diagonal
+        const label facei = faceOf(celli, s);
+        const label *a = corners(celli) + 3 * s, *b = a + 3;
+        if (facei < 0 || faceOf(celli, s + 1) != facei || !sides_.test(facei)
+            || !(has(a, i) || has(b, i)))
+        {
+            continue;
+        }
+        for (int d = 0; d < 3; ++d)
+        {
+            // A twelfth of the area, one quarter of it for this vertex
+            scalar part = 0;
+            for (int k = 0; k < 6; ++k)
+            {
+                part += volumes(celli)[s + k / 3] * inverses(celli)[9 * s + 3 * k + d] / 16;
+            }
+            for (int k = 0; k < 3; ++k)
+            {
+                SdS[3 * a[k] + d] += has(b, a[k]) ? -part : part;
+                SdS[3 * b[k] + d] += has(a, b[k]) ? 0 : part;
+            }
+        }
+    }
+}
+
 void Foam::mpm::cellSimplices::sides(const label celli, const label i, scalar* h) const
 {
     for (int d = 0; d < nDim_; ++d)
@@ -86,7 +117,7 @@ Foam::mpm::cellSimplices::regions Foam::mpm::cellSimplices::regionsOf(const labe
 
 Foam::scalar Foam::mpm::cellSimplices::integral(const label celli, const label i) const
 {
-    if (products_)
+    if (box_[celli])
     {
         scalar h[3], volume = 1;
         sides(celli, i, h);
@@ -124,7 +155,7 @@ Foam::scalar Foam::mpm::cellSimplices::integral(const label celli, const label i
 void Foam::mpm::cellSimplices::integrals(const label celli, const label i, scalar* SdS) const
 {
     const label n = nVertices(celli);
-    if (products_)
+    if (box_[celli])
     {
         // int S_i S_j = h/3 or h/6, int S_i dS_j/dx = 1/2 towards j
         scalar hi[3], hj[3];
@@ -194,4 +225,5 @@ void Foam::mpm::cellSimplices::integrals(const label celli, const label i, scala
             SdS[nDim_ * j + d] += originShare(celli, j) * ofOrigin[d];
         }
     }
+    addSides(celli, i, SdS);
 }

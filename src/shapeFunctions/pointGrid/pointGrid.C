@@ -135,7 +135,7 @@ const Foam::mpm::cellSimplices& Foam::mpm::pointGrid::simplices() const
 {
     if (!simplices_)
     {
-        simplices_.reset(new cellSimplices(*this));
+        simplices_.reset(new cellSimplices(*this, cellSimplices::boxes));
         if (!lattice_)
         {
             locator_.reset(new simplexLocator(mesh(), *this, nodes_, *simplices_, ghosts_));

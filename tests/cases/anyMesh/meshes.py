@@ -72,10 +72,12 @@ def uniformMoves(table):
     time to act: at the start, and from half a cell of motion on to two and a half."""
     n, h, U = 6, 0.1, 1e4
     names = [a + b for a in "xyz" for b in ("Low", "High")]
-    for kind in ("tets", "warped") + ("hexes", "prisms")*VERIFY:
+    for kind in ("tets", "warped", "refined") + ("hexes", "prisms")*VERIFY:
         case = FoamCase("anyMesh", f"uniformMoves-{kind}")
-        boxOfCells(case, kind, (0, 0, 0), (n*h,)*3, (n,)*3, {
-            a: ("cyclic", (a[0] + "-+"[i % 2],), names[i ^ 1]) for i, a in enumerate(names)})
+        base, moved = BASE.get(kind, (kind, 0.2))
+        boxOfCells(case, base, (0, 0, 0), (n*h,)*3, (n,)*3, {
+            a: ("cyclic", (a[0] + "-+"[i % 2],), names[i ^ 1]) for i, a in enumerate(names)},
+            moved=moved)
         case.write("constant/phaseProperties", {"phases": ["body"], "body": {
             "constitutiveModel": {"type": "linearElastic", "rho": 1000, "E": 10*P, "nu": 0}}})
         velocityFile(case, "body", {a: "cyclic" for a in names})
@@ -86,6 +88,7 @@ def uniformMoves(table):
         noSchemes(case)
         dt = 0.1*h/U
         case.write("system/controlDict", controlDict(25*dt, dt, deltaT=dt))
+        changeMesh(case, kind, (0.2, 0.2, 0.2), (0.4, 0.4, 0.4))
         case.run("setMaterialPoints")
         case.run("materialPointFoam")
         points = [case.points(t, "body") for t in case.times()]

@@ -7,8 +7,9 @@ random by 20 % of the widths, but for the planes in which bodies begin.
     translation   an elastic block crosses cells at Mach 0.1, 120 steps, FLIP and
                   FMPM 2: |u - v0|/|v0| of every point 1e-12, mass 1e-12,
                   position against x0 + v0 t 1e-12 of the mesh; also on the
-                  polyhedra of polyDualMesh, whose faces are warped; through cyclic
-                  sides (APIC too), on 2 processors
+                  polyhedra of polyDualMesh, whose faces are warped, and from boxes into
+                  such of half the width; through cyclic sides (APIC too), on 2
+                  processors
     along a wall  the same block on a slip wall, moving along it (there nodes
                   have a gradient but no mass); tetrahedra
     fall          a neo-Hookean block flies through a cyclic side and onto a fixed
@@ -86,7 +87,8 @@ def translation(kind, transfer, onWall=False, split=None, cyclic=False):
     noSchemes(case)
     dt = CO*H/(WAVE + np.max(abs(VELOCITY)))
     case.write("system/controlDict", controlDict(STEPS*dt, STEPS*dt, deltaT=dt))
-    changeMesh(case, kind)
+    # The block begins in boxes and goes on in finer ones
+    changeMesh(case, kind, (5*H, 0, 0), (10*H, 10*H, 10*H))
     case.run("setMaterialPoints")
     if split:
         case.decompose(split)
@@ -244,6 +246,7 @@ def translations(table):
     for run in (("tets", "FLIP"), ("tets", "FMPM2"), ("prisms", "FLIP"),
                 ("warped", "FLIP"), ("polyhedra", "FLIP"), ("tets", "FLIP", True),
                 ("tets", "FMPM2", False, (1, 1, 2)), ("polyhedra", "FLIP", False, (2, 1, 1)),
+                ("refined", "FLIP"), ("refined", "APIC", False, (2, 1, 1)),
                 ("tets", "APIC", False, None, True), ("hexes", "FLIP", False, None, True)):
         label = (f"translation, {run[0]}, {run[1]}{', along a wall'*(run[2:3] == (True,))}"
                  f"{', 2 processors'*(len(run) == 4)}"
