@@ -464,8 +464,9 @@ bool Foam::mpm::fluidMixture::relaxPair(
 {
     const touching a(touchOf(0, s[0])), b(touchOf(1, s[1]));
     P = ofTwo(a, b, theta);
-    if (!(a.C > 0 && b.C > 0 && a.least + b.least < theta && mag(P) < GREAT))
+    if (!(a.least + b.least < theta && mag(P) < GREAT))
     {
+        // Not in less volume than they have at endless pressure
         return false;
     }
     thetas[0] = a.least + a.C / (P + a.pInf);
@@ -507,7 +508,8 @@ Foam::scalar Foam::mpm::fluidMixture::relax(
             second = first < 0 ? second : k;
             first = first < 0 ? k : first;
             others += !isStiff(k);
-            found = found && (!isStiff(k) || touch(k, s[k], s[k].A, t[k], own));
+            const bool touched = !isStiff(k) || touch(k, s[k], s[k].A, t[k], own);
+            found = found && touched;
             ++n;
         }
     }
