@@ -283,6 +283,15 @@ Foam::mpm::meshDistribution::meshDistribution(fvMesh& mesh) :
 Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelList& toProc)
 {
     const label n = Pstream::nProcs(), nPatches = mesh_.boundaryMesh().nNonProcessor();
+    // Results of function objects: they make them anew
+    for (const word& name : mesh_.sortedNames())
+    {
+        regIOobject* io = mesh_.getObjectPtr<regIOobject>(name);
+        if (io && io->ownedByRegistry() && io->type().ends_with("Field"))
+        {
+            mesh_.checkOut(*io);
+        }
+    }
     before_ = {mesh_.nCells(), mesh_.nFaces(), mesh_.nPoints()};
     PtrList<dictionary> patches(nPatches);
     labelList partners(nPatches, -1);
