@@ -289,7 +289,7 @@ Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelL
         regIOobject* io = mesh_.getObjectPtr<regIOobject>(name);
         if (io && io->ownedByRegistry() && io->type().ends_with("Field"))
         {
-            mesh_.checkOut(*io);
+            io->checkOut();
         }
     }
     before_ = {mesh_.nCells(), mesh_.nFaces(), mesh_.nPoints()};
