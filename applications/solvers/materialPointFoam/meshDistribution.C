@@ -283,7 +283,7 @@ Foam::mpm::meshDistribution::meshDistribution(fvMesh& mesh) :
 Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelList& toProc)
 {
     const label n = Pstream::nProcs(), nPatches = mesh_.boundaryMesh().nNonProcessor();
-    // Results of function objects: they make them anew
+    // What else the mesh owns
     for (const word& name : mesh_.sortedNames())
     {
         regIOobject* io = mesh_.getObjectPtr<regIOobject>(name);

@@ -7,6 +7,7 @@
     budget   terms of the energy budget of a turning disc, a shock and a block, so too
     mesh     after moves to and fro a processor has the mesh of decomposePar, bit by bit
     restart  from a time in the middle, with the mesh of that time: to 1e-10
+    functions  of OpenFOAM that keep cells and fields of the mesh: probes, fieldAverage, mag
     thrown   a block that crosses the box: without moves it is on one of two processors,
              with them the points are shared evenly
     wrong    messages
@@ -22,8 +23,9 @@ import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from blockInGas import blockInGas
 from foamCase import FoamCase, RunFailed, readInternal, runParts
-from gasCases import labels
+from gasCases import labels, volField
 from mpm.files import Points
 
 DICT = "system/decomposeParDict"
@@ -211,6 +213,44 @@ def budget(table):
     table.check("energy budget: it was moved", moves(other) > 3, moves(other))
 
 
+def functions(table):
+    """Function objects of OpenFOAM that keep cells and fields of the mesh."""
+    case = blockInGas("loadBalance", "functions", 2, 16, {
+        "type": "box", "min": (4e-4, 4e-4, -1), "max": (1e-3, 1e-3, 1)}, (80, 60, 0), 40, reports=2)
+    case.change("system/controlDict", "^functions\n{", """functions
+{
+    magnitude { type mag; libs (fieldFunctionObjects); field U.air; writeControl writeTime; }
+    mean
+    {
+        type fieldAverage;
+        libs (fieldFunctionObjects);
+        fields (p { mean on; prime2Mean off; base time; });
+        writeControl writeTime;
+    }
+    places
+    {
+        type probes;
+        libs (sampling);
+        fields (p);
+        probeLocations ((3.3e-4 4.2e-4 5e-5) (1.2e-3 9e-4 5e-5));
+        writeControl timeStep;
+        writeInterval 1;
+    }
+""")
+    other = balanced(case, 7, (2, 1, 1), **RANDOM)
+    case.run("materialPointFoam")
+    other.runParallel()
+    end = case.times()[-1]
+    for name in ("pMean", "mag(U.air)"):
+        u, v = (volField(c, end, name) for c in (case, other))
+        table.row(f"function objects, {name}: largest difference to one processor", 0,
+                  np.max(abs(u - v))/np.max(abs(u)), 1e-10)
+    u, v = (c.series("places", "p") for c in (case, other))
+    table.row("function objects, probes: largest difference to one processor", 0,
+              np.max(abs(u - v))/np.max(abs(u)) if u.shape == v.shape else np.inf, 1e-5)
+    table.check("function objects: it was moved", moves(other) > 2, moves(other))
+
+
 def restart(table):
     parallel = module("parallel")
     case = parallel.fallingBlock("restart", 2, {"shapeFunction": "GIMP", "transfer": "APIC"})
@@ -256,4 +296,4 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("loadBalance", moved, fluids, budget, mesh, restart, thrown, wrong))
+    sys.exit(runParts("loadBalance", moved, fluids, budget, mesh, functions, restart, thrown, wrong))
