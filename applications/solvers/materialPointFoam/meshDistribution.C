@@ -252,6 +252,18 @@ void Foam::mpm::meshDistribution::setMesh(
     mesh_.addFvPatches(list);
 }
 
+void Foam::mpm::meshDistribution::dropFields()
+{
+    for (const word& name : mesh_.sortedNames())
+    {
+        regIOobject* io = mesh_.getObjectPtr<regIOobject>(name);
+        if (io && io->ownedByRegistry() && io->type().ends_with("Field"))
+        {
+            io->checkOut();
+        }
+    }
+}
+
 void Foam::mpm::meshDistribution::setZones(const wordList& names, const List<boolList>& cells)
 {
     mesh_.pointZones().clear();
@@ -283,15 +295,7 @@ Foam::mpm::meshDistribution::meshDistribution(fvMesh& mesh) :
 Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelList& toProc)
 {
     const label n = Pstream::nProcs(), nPatches = mesh_.boundaryMesh().nNonProcessor();
-    // What else the mesh owns
-    for (const word& name : mesh_.sortedNames())
-    {
-        regIOobject* io = mesh_.getObjectPtr<regIOobject>(name);
-        if (io && io->ownedByRegistry() && io->type().ends_with("Field"))
-        {
-            io->checkOut();
-        }
-    }
+    dropFields();
     before_ = {mesh_.nCells(), mesh_.nFaces(), mesh_.nPoints()};
     PtrList<dictionary> patches(nPatches);
     labelList partners(nPatches, -1);
