@@ -157,6 +157,7 @@ Foam::mpm::loadBalance::loadBalance(fvMesh& mesh) :
     look_(mesh.time().timeIndex()),
     moved_(look_),
     cost_(0),
+    brought_(0),
     write_(false),
     ofPoint_(0),
     ofCell_(0)
@@ -203,10 +204,15 @@ void Foam::mpm::loadBalance::update(simulation& of)
     {
         return;
     }
-    measure(of, now - look_);
+    const label nSteps = now - look_;
+    measure(of, nSteps);
     look_ = now;
     const scalarField w(weights(of));
     const scalarField before(loads(w, labelList(w.size(), Pstream::myProcNo())));
+    if (cost_ > 0)
+    {
+        brought_ += nSteps * (max(loads(w, before_)) - max(before));
+    }
     if (!(sum(before) > 0 && imbalance(before) >= maxImbalance_))
     {
         return;
@@ -215,7 +221,8 @@ void Foam::mpm::loadBalance::update(simulation& of)
     const scalarField after(loads(w, to));
     const scalar saved = (max(before) - max(after)) * (now - moved_);
     const bool empty = min(loads(scalarField(to.size(), 1), to)) < 1;
-    const bool pays = worth_ == 0 || saved >= worth_ * cost_;
+    const scalar least = worth_ * cost_;
+    const bool pays = worth_ == 0 || (saved >= least && (brought_ >= least || saved >= 3 * least));
     const auto rounded = [](const scalar x) { return std::round(1000 * x) / 1000; };
     Info << "Load: imbalance " << rounded(imbalance(before)) << ", by "
          << required<word>(dict_, "method") << ' ' << rounded(imbalance(after));
@@ -229,7 +236,7 @@ void Foam::mpm::loadBalance::update(simulation& of)
         else
         {
             Info << "it would save " << rounded(saved) << " s, the last move took "
-                 << rounded(cost_) << " s" << nl << endl;
+                 << rounded(cost_) << " s and brought " << rounded(brought_) << " s" << nl << endl;
         }
         return;
     }
@@ -245,11 +252,14 @@ void Foam::mpm::loadBalance::update(simulation& of)
         const meshDistribution::maps maps(distribution_->move(to));
         rows.move(state, maps);
         rows.move(owned.states, maps);
+        before_ = labelList(w.size(), Pstream::myProcNo());
+        maps.cells.distribute(before_);
         owned.make(mesh_);
         of = simulation(mesh_, std::move(state));
         distribution_->tellFunctionObjects();
     }
     cost_ = largestOfAll(seconds);
+    brought_ = 0;
     moved_ = now;
     write_ = true;
 

@@ -172,7 +172,8 @@ void Foam::mpm::meshDistribution::setMesh(
         [&](const label i, const label j) { return before(places[i], places[j]); });
 
     autoPtr<faceList> faces(new faceList(order.size()));
-    autoPtr<labelList> owner(new labelList(order.size())), neighbour(new labelList());
+    autoPtr<labelList> owner(new labelList(order.size()));
+    DynamicList<label> inside(order.size());
     labelList size(nPatches, 0);
     faces_.setSize(order.size());
     struct between
@@ -195,7 +196,7 @@ void Foam::mpm::meshDistribution::setMesh(
         faces_[f] = (turned ? -1 : 1) * (s.number + 1);
         if (at[0] < 0)
         {
-            neighbour().append(s.b);
+            inside.append(s.b);
         }
         else if (at[0] < nPatches)
         {
@@ -211,9 +212,9 @@ void Foam::mpm::meshDistribution::setMesh(
         }
     }
     owner() = placesIn(to.cells, owner());
-    neighbour() = placesIn(to.cells, neighbour());
+    autoPtr<labelList> neighbour(new labelList(placesIn(to.cells, inside)));
 
-    label start = neighbour().size();
+    label start = inside.size();
     mesh_.clearOut();
     mesh_.removeFvBoundary();
     mesh_.resetPrimitives(
