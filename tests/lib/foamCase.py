@@ -9,6 +9,7 @@
 etc/python/mpm has what tutorials use too: Case with the reading, and the files.
 """
 
+import importlib.util
 import os
 import re
 import shutil
@@ -183,6 +184,16 @@ def controlDict(endTime, writeInterval, maxCo=None, deltaT=None, functions=None,
         "writeFormat": writeFormat, "writePrecision": 16,
         "writeCompression": "off", "timeFormat": "general", "timePrecision": 12,
         "runTimeModifiable": False, "functions": functions or {}}
+
+
+def testModule(name, group):
+    """A test of tests/cases as a module; the cases that it makes are those of a group."""
+    path = os.path.join(os.path.dirname(__file__), "../cases", name, "test.py")
+    spec = importlib.util.spec_from_file_location(name, path)
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    made.FoamCase = lambda _, case, template=None: FoamCase(group, f"{name}-{case}", template)
+    return made
 
 
 def runParts(case, *parts):

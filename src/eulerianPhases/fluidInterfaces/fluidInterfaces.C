@@ -194,7 +194,7 @@ void Foam::mpm::fluidInterfaces::setInterfaces(const contents& of)
         most_[i] = max(most_[i], q);
         traces_[i] = traces_[i] && isTrace(q);
     };
-    for (label f = 0; f < nInternal; ++f)
+    for (label f = 0; n && f < nInternal; ++f)
     {
         const label P = own[f], N = nei[f], a = slot_[P], b = slot_[N];
         for (label k = 0; k < nShares_ && (a >= 0 || b >= 0); ++k)
@@ -420,6 +420,11 @@ void Foam::mpm::fluidInterfaces::setTransverse(
     const labelUList& nei = mesh.faceNeighbour();
     transverse_.setSize(nShares_ * cells_.size());
     transverse_ = Zero;
+    room_.setSize(cells_.size());
+    if (cells_.empty())
+    {
+        return;
+    }
 
     // What comes into cell c, which has the shares there
     const auto add = [&](const label f, const label c, const scalar in, const scalar* there)
@@ -453,7 +458,6 @@ void Foam::mpm::fluidInterfaces::setTransverse(
             }
         }
     }
-    room_.setSize(cells_.size());
     forAll(cells_, s)
     {
         const label c = cells_[s];

@@ -13,7 +13,6 @@
     wrong    messages
 """
 
-import importlib.util
 import os
 import re
 import shutil
@@ -24,7 +23,7 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
 from blockInGas import blockInGas
-from foamCase import FoamCase, RunFailed, readInternal, runParts
+from foamCase import FoamCase, RunFailed, readInternal, runParts, testModule
 from gasCases import labels, volField
 from mpm.files import Points
 
@@ -33,14 +32,7 @@ RANDOM = {"maxImbalance": 1, "worth": 0, "method": "random"}
 
 
 def module(name):
-    """A test of tests/cases, whose cases are made here."""
-    path = os.path.join(HERE, "..", name, "test.py")
-    spec = importlib.util.spec_from_file_location(name, path)
-    made = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(made)
-    made.FoamCase = lambda group, case, template=None: FoamCase(
-        "loadBalance", f"{name}-{case}", template)
-    return made
+    return testModule(name, "loadBalance")
 
 
 def balanced(case, interval, split=(3, 1, 1), name="moved", **entries):

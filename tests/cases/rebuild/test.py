@@ -12,7 +12,6 @@
                 was rebuilt 6 times
 """
 
-import importlib.util
 import os
 import re
 import shutil
@@ -24,7 +23,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
 from blockInGas import blockInGas
 from coupledCases import ambient, coupledCase
-from foamCase import RUN, FoamCase, runParts
+from foamCase import RUN, FoamCase, runParts, testModule
 from gasCases import WALL, gasCase
 from plates import plateCase
 
@@ -32,14 +31,7 @@ CONTROL = "system/controlDict"
 
 
 def module(name):
-    """A test of tests/cases, whose cases are made here."""
-    path = os.path.join(HERE, "..", name, "test.py")
-    spec = importlib.util.spec_from_file_location(name, path)
-    made = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(made)
-    made.FoamCase = lambda group, case, template=None: FoamCase(
-        "rebuild", f"{name}-{case}", template)
-    return made
+    return testModule(name, "rebuild")
 
 
 def again(case, interval, name="rebuilt"):
