@@ -6,77 +6,9 @@
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
 #include "largestOfAll.H"
+#include "ownedFields.H"
 #include "Time.H"
 #include <cmath>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Fields that the mesh owns, results of function objects
-struct ownedFields
-{
-    mpm::fieldStates states;
-    HashTable<IOobject::writeOption> options;
-
-    //- Name and class of each
-    DynamicList<Tuple2<word, word>> types;
-
-    template<class Type>
-    void take(const fvMesh& mesh)
-    {
-        typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
-        for (const word& name : mesh.sortedNames<fieldType>())
-        {
-            fieldType* field = mesh.getObjectPtr<fieldType>(name);
-            if (field->ownedByRegistry())
-            {
-                states.set(name, mpm::fieldDictionary(*field));
-                options.set(name, field->writeOpt());
-                types.append(Tuple2<word, word>(name, fieldType::typeName));
-                field->checkOut();
-            }
-        }
-    }
-
-    template<class Type>
-    void make(const fvMesh& mesh) const
-    {
-        typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
-        for (const Tuple2<word, word>& of : types)
-        {
-            if (of.second() == fieldType::typeName)
-            {
-                const word& name = of.first();
-                fieldType* field = new fieldType(
-                    IOobject(name, mesh.time().timeName(), mesh, IOobject::NO_READ, options[name]),
-                    mesh, states[name]);
-                regIOobject::store(field);
-            }
-        }
-    }
-
-    void take(const fvMesh& mesh)
-    {
-        take<scalar>(mesh);
-        take<vector>(mesh);
-        take<symmTensor>(mesh);
-        take<tensor>(mesh);
-    }
-
-    void make(const fvMesh& mesh) const
-    {
-        make<scalar>(mesh);
-        make<vector>(mesh);
-        make<symmTensor>(mesh);
-        make<tensor>(mesh);
-    }
-};
-
-}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -247,8 +179,7 @@ void Foam::mpm::loadBalance::update(simulation& of)
         const timer t(seconds);
         rowsDistribution rows(mesh_, to);
         simulation::rows state(of.takeDown());
-        ownedFields owned;
-        owned.take(mesh_);
+        ownedFields owned(mesh_);
         const meshDistribution::maps maps(distribution_->move(to));
         rows.move(state, maps);
         rows.move(owned.states, maps);
@@ -256,7 +187,7 @@ void Foam::mpm::loadBalance::update(simulation& of)
         maps.cells.distribute(before_);
         owned.make(mesh_);
         of = simulation(mesh_, std::move(state));
-        distribution_->tellFunctionObjects();
+        maps.change.tellFunctionObjects();
     }
     cost_ = largestOfAll(seconds);
     brought_ = 0;

@@ -16,6 +16,7 @@ Description
 
 #include "fvCFD.H"
 #include "loadBalance.H"
+#include "meshAdaptation.H"
 #include "simulation.H"
 #include "timeStepControl.H"
 #include "fatalMessages.H"
@@ -57,6 +58,8 @@ int main(int argc, char* argv[])
     Info << "\nStarting time loop\n" << endl;
 
     mpm::loadBalance balance(mesh);
+    mpm::meshAdaptation adaptation(mesh);
+    adaptation.update(simulation);
     control.setDeltaT();
     while (runTime.run())
     {
@@ -64,6 +67,7 @@ int main(int argc, char* argv[])
         {
             simulation = mpm::simulation(mesh, simulation.takeDown());
         }
+        adaptation.update(simulation);
         balance.update(simulation);
         simulation.readModified();
 
@@ -113,6 +117,7 @@ int main(int argc, char* argv[])
         {
             simulation.write();
             balance.write();
+            adaptation.write();
         }
         runTime.write();
         if (runTime.writeTime())
@@ -123,6 +128,7 @@ int main(int argc, char* argv[])
         control.setDeltaT();
     }
     simulation.reportClock();
+    adaptation.report();
     control.end();
 
     return 0;

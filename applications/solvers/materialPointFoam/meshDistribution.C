@@ -3,7 +3,6 @@
 #include "meshDistribution.H"
 #include "cyclicPolyPatch.H"
 #include "ListOps.H"
-#include "mapPolyMesh.H"
 #include "processorCyclicPolyPatch.H"
 #include "PstreamBuffers.H"
 #include "syncTools.H"
@@ -138,7 +137,8 @@ Foam::mpm::meshDistribution::facesOf(const labelList& toProc) const
 }
 
 void Foam::mpm::meshDistribution::setMesh(
-    const newMesh& to, const PtrList<dictionary>& patches, const labelUList& partners)
+    meshChange& change, const newMesh& to, const PtrList<dictionary>& patches,
+    const labelUList& partners)
 {
     const label me = Pstream::myProcNo(), nPatches = patches.size();
 
@@ -171,8 +171,8 @@ void Foam::mpm::meshDistribution::setMesh(
         order.begin(), order.end(),
         [&](const label i, const label j) { return before(places[i], places[j]); });
 
-    autoPtr<faceList> faces(new faceList(order.size()));
-    autoPtr<labelList> owner(new labelList(order.size()));
+    faceList faces(order.size());
+    labelList owner(order.size());
     DynamicList<label> inside(order.size());
     labelList size(nPatches, 0);
     faces_.setSize(order.size());
@@ -186,13 +186,13 @@ void Foam::mpm::meshDistribution::setMesh(
         const sentFace& s = to.faces[order[f]];
         const place& at = places[order[f]];
         const bool turned = s.patch < 0 && s.p != me;
-        face& of = faces()[f];
+        face& of = faces[f];
         of = face(placesIn(to.points, s.points));
         if (turned)
         {
             of.flip();
         }
-        owner()[f] = turned ? s.b : s.a;
+        owner[f] = turned ? s.b : s.a;
         faces_[f] = (turned ? -1 : 1) * (s.number + 1);
         if (at[0] < 0)
         {
@@ -211,83 +211,52 @@ void Foam::mpm::meshDistribution::setMesh(
             ++others.last().size;
         }
     }
-    owner() = placesIn(to.cells, owner());
-    autoPtr<labelList> neighbour(new labelList(placesIn(to.cells, inside)));
-
-    label start = inside.size();
-    mesh_.clearOut();
-    mesh_.removeFvBoundary();
-    mesh_.resetPrimitives(
-        autoPtr<pointField>(new pointField(to.x)), std::move(faces), std::move(owner),
-        std::move(neighbour), labelList(), labelList(), true);
-    const polyBoundaryMesh& boundary = mesh_.boundaryMesh();
-    PtrList<polyPatch> list(nPatches + others.size());
+    owner = placesIn(to.cells, owner);
+    labelList neighbour(placesIn(to.cells, inside));
+    change.set(
+        pointField(to.x), std::move(faces), std::move(owner), std::move(neighbour));
+    const label n = nPatches + others.size();
+    wordList names(n);
+    PtrList<dictionary> dicts(n);
+    size.setSize(n);
     const word at("At" + Foam::name(mesh_.time().timeIndex()));
-    forAll(list, i)
+    forAll(names, i)
     {
-        const between* other = i < nPatches ? nullptr : &others[i - nPatches];
-        const label n = other ? other->size : size[i];
-        word name(other ? processorPolyPatch::newName(me, other->proc) : patches[i].dictName());
-        dictionary dict(other ? dictionary() : patches[i]);
-        if (other)
+        if (i < nPatches)
         {
-            const bool through = other->patch >= 0;
-            name += (through ? "through" + list[other->patch].name() : word()) + at;
-            dict.set("type", word(through ? "processorCyclic" : "processor"));
-            dict.set("myProcNo", me);
-            dict.set("neighbProcNo", other->proc);
-            if (through)
-            {
-                dict.set("referPatch", list[other->patch].name());
-            }
+            names[i] = patches[i].dictName();
+            dicts.set(i, new dictionary(patches[i]));
+            continue;
         }
-        dict.set("nFaces", n);
-        dict.set("startFace", start);
-        list.set(i, polyPatch::New(name, dict, i, boundary));
-        start += n;
+        const between& other = others[i - nPatches];
+        const bool through = other.patch >= 0;
+        names[i] = processorPolyPatch::newName(me, other.proc)
+            + (through ? "through" + names[other.patch] : word()) + at;
+        dicts.set(i, new dictionary());
+        dicts[i].set("type", word(through ? "processorCyclic" : "processor"));
+        dicts[i].set("myProcNo", me);
+        dicts[i].set("neighbProcNo", other.proc);
+        if (through)
+        {
+            dicts[i].set("referPatch", names[other.patch]);
+        }
+        size[i] = other.size;
     }
+    change.setPatches(names, dicts, size);
     cells_ = to.cells;
     points_ = to.points;
     patches_.setSize(nPatches);
-    patches_.setSize(list.size(), -1);
-    mesh_.addFvPatches(list);
-}
-
-void Foam::mpm::meshDistribution::dropFields()
-{
-    for (const word& name : mesh_.sortedNames())
-    {
-        regIOobject* io = mesh_.getObjectPtr<regIOobject>(name);
-        if (io && io->ownedByRegistry() && io->type().ends_with("Field"))
-        {
-            io->checkOut();
-        }
-    }
-}
-
-void Foam::mpm::meshDistribution::setZones(const wordList& names, const List<boolList>& cells)
-{
-    mesh_.pointZones().clear();
-    mesh_.faceZones().clear();
-    mesh_.cellZones().clear();
-    List<cellZone*> zones(names.size());
-    forAll(zones, i)
-    {
-        labelList in(findIndices(cells[i], true));
-        zones[i] = new cellZone(names[i], in, i, mesh_.cellZones());
-    }
-    mesh_.addZones(List<pointZone*>(), List<faceZone*>(), zones);
+    patches_.setSize(n, -1);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::meshDistribution::meshDistribution(fvMesh& mesh) :
+Foam::mpm::meshDistribution::meshDistribution(polyMesh& mesh) :
     mesh_(mesh),
     cells_(read("cellProcAddressing", mesh.nCells())),
     points_(read("pointProcAddressing", mesh.nPoints())),
     faces_(read("faceProcAddressing", mesh.nFaces())),
-    patches_(read("boundaryProcAddressing", mesh.boundaryMesh().size())),
-    before_(Zero)
+    patches_(read("boundaryProcAddressing", mesh.boundaryMesh().size()))
 {
 }
 
@@ -296,17 +265,11 @@ Foam::mpm::meshDistribution::meshDistribution(fvMesh& mesh) :
 Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelList& toProc)
 {
     const label n = Pstream::nProcs(), nPatches = mesh_.boundaryMesh().nNonProcessor();
-    dropFields();
-    before_ = {mesh_.nCells(), mesh_.nFaces(), mesh_.nPoints()};
-    PtrList<dictionary> patches(nPatches);
+    PtrList<dictionary> patches(meshChange::patches(mesh_, nPatches));
     labelList partners(nPatches, -1);
-    forAll(patches, i)
+    forAll(partners, i)
     {
         const polyPatch& pp = mesh_.boundaryMesh()[i];
-        OStringStream os;
-        os << pp;
-        IStringStream is(os.str());
-        patches.set(i, new dictionary(pp.name(), dictionary(), is));
         if (isA<cyclicPolyPatch>(pp))
         {
             partners[i] = refCast<const cyclicPolyPatch>(pp).neighbPatchID();
@@ -383,17 +346,17 @@ Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelL
     {
         UIndirectList<bool>(inZones[i], mesh_.cellZones()[i]) = true;
     }
-    maps m;
+    maps m{{}, {}, {}, meshChange(mesh_)};
     m.cells = mapDistribute(to.cells.size(), std::move(toCells), std::move(cellPlaces));
     m.points = mapDistribute(to.points.size(), std::move(toPoints), std::move(pointPlaces));
     to.x = mesh_.points();
     m.points.distribute(to.x);
-    setMesh(to, patches, partners);
+    setMesh(m.change, to, patches, partners);
     for (boolList& in : inZones)
     {
         m.cells.distribute(in);
     }
-    setZones(zones, inZones);
+    m.change.setZones(zones, inZones);
 
     // Faces by the order of the new mesh
     Map<label> faceAt(2 * faces_.size());
@@ -411,21 +374,6 @@ Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelL
     }
     m.faces = mapDistribute(faces_.size(), std::move(toFaces), std::move(facePlaces));
     return m;
-}
-
-void Foam::mpm::meshDistribution::tellFunctionObjects() const
-{
-    // Nothing is where it was
-    const List<objectMap> none;
-    const labelListList noZones;
-    const auto lost = [](const label n) { return labelList(n, label(-1)); };
-    const mapPolyMesh map(
-        mesh_, before_[2], before_[1], before_[0], lost(mesh_.nPoints()), none,
-        lost(mesh_.nFaces()), none, none, none, lost(mesh_.nCells()), none, none, none, none,
-        lost(before_[2]), lost(before_[1]), lost(before_[0]), labelHashSet(), labelListList(),
-        noZones, noZones, noZones, noZones, pointField(), labelList(), labelList(),
-        autoPtr<scalarField>());
-    const_cast<Time&>(mesh_.time()).functionObjects().updateMesh(map);
 }
 
 void Foam::mpm::meshDistribution::write()

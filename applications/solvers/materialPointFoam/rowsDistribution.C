@@ -6,38 +6,6 @@
 #include "PstreamBuffers.H"
 #include "Tuple2.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Components of a list by its tokens; 0: it is none
-label componentsOf(ITstream& is)
-{
-    if (is.size() < 2 || !is[0].isWord())
-    {
-        return 0;
-    }
-    if (is[0].wordToken() == "uniform")
-    {
-        return is[1].isPunctuation() ? is.size() - 3 : label(1);
-    }
-    if (is[0].wordToken() != "nonuniform" || !is[1].isCompound())
-    {
-        return 0;
-    }
-    const word& type = is[1].compoundToken().type();
-    return type == token::Compound<List<scalar>>::typeName    ? 1
-        : type == token::Compound<List<vector>>::typeName     ? 3
-        : type == token::Compound<List<symmTensor>>::typeName ? 6
-        : type == token::Compound<List<tensor>>::typeName     ? 9
-                                                              : 0;
-}
-
-}
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::HashTable<Foam::label> Foam::mpm::rowsDistribution::lists(const dictionary& dict)
@@ -231,6 +199,28 @@ Foam::mpm::rowsDistribution::rowsDistribution(const fvMesh& mesh, const labelLis
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::mpm::rowsDistribution::componentsOf(ITstream& is)
+{
+    if (is.size() < 2 || !is[0].isWord())
+    {
+        return 0;
+    }
+    if (is[0].wordToken() == "uniform")
+    {
+        return is[1].isPunctuation() ? is.size() - 3 : label(1);
+    }
+    if (is[0].wordToken() != "nonuniform" || !is[1].isCompound())
+    {
+        return 0;
+    }
+    const word& type = is[1].compoundToken().type();
+    return type == token::Compound<List<scalar>>::typeName    ? 1
+        : type == token::Compound<List<vector>>::typeName     ? 3
+        : type == token::Compound<List<symmTensor>>::typeName ? 6
+        : type == token::Compound<List<tensor>>::typeName     ? 9
+                                                              : 0;
+}
 
 void Foam::mpm::rowsDistribution::move(simulation::rows& rows, const meshDistribution::maps& map)
 {

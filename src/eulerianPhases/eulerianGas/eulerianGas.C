@@ -295,7 +295,7 @@ void Foam::mpm::eulerianGas::start(const fieldStates* states)
         change = d < GREAT ? max(change, d) : GREAT;
     }
     reduce(change, maxOp<scalar>());
-    if (!(change < 1e-6))
+    if (!states && !(change < 1e-6))
     {
         FatalErrorInFunction << "Field p of time " << mesh_.time().timeName()
                              << " differs by up to " << change << " of its value from the"

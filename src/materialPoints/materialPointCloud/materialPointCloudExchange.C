@@ -283,6 +283,9 @@ Foam::label Foam::mpm::materialPointCloud::setRows(const pointRows& rows)
     if (cell.size() != n)
     {
         cell = labelList(n, label(-1));
+    }
+    if (n && min(cell) < 0)
+    {
         findCells(x, cell);
     }
     order(cell);

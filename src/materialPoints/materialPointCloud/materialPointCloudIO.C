@@ -372,6 +372,7 @@ void Foam::mpm::materialPointCloud::readPositions(labelList& cell)
                              << exit(FatalError);
     }
 
+    cell = -1;
     findCells(x, cell);
 }
 
@@ -381,6 +382,11 @@ void Foam::mpm::materialPointCloud::findCells(const UList<point>& x, labelList& 
     label near = -1;
     forAll(cell, p)
     {
+        if (cell[p] >= 0)
+        {
+            continue;
+        }
+        near = cell[p] < -1 ? -2 - cell[p] : near;
         scalar xp[3];
         for (int d = 0; d < D; ++d)
         {

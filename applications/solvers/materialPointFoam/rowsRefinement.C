@@ -1,0 +1,354 @@
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
+
+#include "rowsRefinement.H"
+#include "rowsDistribution.H"
+#include "fieldTypes.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The values of an internal field: densities of the state
+const word internalValues("value");
+
+//- Shares of a cell: fluids, solid
+bool isShare(const word& name)
+{
+    const word member(IOobject::member(name));
+    return member == "alpha" || member == "theta";
+}
+
+//- Impulse: a sum over the cell
+bool isSum(const dictionary& field)
+{
+    dimensionSet d(dimless);
+    return field.readIfPresent("dimensions", d) && d == dimForce * dimTime;
+}
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::mpm::rowsRefinement::components(const dictionary& dict, const word& key)
+{
+    const entry* e = dict.findEntry(key, keyType::LITERAL);
+    if (!e || !e->isStream() || e->stream().empty() || !e->stream()[0].isWord()
+        || e->stream()[0].wordToken() != "nonuniform")
+    {
+        return 0;
+    }
+    return rowsDistribution::componentsOf(e->stream());
+}
+
+template<class Function>
+void Foam::mpm::rowsRefinement::forLists(fieldStates& fields, const Function& f)
+{
+    for (const word& name : fields.sortedToc())
+    {
+        dictionary& field = fields[name];
+        for (const word& key : {word("internalField"), internalValues})
+        {
+            // The same on all processors
+            switch (returnReduce(components(field, key), maxOp<label>()))
+            {
+            case 1:
+                f(name, field, key, pTraits<scalar>::zero);
+                break;
+            case 3:
+                f(name, field, key, vector::zero);
+                break;
+            case 6:
+                f(name, field, key, symmTensor::zero);
+                break;
+            case 9:
+                f(name, field, key, tensor::zero);
+                break;
+            default:
+                break;
+            }
+        }
+    }
+}
+
+template<class Type>
+void Foam::mpm::rowsRefinement::addList(
+    const word& name, const dictionary& field, const word& key)
+{
+    const Field<Type> v(key, field, V_.size());
+    Field<Type> behind;
+    syncTools::swapBoundaryCellList(mesh_, v, behind);
+    for (direction i = 0; i < pTraits<Type>::nComponents; ++i)
+    {
+        values_.append(new scalarField(v.component(i)));
+        gradients_->add(values_.last(), behind.component(i), isShare(name));
+    }
+}
+
+void Foam::mpm::rowsRefinement::makeGradients(const treeLeaves& to)
+{
+    // Centres of the children by the corners of the base cell
+    const polyMesh& base = to.base().mesh();
+    DynamicList<label> cells;
+    DynamicList<DynamicList<vector>> children;
+    for (label c = 0; c < to.size(); ++c)
+    {
+        if (!isPart(c))
+        {
+            continue;
+        }
+        const label old = from_[c][0];
+        if (cells.empty() || cells.last() != old)
+        {
+            cells.append(old);
+            children.append(DynamicList<vector>());
+        }
+        const baseHexes::hex& h = to.base()[to.cell()[c]];
+        point x(Zero);
+        for (label i = 0; i < 8; ++i)
+        {
+            scalar weight = 1;
+            for (label a = 0; a < 3; ++a)
+            {
+                const scalar at = (to.at(c)[a] + 0.5 * to.width(c, a)) / treeLeaves::full;
+                weight *= (i >> a) & 1 ? at : 1 - at;
+            }
+            x += weight * base.points()[h.corners[i]];
+        }
+        children.last().append(x - mesh_.cellCentres()[old]);
+    }
+    gradients_.reset(
+        new childGradients(mesh_, cells, List<DynamicList<vector>>(std::move(children))));
+}
+
+template<class Type>
+void Foam::mpm::rowsRefinement::moveList(dictionary& field, const word& key)
+{
+    Field<Type> before(V_.size());
+    for (direction i = 0; i < pTraits<Type>::nComponents; ++i)
+    {
+        before.replace(i, values_[next_ + i]);
+    }
+    const bool sum = isSum(field), density = key == internalValues && !sum;
+    const scalarField& V = mesh_.V();
+    const vectorField& C = mesh_.C();
+    Field<Type> now(from_.size());
+    for (label c = 0; c < from_.size(); ++c)
+    {
+        const label old = from_[c][0];
+        if (from_[c][1] > old + 1)
+        {
+            // Put together
+            Type q(Zero);
+            for (label o = old; o < from_[c][1]; ++o)
+            {
+                q += (sum ? 1 : V_[o]) * before[o];
+            }
+            scalar all = 0;
+            for (label o = old; o < from_[c][1]; ++o)
+            {
+                all += V_[o];
+            }
+            now[c] = sum ? q : q / (density ? V[c] : all);
+            continue;
+        }
+        label last = c;
+        while (last + 1 < from_.size() && from_[last + 1] == from_[c])
+        {
+            ++last;
+        }
+        scalar all = 0;
+        vector x(Zero);
+        for (label n = c; n <= last; ++n)
+        {
+            all += V[n];
+            x += V[n] * C[n];
+        }
+        x /= all;
+        for (label n = c; n <= last; ++n)
+        {
+            now[n] = before[old];
+            for (direction i = 0; last > c && i < pTraits<Type>::nComponents; ++i)
+            {
+                setComponent(now[n], i) += (*gradients_)(next_ + i, old) & (C[n] - x);
+            }
+            now[n] *= sum ? V[n] / all : density ? V_[old] / all : 1;
+        }
+        c = last;
+    }
+    next_ += pTraits<Type>::nComponents;
+    field.merge(writtenDictionary([&](Ostream& os) { now.writeEntry(key, os); }));
+}
+
+void Foam::mpm::rowsRefinement::mapFaces()
+{
+    // A new face and those of before on the same base face, by their cells
+    Map<Pair<label>> onBase(2 * baseFace_.size());
+    forAll(baseFace_, i)
+    {
+        Pair<label>& range = onBase(baseFace_[i]);
+        range = i > 0 && baseFace_[i - 1] == baseFace_[i] ? Pair<label>(range[0], i + 1)
+                                                         : Pair<label>(i, i + 1);
+    }
+    const labelList& now = adaptive_.baseFace();
+    fromFaces_.setSize(now.size());
+    forAll(now, i)
+    {
+        const Pair<label>& cells = from_[mesh_.faceOwner()[mesh_.nInternalFaces() + i]];
+        DynamicList<label> from;
+        const Pair<label> range(onBase[now[i]]);
+        for (label o = range[0]; o < range[1]; ++o)
+        {
+            if (owner_[o] >= cells[0] && owner_[o] < cells[1])
+            {
+                from.append(o);
+            }
+        }
+        fromFaces_[i].transfer(from);
+    }
+}
+
+template<class Type>
+void Foam::mpm::rowsRefinement::moveFaces(
+    dictionary& patch, const word& key, const label patchi) const
+{
+    const Field<Type> before(key, patch, size_[patchi]);
+    const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+    Field<Type> now(pp.size(), Zero);
+    forAll(now, i)
+    {
+        const labelList& from = fromFaces_[pp.start() - mesh_.nInternalFaces() + i];
+        for (const label o : from)
+        {
+            now[i] += before[o - start_[patchi]] / scalar(from.size());
+        }
+    }
+    patch.merge(writtenDictionary([&](Ostream& os) { now.writeEntry(key, os); }));
+}
+
+void Foam::mpm::rowsRefinement::moveBoundary(dictionary& field) const
+{
+    if (!field.found("boundaryField"))
+    {
+        return;
+    }
+    dictionary& all = field.subDict("boundaryField");
+    forAll(mesh_.boundaryMesh(), patchi)
+    {
+        const word& name = mesh_.boundaryMesh()[patchi].name();
+        if (!all.found(name))
+        {
+            continue;
+        }
+        dictionary& patch = all.subDict(name);
+        for (const word& key : patch.toc())
+        {
+            switch (components(patch, key))
+            {
+            case 1:
+                moveFaces<scalar>(patch, key, patchi);
+                break;
+            case 3:
+                moveFaces<vector>(patch, key, patchi);
+                break;
+            case 6:
+                moveFaces<symmTensor>(patch, key, patchi);
+                break;
+            case 9:
+                moveFaces<tensor>(patch, key, patchi);
+                break;
+            default:
+                break;
+            }
+        }
+    }
+}
+
+void Foam::mpm::rowsRefinement::movePoints(pointRows& rows) const
+{
+    labelList now(V_.size());
+    forAll(from_, c)
+    {
+        for (label o = from_[c][0]; o < from_[c][1]; ++o)
+        {
+            // In one of several: -2 - a cell nearby
+            now[o] = isPart(c) ? -2 - c : c;
+        }
+    }
+    for (label& c : rows.cells)
+    {
+        c = now[c];
+    }
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::rowsRefinement::rowsRefinement(
+    const fvMesh& mesh, const adaptiveMesh& adaptive, const treeLeaves& to, simulation::rows& rows,
+    fieldStates& others) :
+    mesh_(mesh),
+    adaptive_(adaptive),
+    from_(to.sources(adaptive.leaves())),
+    start_(mesh.boundaryMesh().size()),
+    size_(start_.size()),
+    baseFace_(adaptive.baseFace()),
+    owner_(SubList<label>(
+        mesh.faceOwner(), mesh.nFaces() - mesh.nInternalFaces(), mesh.nInternalFaces())),
+    V_(mesh.V().field()),
+    next_(0)
+{
+    forAll(start_, patchi)
+    {
+        start_[patchi] = mesh.boundaryMesh()[patchi].start() - mesh.nInternalFaces();
+        size_[patchi] = mesh.boundaryMesh()[patchi].size();
+    }
+    makeGradients(to);
+    const auto add = [&](const word& name, const dictionary& field, const word& key, const auto& as)
+    { addList<typename std::decay<decltype(as)>::type>(name, field, key); };
+    for (fieldStates* fields : {&rows.gas, &rows.points.cellFields, &others})
+    {
+        forLists(*fields, add);
+    }
+    forAllConstIters(rows.points.pointFields, iter)
+    {
+        for (const entry& e : iter.val().subDict("boundaryField"))
+        {
+            for (const word& key : e.dict().toc())
+            {
+                if (components(e.dict(), key))
+                {
+                    FatalIOErrorInFunction(e.dict())
+                        << "Entry " << key << " of " << iter.key() << " on patch " << e.keyword()
+                        << " is a list of values at points of the mesh; with an adaptive mesh it"
+                        << " must be uniform, or a function of time and place."
+                        << exit(FatalIOError);
+                }
+            }
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::mpm::rowsRefinement::move(simulation::rows& rows, fieldStates& others)
+{
+    mapFaces();
+    next_ = 0;
+    const auto moveCells = [&](const word&, dictionary& field, const word& key, const auto& as)
+    { moveList<typename std::decay<decltype(as)>::type>(field, key); };
+    for (fieldStates* fields : {&rows.gas, &rows.points.cellFields, &others})
+    {
+        forLists(*fields, moveCells);
+        forAllIters(*fields, iter) { moveBoundary(iter.val()); }
+    }
+    forAllIters(rows.points.points, iter) { movePoints(iter.val()); }
+    forAllIters(rows.points.pointFields, iter)
+    {
+        iter.val().merge(
+            writtenDictionary([](Ostream& os) { os << "internalField uniform (0 0 0);"; }));
+    }
+    rows.places = meshPlaces(mesh_);
+}

@@ -1,0 +1,296 @@
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
+
+#include "adaptiveMesh.H"
+#include "refinedMesh.H"
+#include "dictionaryTools.H"
+#include "labelIOList.H"
+#include "syncTools.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+IOobject levelHeader(const polyMesh& mesh, const IOobject::readOption read)
+{
+    return IOobject(
+        "cellLevel", mesh.facesInstance(), polyMesh::meshSubDir, mesh, read, IOobject::NO_WRITE,
+        false);
+}
+
+//- Objects of the base mesh lie under the region base
+IOobject baseHeader(const polyMesh& mesh, const IOobject::readOption read)
+{
+    const Time& time = mesh.time();
+    return IOobject(
+        "base", read == IOobject::NO_READ ? mesh.facesInstance() : fileName(time.timeName()), time, read,
+        IOobject::NO_WRITE);
+}
+
+}
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::mpm::adaptiveMesh::readSettings()
+{
+    const IOdictionary dict(IOobject(
+        "adaptiveMeshDict", mesh_.time().system(), mesh_.time(), IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE, false));
+    if (dict.empty())
+    {
+        return false;
+    }
+    checkKeywords(dict, {"maxLevel", "refine", "buffer", "keep", "interval"});
+    requireKeyword(dict, "maxLevel");
+    maxLevel_ = boundedLabelOrDefault(dict, "maxLevel", 1, 1, treeLeaves::maxLevel);
+    buffer_ = boundedLabelOrDefault(dict, "buffer", 2, 0, 100);
+    keep_ = boundedLabelOrDefault(dict, "keep", 2, 0, 100);
+    interval_ = boundedLabelOrDefault(dict, "interval", 10, 1, labelMax);
+    const dictionary& refine = requiredDict(dict, "refine");
+    criteria_.setSize(refine.size());
+    label i = 0;
+    for (const entry& e : refine)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(refine)
+                << "Entry " << e.keyword() << " of refine is no dictionary; write  " << e.keyword()
+                << " { type ...; }" << exit(FatalIOError);
+        }
+        criteria_.set(i++, refinementCriterion::New(e.dict(), maxLevel_));
+    }
+    if (criteria_.empty())
+    {
+        FatalIOErrorInFunction(refine) << "There are no criteria." << exit(FatalIOError);
+    }
+    return true;
+}
+
+void Foam::mpm::adaptiveMesh::readBase()
+{
+    labelIOList levels(levelHeader(mesh_, IOobject::READ_IF_PRESENT));
+    const bool refined = returnReduce(levels.size() > 0, orOp<bool>());
+    baseWritten_ = refined;
+    if (refined)
+    {
+        if (returnReduce(levels.size() != mesh_.nCells(), orOp<bool>()))
+        {
+            FatalErrorInFunction
+                << "File " << levels.objectPath() << " has " << levels.size()
+                << " levels, the mesh has " << mesh_.nCells() << " cells: it is of another mesh."
+                << " Remove it, or make the mesh anew." << exit(FatalError);
+        }
+        base_.reset(new polyMesh(baseHeader(mesh_, IOobject::MUST_READ)));
+    }
+    else
+    {
+        levels.setSize(mesh_.nCells(), 0);
+        levels = 0;
+        base_.reset(new polyMesh(
+            baseHeader(mesh_, IOobject::NO_READ), pointField(mesh_.points()),
+            faceList(mesh_.faces()), labelList(mesh_.faceOwner()),
+            labelList(mesh_.faceNeighbour())));
+        PtrList<polyPatch> patches(mesh_.boundaryMesh().size());
+        forAll(patches, i)
+        {
+            patches.set(i, mesh_.boundaryMesh()[i].clone(base_->boundaryMesh()));
+        }
+        base_->addPatches(patches);
+        List<boolList> in(mesh_.cellZones().size(), boolList(mesh_.nCells(), false));
+        forAll(in, i)
+        {
+            UIndirectList<bool>(in[i], mesh_.cellZones()[i]) = true;
+        }
+        meshChange(base_()).setZones(mesh_.cellZones().names(), in);
+    }
+    hexes_.reset(new baseHexes(base_()));
+    leaves_.reset(new treeLeaves(hexes_(), levels));
+    if (refined)
+    {
+        refinedMesh made(leaves_());
+        baseFace_.transfer(made.made().baseFace);
+    }
+    else
+    {
+        baseFace_ = identity(
+            base_->nFaces() - base_->nInternalFaces(), base_->nInternalFaces());
+    }
+}
+
+void Foam::mpm::adaptiveMesh::spread(labelList& levels, const label less) const
+{
+    labelList atPoint(mesh_.nPoints(), labelMin);
+    const label nInternal = mesh_.nInternalFaces();
+    forAll(mesh_.faces(), f)
+    {
+        const label own = levels[mesh_.faceOwner()[f]];
+        const label l = f < nInternal ? max(own, levels[mesh_.faceNeighbour()[f]]) : own;
+        for (const label p : mesh_.faces()[f])
+        {
+            atPoint[p] = max(atPoint[p], l);
+        }
+    }
+    syncTools::syncPointList(mesh_, atPoint, maxEqOp<label>(), labelMin);
+    forAll(mesh_.faces(), f)
+    {
+        label l = labelMin;
+        for (const label p : mesh_.faces()[f])
+        {
+            l = max(l, atPoint[p]);
+        }
+        label& own = levels[mesh_.faceOwner()[f]];
+        own = max(own, l - less);
+        if (f < nInternal)
+        {
+            label& other = levels[mesh_.faceNeighbour()[f]];
+            other = max(other, l - less);
+        }
+    }
+}
+
+bool Foam::mpm::adaptiveMesh::keepBrothers(labelList& wanted) const
+{
+    bool any = false;
+    boolList goes(wanted.size(), false);
+    for (label c = 0; c < wanted.size(); ++c)
+    {
+        if (leaves_->isFirstOfBrothers(c))
+        {
+            const label n = hexes_()[leaves_->cell()[c]].nChildren();
+            bool all = true;
+            for (label i = 0; i < n; ++i)
+            {
+                all = all && wanted[c + i] < leaves_->level()[c];
+            }
+            SubList<bool>(goes, n, c) = all;
+        }
+    }
+    forAll(wanted, c)
+    {
+        if (wanted[c] < leaves_->level()[c] && !goes[c])
+        {
+            wanted[c] = leaves_->level()[c];
+            any = true;
+        }
+    }
+    return any;
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::mpm::adaptiveMesh::adaptiveMesh(polyMesh& mesh) :
+    mesh_(mesh),
+    maxLevel_(0),
+    buffer_(0),
+    keep_(0),
+    interval_(0),
+    changed_(false),
+    baseWritten_(false)
+{
+    if (readSettings())
+    {
+        readBase();
+    }
+}
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::labelList Foam::mpm::adaptiveMesh::change(const bool atStart) const
+{
+    labelList wanted(mesh_.nCells(), 0);
+    for (const refinementCriterion& criterion : criteria_)
+    {
+        boolList marked(mesh_.nCells(), false);
+        if (atStart)
+        {
+            criterion.markStart(mesh_, marked);
+        }
+        else
+        {
+            criterion.mark(refCast<const fvMesh>(mesh_), marked);
+        }
+        forAll(marked, c)
+        {
+            wanted[c] = max(wanted[c], marked[c] ? criterion.level() : 0);
+        }
+    }
+    for (label i = 0; i < buffer_; ++i)
+    {
+        spread(wanted, 0);
+    }
+    labelList kept(wanted);
+    for (label i = 0; i < keep_; ++i)
+    {
+        spread(kept, 0);
+    }
+    const labelList& level = leaves_->level();
+    labelList next(level);
+    forAll(next, c)
+    {
+        next[c] += wanted[c] > level[c] ? 1 : kept[c] < level[c] ? -1 : 0;
+    }
+    bool again = true;
+    while (again)
+    {
+        const bool brothers = keepBrothers(next);
+        const labelList before(next);
+        spread(next, 1);
+        again = returnReduce(brothers || before != next, orOp<bool>());
+    }
+    forAll(next, c)
+    {
+        next[c] -= level[c];
+    }
+    return next;
+}
+
+Foam::mpm::meshChange Foam::mpm::adaptiveMesh::make(autoPtr<treeLeaves>&& leaves)
+{
+    leaves_ = std::move(leaves);
+    refinedMesh made(leaves_());
+    refinedMesh::primitives& p = made.made();
+    baseFace_.transfer(p.baseFace);
+    meshChange to(mesh_);
+    to.set(std::move(p.points), std::move(p.faces), std::move(p.owner), std::move(p.neighbour));
+    PtrList<dictionary> patches(meshChange::patches(base_()));
+    to.setPatches(base_->boundaryMesh().names(), patches, p.patchSizes);
+
+    const cellZoneMesh& zones = base_->cellZones();
+    List<boolList> in(zones.size(), boolList(mesh_.nCells(), false));
+    forAll(zones, i)
+    {
+        boolList inBase(base_->nCells(), false);
+        UIndirectList<bool>(inBase, zones[i]) = true;
+        forAll(in[i], c)
+        {
+            in[i][c] = inBase[leaves_->cell()[c]];
+        }
+    }
+    to.setZones(zones.names(), in);
+    changed_ = true;
+    return to;
+}
+
+void Foam::mpm::adaptiveMesh::write(const fileName& instance)
+{
+    if (!changed_)
+    {
+        return;
+    }
+    if (!baseWritten_)
+    {
+        const fileName first(base_->facesInstance());
+        base_->setInstance(first);
+        base_->write();
+        base_->setInstance(first, IOobject::NO_WRITE);
+        baseWritten_ = true;
+    }
+    mesh_.setInstance(instance);
+    mesh_.write();
+    mesh_.setInstance(instance, IOobject::NO_WRITE);
+    labelIOList(levelHeader(mesh_, IOobject::NO_READ), leaves_->level()).write();
+    changed_ = false;
+}
