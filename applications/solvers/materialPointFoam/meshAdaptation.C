@@ -19,24 +19,22 @@ Foam::mpm::meshAdaptation::meshAdaptation(fvMesh& mesh) :
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::mpm::meshAdaptation::change(simulation& of)
+void Foam::mpm::meshAdaptation::change(simulation& of, autoPtr<treeLeaves>&& to)
 {
-    const labelList change(adaptive_.change(false));
-    autoPtr<treeLeaves> to(adaptive_.changed(change));
-    if (!returnReduce(to->level() != adaptive_.leaves().level(), orOp<bool>()))
-    {
-        return false;
-    }
     simulation::rows state(of.takeDown());
     ownedFields owned(mesh_);
-    rowsRefinement rows(mesh_, adaptive_, to(), state, owned.states);
-    meshChange changed(adaptive_.make(std::move(to)));
-    rows.move(state, owned.states);
+    const label nCells = mesh_.nCells(), nFaces = mesh_.nFaces(), nPoints = mesh_.nPoints();
+    while (to.valid())
+    {
+        rowsRefinement rows(mesh_, adaptive_, to(), state, owned.states);
+        adaptive_.make(std::move(to));
+        rows.move(state, owned.states);
+        to = adaptive_.next();
+    }
     owned.make(mesh_);
     of = simulation(mesh_, std::move(state));
-    changed.tellFunctionObjects();
+    meshChange(mesh_, nCells, nFaces, nPoints).tellFunctionObjects();
     ++nChanges_;
-    return true;
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -51,15 +49,17 @@ void Foam::mpm::meshAdaptation::update(simulation& of)
     }
     look_ = now;
     const timer t(seconds_);
-    label n = 0;
-    while (n < (first ? adaptive_.maxLevel() : 1) && change(of))
+
+    // At the start fields show what they need when cells are fine
+    for (label i = 0; i < (first ? adaptive_.maxLevel() : 1) && adaptive_.look(false, first); ++i)
     {
-        ++n;
-    }
-    if (n)
-    {
-        Info << "Adaptive mesh: " << returnReduce(mesh_.nCells(), sumOp<label>()) << " cells" << nl
-             << endl;
+        autoPtr<treeLeaves> to(adaptive_.next());
+        if (to.valid())
+        {
+            change(of, std::move(to));
+            Info << "Adaptive mesh: " << returnReduce(mesh_.nCells(), sumOp<label>()) << " cells"
+                 << nl << endl;
+        }
     }
 }
 
@@ -67,6 +67,7 @@ void Foam::mpm::meshAdaptation::report() const
 {
     if (adaptive_.active())
     {
-        Info << "Adaptive mesh: " << nChanges_ << " changes in " << seconds_ << " s" << nl << endl;
+        Info << "Adaptive mesh: " << nChanges_ << " changes, looks and changes took " << seconds_
+             << " s" << nl << endl;
     }
 }

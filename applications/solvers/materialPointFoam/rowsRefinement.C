@@ -280,7 +280,8 @@ void Foam::mpm::rowsRefinement::movePoints(pointRows& rows) const
     }
     for (label& c : rows.cells)
     {
-        c = now[c];
+        const label to = now[c < 0 ? -2 - c : c];
+        c = c < 0 && to >= 0 ? -2 - to : to;
     }
 }
 

@@ -53,12 +53,13 @@ int main(int argc, char* argv[])
     const fileName instance(mesh.facesInstance());
     for (label i = 0; i < adaptive.maxLevel(); ++i)
     {
-        const labelList change(adaptive.change(true));
-        if (max(change) <= 0 && min(change) >= 0)
+        adaptive.look(true, true);
+        autoPtr<treeLeaves> to(adaptive.next());
+        if (to.empty())
         {
             break;
         }
-        adaptive.make(adaptive.changed(change));
+        adaptive.make(std::move(to));
         pointGrid::Delete(mesh);
         Info << "Cells after " << i + 1 << (i ? " times: " : " time:  ") << mesh.nCells() << nl;
     }

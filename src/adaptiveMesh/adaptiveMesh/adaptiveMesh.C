@@ -46,9 +46,9 @@ bool Foam::mpm::adaptiveMesh::readSettings()
     checkKeywords(dict, {"maxLevel", "refine", "buffer", "keep", "interval"});
     requireKeyword(dict, "maxLevel");
     maxLevel_ = boundedLabelOrDefault(dict, "maxLevel", 1, 1, treeLeaves::maxLevel);
-    buffer_ = boundedLabelOrDefault(dict, "buffer", 2, 0, 100);
+    buffer_ = boundedLabelOrDefault(dict, "buffer", 6, 0, 100);
     keep_ = boundedLabelOrDefault(dict, "keep", 2, 0, 100);
-    interval_ = boundedLabelOrDefault(dict, "interval", 10, 1, labelMax);
+    interval_ = boundedLabelOrDefault(dict, "interval", 5, 1, labelMax);
     const dictionary& refine = requiredDict(dict, "refine");
     criteria_.setSize(refine.size());
     label i = 0;
@@ -120,34 +120,58 @@ void Foam::mpm::adaptiveMesh::readBase()
     }
 }
 
-void Foam::mpm::adaptiveMesh::spread(labelList& levels, const label less) const
+void Foam::mpm::adaptiveMesh::spread(labelList& values, const labelUList& less) const
 {
     labelList atPoint(mesh_.nPoints(), labelMin);
+    const faceList& faces = mesh_.faces();
+    const labelList &owner = mesh_.faceOwner(), &neighbour = mesh_.faceNeighbour();
     const label nInternal = mesh_.nInternalFaces();
-    forAll(mesh_.faces(), f)
+    forAll(faces, f)
     {
-        const label own = levels[mesh_.faceOwner()[f]];
-        const label l = f < nInternal ? max(own, levels[mesh_.faceNeighbour()[f]]) : own;
-        for (const label p : mesh_.faces()[f])
+        const label own = values[owner[f]];
+        const label l = f < nInternal ? max(own, values[neighbour[f]]) : own;
+        for (const label p : faces[f])
         {
             atPoint[p] = max(atPoint[p], l);
         }
     }
     syncTools::syncPointList(mesh_, atPoint, maxEqOp<label>(), labelMin);
-    forAll(mesh_.faces(), f)
+    forAll(faces, f)
     {
         label l = labelMin;
-        for (const label p : mesh_.faces()[f])
+        for (const label p : faces[f])
         {
             l = max(l, atPoint[p]);
         }
-        label& own = levels[mesh_.faceOwner()[f]];
-        own = max(own, l - less);
+        values[owner[f]] = max(values[owner[f]], l - less[owner[f]]);
         if (f < nInternal)
         {
-            label& other = levels[mesh_.faceNeighbour()[f]];
-            other = max(other, l - less);
+            values[neighbour[f]] = max(values[neighbour[f]], l - less[neighbour[f]]);
         }
+    }
+}
+
+void Foam::mpm::adaptiveMesh::around(
+    const labelUList& marked, const label level, const label layers, const label fewer,
+    labelList& all, labelList& less) const
+{
+    // Layers of cells of this level: what is left of them behind each cell
+    labelList left(marked.size()), size(marked.size());
+    forAll(left, c)
+    {
+        size[c] = 1 << max(level - leaves_->level()[c], label(0));
+        left[c] = marked[c] >= level ? layers : label(-1000);
+    }
+    for (label i = 0; i < layers; ++i)
+    {
+        spread(left, size);
+    }
+    forAll(left, c)
+    {
+        // The near side lies within them
+        const label near = marked[c] >= level ? layers + 1 : left[c] + size[c];
+        all[c] = max(all[c], near > 0 ? level : 0);
+        less[c] = max(less[c], near > layers - fewer ? level : 0);
     }
 }
 
@@ -198,56 +222,97 @@ Foam::mpm::adaptiveMesh::adaptiveMesh(polyMesh& mesh) :
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::labelList Foam::mpm::adaptiveMesh::change(const bool atStart) const
+bool Foam::mpm::adaptiveMesh::look(const bool atStart, const bool always)
 {
-    labelList wanted(mesh_.nCells(), 0);
+    // Layers that must be fine, and the part of the cells that must be superfluous
+    constexpr label margin = 2;
+    constexpr scalar worth = 0.2;
+
+    labelList marked(mesh_.nCells(), 0), keeps(marked);
     for (const refinementCriterion& criterion : criteria_)
     {
-        boolList marked(mesh_.nCells(), false);
+        scalarField need(mesh_.nCells(), 0);
         if (atStart)
         {
-            criterion.markStart(mesh_, marked);
+            criterion.markStart(mesh_, need);
         }
         else
         {
-            criterion.mark(refCast<const fvMesh>(mesh_), marked);
+            criterion.mark(refCast<const fvMesh>(mesh_), need);
         }
-        forAll(marked, c)
+        forAll(need, c)
         {
-            wanted[c] = max(wanted[c], marked[c] ? criterion.level() : 0);
+            marked[c] = max(marked[c], need[c] >= 1 ? criterion.level() : 0);
+            keeps[c] = max(keeps[c], need[c] > 1.0 / 3 ? criterion.level() : 0);
         }
     }
-    for (label i = 0; i < buffer_; ++i)
+    wanted_ = labelList(marked.size(), 0);
+    kept_ = wanted_;
+    labelList least(wanted_), other(wanted_);
+    labelHashSet levels;
+    for (const refinementCriterion& criterion : criteria_)
     {
-        spread(wanted, 0);
-    }
-    labelList kept(wanted);
-    for (label i = 0; i < keep_; ++i)
-    {
-        spread(kept, 0);
+        if (levels.insert(criterion.level()))
+        {
+            around(marked, criterion.level(), buffer_, min(margin, buffer_), wanted_, least);
+            around(keeps, criterion.level(), buffer_ + keep_, 0, kept_, other);
+        }
     }
     const labelList& level = leaves_->level();
-    labelList next(level);
-    forAll(next, c)
+    scalarList n(3, Zero);
+    forAll(least, c)
     {
-        next[c] += wanted[c] > level[c] ? 1 : kept[c] < level[c] ? -1 : 0;
+        n[0] += least[c] > level[c];
+        n[1] += kept_[c] < level[c];
+        n[2] += 1;
+    }
+    reduce(n, sumOp<scalarList>());
+    return always || n[0] > 0 || n[1] > worth * n[2];
+}
+
+Foam::autoPtr<Foam::mpm::treeLeaves> Foam::mpm::adaptiveMesh::next()
+{
+    const labelList& level = leaves_->level();
+    labelList to(level);
+    forAll(to, c)
+    {
+        to[c] += wanted_[c] > level[c] ? 1 : kept_[c] < level[c] ? -1 : 0;
     }
     bool again = true;
     while (again)
     {
-        const bool brothers = keepBrothers(next);
-        const labelList before(next);
-        spread(next, 1);
-        again = returnReduce(brothers || before != next, orOp<bool>());
+        const bool brothers = keepBrothers(to);
+        const labelList before(to);
+        spread(to, labelList(to.size(), 1));
+        again = returnReduce(brothers || before != to, orOp<bool>());
     }
-    forAll(next, c)
+    bool any = false;
+    forAll(to, c)
     {
-        next[c] -= level[c];
+        to[c] -= level[c];
+        any = any || to[c];
     }
-    return next;
+    autoPtr<treeLeaves> leaves;
+    if (returnReduce(any, orOp<bool>()))
+    {
+        leaves.reset(new treeLeaves(hexes_(), leaves_->changed(to)));
+        const List<Pair<label>> from(leaves->sources(leaves_()));
+        labelList wanted(from.size()), kept(from.size());
+        forAll(from, c)
+        {
+            for (label o = from[c][0]; o < from[c][1]; ++o)
+            {
+                wanted[c] = max(wanted_[o], o > from[c][0] ? wanted[c] : 0);
+                kept[c] = max(kept_[o], o > from[c][0] ? kept[c] : 0);
+            }
+        }
+        wanted_.transfer(wanted);
+        kept_.transfer(kept);
+    }
+    return leaves;
 }
 
-Foam::mpm::meshChange Foam::mpm::adaptiveMesh::make(autoPtr<treeLeaves>&& leaves)
+void Foam::mpm::adaptiveMesh::make(autoPtr<treeLeaves>&& leaves)
 {
     leaves_ = std::move(leaves);
     refinedMesh made(leaves_());
@@ -271,7 +336,6 @@ Foam::mpm::meshChange Foam::mpm::adaptiveMesh::make(autoPtr<treeLeaves>&& leaves
     }
     to.setZones(zones.names(), in);
     changed_ = true;
-    return to;
 }
 
 void Foam::mpm::adaptiveMesh::write(const fileName& instance)

@@ -8,7 +8,13 @@
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::meshChange::meshChange(polyMesh& mesh) :
-    mesh_(mesh), nCells_(mesh.nCells()), nFaces_(mesh.nFaces()), nPoints_(mesh.nPoints())
+    meshChange(mesh, mesh.nCells(), mesh.nFaces(), mesh.nPoints())
+{
+}
+
+Foam::mpm::meshChange::meshChange(
+    polyMesh& mesh, const label nCells, const label nFaces, const label nPoints) :
+    mesh_(mesh), nCells_(nCells), nFaces_(nFaces), nPoints_(nPoints)
 {
 }
 

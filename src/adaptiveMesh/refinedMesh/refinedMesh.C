@@ -33,7 +33,7 @@ void Foam::mpm::refinedMesh::markEdges()
                     continue;
                 }
                 const label A = h.corners[(p << b) | (q << c)];
-                const bool up = A == mesh_.edges()[e].minVertex();
+                const bool up = A == edges_[e].minVertex();
                 for (const label x : {at[a], at[a] + w})
                 {
                     if (x > 0 && x < full)
@@ -99,13 +99,13 @@ void Foam::mpm::refinedMesh::makeSides()
     halved_.setSize(n);
     for (label f = 0; f < n; ++f)
     {
-        const label P = mesh_.faceOwner()[f];
+        const label P = owners_[f];
         const baseHexes::frame& r = frameP_[f] = base_.frameOf(P, f, base_.turned(f));
         halved_[f] = Pair<bool>(base_[P].halved[r.axisU], base_[P].halved[r.axisV]);
         owner_[f] = sideOf(P, f, r);
-        if (mesh_.isInternalFace(f))
+        if (f < nInternal_)
         {
-            const label N = mesh_.faceNeighbour()[f];
+            const label N = neighbours_[f];
             frameN_[f] = base_.frameOf(N, f, false);
             neighbour_[f] = sideOf(N, f, frameN_[f]);
         }
@@ -223,7 +223,7 @@ void Foam::mpm::refinedMesh::makePoints()
     forAll(onEdge_, e)
     {
         edgeStart_[e] = x.size();
-        const edge& of = mesh_.edges()[e];
+        const edge& of = edges_[e];
         for (label i = 1; i < full; ++i)
         {
             if ((onEdge_[e] >> i) & 1u)
@@ -237,7 +237,7 @@ void Foam::mpm::refinedMesh::makePoints()
     {
         markFace(f);
         const label n = 1 << depth(f);
-        const face& of = mesh_.faces()[f];
+        const face& of = faces_[f];
         forAll(inFace_[f], i)
         {
             if (inFace_[f][i] < 0)
@@ -313,7 +313,7 @@ Foam::mpm::refinedMesh::onEdge(const label edge, const label A, const label at) 
         return -1;
     }
     const unsigned mask = onEdge_[edge];
-    const label i = A == mesh_.edges()[edge].minVertex() ? at : full - at;
+    const label i = A == edges_[edge].minVertex() ? at : full - at;
     if (!((mask >> i) & 1u))
     {
         return -1;
@@ -334,7 +334,7 @@ Foam::label Foam::mpm::refinedMesh::ofFace(const label facei, const label u, con
     at[f.side / 2] = f.side % 2 ? full : 0;
     at[f.axisU] = f.flipU ? full - u : u;
     at[f.axisV] = f.flipV ? full - v : v;
-    return ofCell(mesh_.faceOwner()[facei], at);
+    return ofCell(owners_[facei], at);
 }
 
 Foam::label Foam::mpm::refinedMesh::ofCell(const label celli, const place& at) const
@@ -372,7 +372,7 @@ Foam::label Foam::mpm::refinedMesh::ofCell(const label celli, const place& at) c
         {
             return -1;
         }
-        const baseHexes::frame& r = mesh_.faceOwner()[f] == celli ? frameP_[f] : frameN_[f];
+        const baseHexes::frame& r = owners_[f] == celli ? frameP_[f] : frameN_[f];
         const label n = 1 << depth(f), unit = full / n;
         const label u = r.flipU ? full - at[r.axisU] : at[r.axisU];
         const label v = r.flipV ? full - at[r.axisV] : at[r.axisV];
@@ -508,7 +508,7 @@ void Foam::mpm::refinedMesh::facesOf(const label facei, DynamicList<found>& face
     const auto pointAt = [&](const uv& p) { return ofFace(facei, p[0], p[1]); };
 
     // Corners follow each other as those of the base face
-    const label first = pointAt(uv({full, 0})) == mesh_.faces()[facei][1] ? 0 : 1;
+    const label first = pointAt(uv({full, 0})) == faces_[facei][1] ? 0 : 1;
     const faceSide &P = owner_[facei], &N = neighbour_[facei];
     for (label v = 0; v < nv; ++v)
     {
@@ -539,7 +539,15 @@ void Foam::mpm::refinedMesh::facesOf(const label facei, DynamicList<found>& face
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::refinedMesh::refinedMesh(const treeLeaves& leaves) :
-    leaves_(leaves), base_(leaves.base()), mesh_(leaves.base().mesh())
+    
+    leaves_(leaves),
+    base_(leaves.base()),
+    mesh_(leaves.base().mesh()),
+    faces_(mesh_.faces()),
+    owners_(mesh_.faceOwner()),
+    neighbours_(mesh_.faceNeighbour()),
+    edges_(mesh_.edges()),
+    nInternal_(mesh_.nInternalFaces())
 {
     markEdges();
     makeSides();

@@ -24,13 +24,13 @@ public:
     {
     }
 
-    void mark(const fvMesh& mesh, boolList& marked) const override
+    void mark(const fvMesh& mesh, scalarField& need) const override
     {
         const volScalarField& v = mesh.lookupObject<volScalarField>(
             oneOf(dict(), "field", mesh.sortedNames<volScalarField>()));
-        forAll(marked, c)
+        forAll(need, c)
         {
-            marked[c] = marked[c] || (v[c] >= min_ && v[c] <= max_);
+            need[c] = v[c] >= min_ && v[c] <= max_ ? 1 : 0;
         }
     }
 };

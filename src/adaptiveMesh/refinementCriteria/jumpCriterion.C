@@ -30,46 +30,44 @@ public:
         }
     }
 
-    void mark(const fvMesh& mesh, boolList& marked) const override
+    void mark(const fvMesh& mesh, scalarField& need) const override
     {
         const volScalarField& v = mesh.lookupObject<volScalarField>(
             oneOf(dict(), "field", mesh.sortedNames<volScalarField>()));
-        const auto jumps = [&](const scalar a, const scalar b)
+        const auto jump = [&](const scalar a, const scalar b)
         {
-            return mag(a - b) > absolute_
-                || mag(a - b) > relative_ * 0.5 * (mag(a) + mag(b));
+            return mag(a - b)
+                / min(absolute_, max(relative_ * 0.5 * (mag(a) + mag(b)), VSMALL));
         };
         scalarField behind;
         syncTools::swapBoundaryCellList(mesh, v.primitiveField(), behind);
-        for (label f = 0; f < mesh.nFaces(); ++f)
+        const label nInternal = mesh.nInternalFaces();
+        for (label f = 0; f < nInternal; ++f)
         {
-            const label P = mesh.faceOwner()[f];
-            if (mesh.isInternalFace(f))
+            const label P = mesh.faceOwner()[f], N = mesh.faceNeighbour()[f];
+            const scalar j = jump(v[P], v[N]);
+            need[P] = max(need[P], j);
+            need[N] = max(need[N], j);
+        }
+        for (const polyPatch& pp : mesh.boundaryMesh())
+        {
+            for (label f = pp.start(); pp.coupled() && f < pp.start() + pp.size(); ++f)
             {
-                const label N = mesh.faceNeighbour()[f];
-                if (jumps(v[P], v[N]))
-                {
-                    marked[P] = marked[N] = true;
-                }
-            }
-            else if (
-                mesh.boundaryMesh()[mesh.boundaryMesh().whichPatch(f)].coupled()
-                && jumps(v[P], behind[f - mesh.nInternalFaces()]))
-            {
-                marked[P] = true;
+                const label P = mesh.faceOwner()[f];
+                need[P] = max(need[P], jump(v[P], behind[f - nInternal]));
             }
         }
     }
 
     //- A fluid ends where its shape does
-    void markStart(const polyMesh& mesh, boolList& marked) const override
+    void markStart(const polyMesh& mesh, scalarField& need) const override
     {
         const dictionary regions(systemDict(mesh, "setFluidsDict").subOrEmptyDict("regions"));
         for (const entry& e : regions)
         {
             if (e.isDict())
             {
-                markShape(mesh, e.dict(), true, marked);
+                markShape(mesh, e.dict(), true, need);
             }
         }
     }

@@ -23,7 +23,7 @@ public:
     {
     }
 
-    void mark(const fvMesh& mesh, boolList& marked) const override
+    void mark(const fvMesh& mesh, scalarField& need) const override
     {
         const materialPointSystem* points =
             mesh.cfindObject<materialPointSystem>("materialPointSystem");
@@ -34,7 +34,7 @@ public:
             names.append(phase.name());
             if (has(phase.name()))
             {
-                UIndirectList<bool>(marked, phase.cloud().cells()) = true;
+                UIndirectList<scalar>(need, phase.cloud().cells()) = 1;
             }
         }
         for (const word& name : phases_)
@@ -48,7 +48,7 @@ public:
         }
     }
 
-    void markStart(const polyMesh& mesh, boolList& marked) const override
+    void markStart(const polyMesh& mesh, scalarField& need) const override
     {
         const dictionary regions(
             systemDict(mesh, "setMaterialPointsDict").subOrEmptyDict("regions"));
@@ -56,7 +56,7 @@ public:
         {
             if (e.isDict() && has(required<word>(e.dict(), "phase")))
             {
-                markShape(mesh, e.dict(), false, marked);
+                markShape(mesh, e.dict(), false, need);
             }
         }
     }

@@ -18,7 +18,7 @@ defineRunTimeSelectionTable(refinementCriterion, dictionary);
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 void Foam::mpm::refinementCriterion::markShape(
-    const polyMesh& mesh, const dictionary& dict, const bool cut, boolList& marked)
+    const polyMesh& mesh, const dictionary& dict, const bool cut, scalarField& need)
 {
     const autoPtr<pointRegionShape> shape(pointRegionShape::New(pointGrid::New(mesh), dict));
     const boundBox box(shape->bounds());
@@ -58,7 +58,7 @@ void Foam::mpm::refinementCriterion::markShape(
             }
             in = nIn == nDim;
         }
-        marked[c] = marked[c] || in;
+        need[c] = max(need[c], scalar(in));
     }
 }
 

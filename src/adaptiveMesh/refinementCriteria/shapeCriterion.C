@@ -24,14 +24,14 @@ public:
     {
     }
 
-    void mark(const fvMesh& mesh, boolList& marked) const override { markStart(mesh, marked); }
+    void mark(const fvMesh& mesh, scalarField& need) const override { markStart(mesh, need); }
 
-    void markStart(const polyMesh& mesh, boolList& marked) const override
+    void markStart(const polyMesh& mesh, scalarField& need) const override
     {
         const scalar t = mesh.time().value();
         if (t >= from_ && t <= to_)
         {
-            markShape(mesh, shape_, false, marked);
+            markShape(mesh, shape_, false, need);
         }
     }
 };
