@@ -15,32 +15,35 @@ void Foam::mpm::refinedMesh::markEdges()
     onEdge_ = labelList(mesh_.nEdges(), 0);
     for (label leaf = 0; leaf < leaves_.size(); ++leaf)
     {
-        if (leaves_.level()[leaf] == 0)
+        for (label corner = 0; leaves_.level()[leaf] > 0 && corner < 8; ++corner)
         {
-            continue;
-        }
-        const baseHexes::hex& h = base_[leaves_.cell()[leaf]];
-        const place& at = leaves_.at(leaf);
-        for (label a = 0; a < 3; ++a)
-        {
-            const label b = (a + 1) % 3, c = (a + 2) % 3, w = leaves_.width(leaf, a);
-            for (label pq = 0; pq < 4; ++pq)
+            place at(leaves_.at(leaf));
+            for (label a = 0; a < 3; ++a)
             {
-                const label p = pq & 1, q = pq >> 1, e = h.edges[4 * a + pq];
-                if (e < 0 || (p ? at[b] + leaves_.width(leaf, b) != full : at[b] != 0)
-                    || (q ? at[c] + leaves_.width(leaf, c) != full : at[c] != 0))
+                at[a] += (corner >> a) & 1 ? leaves_.width(leaf, a) : 0;
+            }
+            markEdge(leaves_.cell()[leaf], at);
+        }
+    }
+
+    // What is finer behind a coupled face
+    for (label f = nInternal_; f < faces_.size(); ++f)
+    {
+        const faceSide& side = neighbour_[f];
+        const label nu = halved_[f][0] ? 1 << side.depth : 1;
+        forAll(side.squares, i)
+        {
+            for (label corner = 0; corner < 4; ++corner)
+            {
+                const label w = full >> side.squares[i].level;
+                FixedList<label, 2> at({i % nu, i / nu});
+                for (label d = 0; d < 2; ++d)
                 {
-                    continue;
+                    const label size = halved_[f][d] ? w : full;
+                    at[d] = at[d] * (full >> side.depth) / size * size
+                        + ((corner >> d) & 1) * size;
                 }
-                const label A = h.corners[(p << b) | (q << c)];
-                const bool up = A == edges_[e].minVertex();
-                for (const label x : {at[a], at[a] + w})
-                {
-                    if (x > 0 && x < full)
-                    {
-                        onEdge_[e] |= label(1u << (up ? x : full - x));
-                    }
-                }
+                markEdge(owners_[f], placeOf(f, at[0], at[1]));
             }
         }
     }
@@ -326,7 +329,24 @@ Foam::mpm::refinedMesh::onEdge(const label edge, const label A, const label at) 
     return edgeStart_[edge] + before;
 }
 
-Foam::label Foam::mpm::refinedMesh::ofFace(const label facei, const label u, const label v) const
+void Foam::mpm::refinedMesh::markEdge(const label celli, const place& at)
+{
+    const baseHexes::hex& h = base_[celli];
+    for (label a = 0; a < 3; ++a)
+    {
+        const label b = (a + 1) % 3, c = (a + 2) % 3;
+        const bool p = at[b] == full, q = at[c] == full;
+        const label e = h.edges[4 * a + p + 2 * q];
+        if (e >= 0 && at[a] > 0 && at[a] < full && (p || at[b] == 0) && (q || at[c] == 0))
+        {
+            const bool up = h.corners[(p << b) | (q << c)] == edges_[e].minVertex();
+            onEdge_[e] |= label(1u << (up ? at[a] : full - at[a]));
+        }
+    }
+}
+
+Foam::mpm::refinedMesh::place
+Foam::mpm::refinedMesh::placeOf(const label facei, const label u, const label v) const
 {
     // By the cell of the owner: its own coordinates
     const baseHexes::frame& f = frameP_[facei];
@@ -334,7 +354,7 @@ Foam::label Foam::mpm::refinedMesh::ofFace(const label facei, const label u, con
     at[f.side / 2] = f.side % 2 ? full : 0;
     at[f.axisU] = f.flipU ? full - u : u;
     at[f.axisV] = f.flipV ? full - v : v;
-    return ofCell(owners_[facei], at);
+    return at;
 }
 
 Foam::label Foam::mpm::refinedMesh::ofCell(const label celli, const place& at) const
@@ -549,9 +569,9 @@ Foam::mpm::refinedMesh::refinedMesh(const treeLeaves& leaves) :
     edges_(mesh_.edges()),
     nInternal_(mesh_.nInternalFaces())
 {
-    markEdges();
     makeSides();
     swapSides();
+    markEdges();
     makePoints();
 
     inside_.reserve(3 * leaves.size());
