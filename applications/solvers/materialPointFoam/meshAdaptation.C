@@ -8,7 +8,11 @@
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::meshAdaptation::meshAdaptation(fvMesh& mesh) :
-    mesh_(mesh), adaptive_(mesh), look_(-1), nChanges_(0), seconds_(0)
+    mesh_(mesh),
+    adaptive_(mesh),
+    look_(mesh.time().timeIndex() > 0 ? mesh.time().timeIndex() : label(-1)),
+    nChanges_(0),
+    seconds_(0)
 {
     if (adaptive_.active())
     {
@@ -18,6 +22,25 @@ Foam::mpm::meshAdaptation::meshAdaptation(fvMesh& mesh) :
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::boolList Foam::mpm::meshAdaptation::frozen(simulation& of) const
+{
+    if (!of.points() || !of.gas())
+    {
+        return boolList();
+    }
+    boolList at(mesh_.nCells());
+    const scalarField& theta = of.gas()->theta();
+    forAll(at, c)
+    {
+        at[c] = mag(theta[c] - 1) > SMALL;
+    }
+    for (const materialPointPhase& phase : of.points()->phases())
+    {
+        UIndirectList<bool>(at, phase.cloud().cells()) = true;
+    }
+    return at;
+}
 
 void Foam::mpm::meshAdaptation::change(simulation& of, autoPtr<treeLeaves>&& to)
 {
@@ -51,8 +74,12 @@ void Foam::mpm::meshAdaptation::update(simulation& of)
     const timer t(seconds_);
 
     // At the start fields show what they need when cells are fine
-    for (label i = 0; i < (first ? adaptive_.maxLevel() : 1) && adaptive_.look(false, first); ++i)
+    for (label i = 0; i < (first ? adaptive_.maxLevel() : 1); ++i)
     {
+        if (!adaptive_.look(false, first, frozen(of)))
+        {
+            break;
+        }
         autoPtr<treeLeaves> to(adaptive_.next());
         if (to.valid())
         {

@@ -212,7 +212,8 @@ Foam::mpm::adaptiveMesh::adaptiveMesh(polyMesh& mesh) :
     keep_(0),
     interval_(0),
     changed_(false),
-    baseWritten_(false)
+    baseWritten_(false),
+    warned_(false)
 {
     if (readSettings())
     {
@@ -222,7 +223,8 @@ Foam::mpm::adaptiveMesh::adaptiveMesh(polyMesh& mesh) :
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::mpm::adaptiveMesh::look(const bool atStart, const bool always)
+bool Foam::mpm::adaptiveMesh::look(
+    const bool atStart, const bool always, const boolList& frozen)
 {
     // Layers that must be fine, and the part of the cells that must be superfluous
     constexpr label margin = 2;
@@ -259,14 +261,32 @@ bool Foam::mpm::adaptiveMesh::look(const bool atStart, const bool always)
         }
     }
     const labelList& level = leaves_->level();
-    scalarList n(3, Zero);
+    frozen_ = labelList(mesh_.nCells(), 0);
+    if (returnReduce(frozen.size() > 0, orOp<bool>()))
+    {
+        forAll(frozen, c)
+        {
+            frozen_[c] = frozen[c];
+        }
+        spread(frozen_, labelList(mesh_.nCells(), 0));
+    }
+    scalarList n(4, Zero);
     forAll(least, c)
     {
-        n[0] += least[c] > level[c];
-        n[1] += kept_[c] < level[c];
+        n[0] += least[c] > level[c] && !frozen_[c];
+        n[1] += kept_[c] < level[c] && !frozen_[c];
         n[2] += 1;
+        n[3] += least[c] > level[c] && frozen_[c];
     }
     reduce(n, sumOp<scalarList>());
+    if (n[3] > 0 && !warned_)
+    {
+        WarningInFunction << label(n[3]) << " cells at material points in a fluid are coarser than "
+                          << "system/adaptiveMeshDict wants; cells at points keep their size"
+                          << " beside a fluid. Valid choices: adaptMesh before"
+                          << " setMaterialPoints; a criterion points with a larger buffer." << endl;
+        warned_ = true;
+    }
     return always || n[0] > 0 || n[1] > worth * n[2];
 }
 
@@ -277,6 +297,21 @@ Foam::autoPtr<Foam::mpm::treeLeaves> Foam::mpm::adaptiveMesh::next()
     forAll(to, c)
     {
         to[c] += wanted_[c] > level[c] ? 1 : kept_[c] < level[c] ? -1 : 0;
+    }
+
+    // Beside what stays as it is nothing is finer by two levels
+    labelList most(to.size());
+    forAll(most, c)
+    {
+        most[c] = frozen_[c] ? -level[c] : -treeLeaves::maxLevel;
+    }
+    for (label i = 0; i < treeLeaves::maxLevel; ++i)
+    {
+        spread(most, labelList(to.size(), 1));
+    }
+    forAll(to, c)
+    {
+        to[c] = frozen_[c] ? level[c] : min(to[c], -most[c]);
     }
     bool again = true;
     while (again)
@@ -297,9 +332,10 @@ Foam::autoPtr<Foam::mpm::treeLeaves> Foam::mpm::adaptiveMesh::next()
     {
         leaves.reset(new treeLeaves(hexes_(), leaves_->changed(to)));
         const List<Pair<label>> from(leaves->sources(leaves_()));
-        labelList wanted(from.size()), kept(from.size());
+        labelList wanted(from.size()), kept(from.size()), frozen(from.size());
         forAll(from, c)
         {
+            frozen[c] = frozen_[from[c][0]];
             for (label o = from[c][0]; o < from[c][1]; ++o)
             {
                 wanted[c] = max(wanted_[o], o > from[c][0] ? wanted[c] : 0);
@@ -308,6 +344,7 @@ Foam::autoPtr<Foam::mpm::treeLeaves> Foam::mpm::adaptiveMesh::next()
         }
         wanted_.transfer(wanted);
         kept_.transfer(kept);
+        frozen_.transfer(frozen);
     }
     return leaves;
 }

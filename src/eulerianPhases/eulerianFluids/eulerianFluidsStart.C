@@ -308,7 +308,10 @@ void Foam::mpm::eulerianFluids::start(const fieldStates* states)
     const scalarField p(p_.primitiveField());
     relaxedP_ = p;
     primitives();
-    checkState(p);
+    if (!states)
+    {
+        checkState(p);
+    }
     far_->setValues(W_, g_, U_, p_);
     updateBoundaryStates();
 }

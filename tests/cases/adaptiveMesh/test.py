@@ -6,10 +6,9 @@
     back     after boxes have come and gone the mesh is the base mesh, bit by bit
     uniform  a gas, and two fluids, in translation through boxes that come and go: nothing
              changes
-    sums     100 changes in boxes that come and go: mass, momentum and energy of a blast, of
-             two fluids and an explosive, of points in contact with a rigid body in a gas
-    blast    a cylinder of high pressure: fine where it jumps, beside all fine and all coarse
-    body     a disc in a blast, whose cells are fine wherever it goes: beside all fine
+    sums     boxes that come and go: mass and energy of a blast
+    together the same: an explosive in air, points in contact, a rigid body
+    blast    a square of high pressure: fine where it jumps, beside all fine and all coarse
     restart  in the middle: as without
     wrong    messages
 """
@@ -17,19 +16,18 @@
 import os
 import random
 import re
+import shutil
 import sys
 
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
-from coupledCases import addPoints
-from fluidCases import fluidCase
-from foamCase import FoamCase, RunFailed, boxMesh, controlDict, noSchemes, runParts
+from fluidCases import AIR, besidePoints, fluidCase
+from foamCase import FoamCase, RunFailed, boxMesh, controlDict, noSchemes, runParts, testModule, velocityFile
 from gasCases import WALL, gasCase, labels, volField
 
 DICT = "system/adaptiveMeshDict"
-ELASTIC = {"type": "neoHookean", "rho": 1000, "E": 1e7, "nu": 0.3}
 
 
 def box(low, high, level=None, times=None):
@@ -170,7 +168,8 @@ def gasSums(case):
 
 def blastCase(name, n, end=0.2, **options):
     def initial(x, y, z):
-        inside = (x - 0.3)**2 + (y - 0.4)**2 + (z*(z > 0.06))**2 < 0.15**2
+        # Whole cells of 1/4, and of less
+        inside = (x > 0.25) & (x < 0.5) & (y > 0.25) & (y < 0.5) & (z < 0.5)
         return 1 + 0*x, 0*x, 1 + 49.0*inside
     return gasCase("adaptiveMesh", name, n, (1, 1, 1 if n[2] > 1 else 0.1), initial, end,
                    ends=WALL, control={"reportInterval": 1}, **options)
@@ -187,5 +186,135 @@ def sums(table):
         table.check(f"blast in {nDim}D: fix-ups", "isentropic 0 " in case.log().split("Gas air:")[-1])
 
 
+def volumes(case, time, whole, nBase, nDim):
+    """Of cells that are equal boxes in the base mesh."""
+    return whole/nBase/2.0**(nDim*cellLevel(case, time))
+
+
+def everything(name, n, end):
+    """An explosive in air, a block in contact with a plate, a rigid body that is pushed."""
+    def initial(x, y, z):
+        a = np.where((x - 0.3)**2 + (y - 0.4)**2 < 0.15**2, 1.0, 0.0)
+        return [a, 1 - a], [1630.0, 1.2], 0.0, 1e5
+    detonation = testModule("detonation", "adaptiveMesh")
+    charge = detonation.lit()
+    charge["detonation"] = {"type": "programmedBurn", "points": [(0.3, 0.4, 0)],
+                            "velocity": 6930}
+    fluids = {"charge": charge, "air": AIR}
+    case = fluidCase("adaptiveMesh", name, (n, n, 1), (1, 1, 1/n), fluids, initial, end,
+                     ends=WALL, maxCoGas=0.3,
+                     control={"maxCo": 0.3, "reportInterval": 1})
+    law = {"constitutiveModel": {"type": "neoHookean", "rho": 2000, "E": 1e9, "nu": 0.3}}
+    besidePoints(
+        case, fluids,
+        {"block": {**law, "velocityField": "block"}, "plate": {**law, "velocityField": "plate"},
+         "body": {"type": "rigid", "rho": 7800, "motion": {"type": "free"},
+                  "velocityField": "body"}},
+        {"block": {"type": "box", "min": (0.55, 0.3, -1), "max": (0.7, 0.5, 1),
+                   "velocity": (300, 0, 0)},
+         "plate": {"type": "box", "min": (0.72, 0.2, -1), "max": (0.8, 0.7, 1)},
+         "body": {"type": "sphere", "centre": (0.3, 0.75, 0), "radius": 0.1}},
+        numerics={"shapeFunction": "nodeDual"}, ppc=8)
+    for phase in ("block", "plate", "body"):
+        velocityFile(case, phase, {"ends": "slip", "sides": "slip", "frontAndBack": "empty"})
+    case.change("constant/phaseProperties", "^phases", "contact { all { type frictionless; } }\nphases")
+    return case
+
+
+def together(table):
+    n, end = 16, 1.2e-4
+    case = comeAndGo(everything("together", n, end), end, 2)
+    case.run("materialPointFoam")
+    time = case.times()[-1]
+    log = case.log()
+    table.check("explosive, air, contact, rigid body: changes", changes(case) >= 50, changes(case))
+    first = {}
+    for start in (True, False):
+        rows = re.findall(r"^Fluids: mass (.*?)(?:, |$)", log, re.M)
+        numbers = [float(x) for x in re.findall(r" ([0-9.e+-]+)", " " + rows[0 if start else -1])]
+        for i, m in enumerate(numbers):
+            if start:
+                first[i] = m
+            else:
+                table.row(f"explosive, air, contact, rigid body: mass of fluid {i}", 1,
+                          m/first[i], 1e-11)
+    masses = re.findall(r"^Material points: \d+, mass (\S+),", log, re.M)
+    table.row("explosive, air, contact, rigid body: mass of the points", 1,
+              float(masses[-1])/float(masses[0]), 1e-11)
+
+
+def blast(table):
+    """A square of high pressure: errors of p and rho at the end on the base cells, by a mesh
+    twice as fine; halved twice where it jumps, all fine, all coarse. All fine but for a
+    corner: on cells that are no lattice the gas has other limiters."""
+    end, n = 0.06, 32
+    refine = {name: {"type": "jump", "field": field, "relative": 0.1}
+              for name, field in (("shock", "p"), ("contact", "rho.air"))}
+    cases = {k: blastCase(f"blast-{k}", (n*k, n*k, 1), end) for k in (1, 4, 8)}
+    cases["adaptive"] = adaptive(blastCase("blast", (n, n, 1), end), 2, refine)
+    cases["fine"] = adaptive(blastCase("blast-all", (n, n, 1), end), 2,
+                             {"all": box((-1, -1, -1), (0.9, 2, 2))})
+    for c in cases.values():
+        c.run("materialPointFoam")
+    time = cases[1].times()[-1]
+
+    def onBase(k, name):
+        v = volField(cases[k], time, name)
+        if isinstance(k, str):
+            levels = cellLevel(cases[k], time)
+            at = np.cumsum(np.concatenate([[0], 4.0**-levels]))
+            cell = np.floor(at[:-1] + 1e-9).astype(int)
+            return np.bincount(cell, v*4.0**-levels, n*n)
+        return v.reshape(n, k, n, k).mean(axis=(1, 3)).ravel()
+    for name in ("p", "rho.air"):
+        error = {k: np.abs(onBase(k, name) - onBase(8, name)).mean() for k in cases}
+        table.row(f"blast, {name}, halved twice where it jumps: error over that of all fine cells"
+                  f" ({error['fine']/error[4]:.2f} of the lattice's, {error[1]/error[4]:.1f}: coarse)", 1,
+                  error["adaptive"]/error["fine"], 1.05, "atMost")
+    table.row("blast: cells over all fine ones", 1,
+              len(cellLevel(cases["adaptive"], time))/(4*n)**2, 0.7, "atMost")
+
+
+def restart(table):
+    """From a time in the middle, bit by bit."""
+    case = adaptive(blastCase("restart", (12, 12, 1), 0.2, writeInterval=0.1), 2,
+                    {"shock": {"type": "jump", "field": "p", "relative": 0.05}})
+    case.run("materialPointFoam")
+    end = case.times()[-1]
+    before = {}
+    for name in ("p", "thetaRhoU.air", "polyMesh/owner", "polyMesh/points", "polyMesh/cellLevel"):
+        with open(case.file(end, name), "rb") as f:
+            before[name] = f.read()
+    shutil.rmtree(case.file(end))
+    case.change("system/controlDict", "startFrom.*?;", "startFrom latestTime;")
+    case.run("materialPointFoam")
+    bad = []
+    for name, data in before.items():
+        with open(case.file(end, name), "rb") as f:
+            bad += [name] if f.read() != data else []
+    table.check("restart from the middle: files of the end, bit by bit", not bad, bad)
+
+
+def wrong(table):
+    for label, entries, words in (
+            ("level", {"maxLevel": 7}, ("maxLevel", "5")),
+            ("keyword", {"bufer": 2}, ("bufer", "buffer")),
+            ("type", {"refine": {"a": {"type": "jmp"}}}, ("jmp", "jump")),
+            ("field", {"refine": {"a": {"type": "jump", "field": "rho", "relative": 1}}},
+             ("rho", "rho.air")),
+            ("threshold", {"refine": {"a": {"type": "jump", "field": "p"}}},
+             ("relative", "absolute")),
+            ("nothing", {"refine": {}}, ("no criteria",))):
+        case = blastCase(f"wrong-{label}", (4, 4, 1))
+        case.write(DICT, {"maxLevel": 2, "refine": {"a": box((0, 0, 0), (1, 1, 1))}, **entries})
+        try:
+            case.run("materialPointFoam")
+            text = ""
+        except RunFailed:
+            text = case.log()
+        lacks = [w for w in (*words, "adaptiveMeshDict") if w not in text]
+        table.check(f"wrong input: {label}", not lacks, f"message lacks {lacks}")
+
+
 if __name__ == "__main__":
-    sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums))
+    sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, restart, wrong))
