@@ -2,6 +2,7 @@
 
 #include "meshAdaptation.H"
 #include "ownedFields.H"
+#include "rowsDistribution.H"
 #include "rowsRefinement.H"
 #include "Time.H"
 
@@ -60,6 +61,22 @@ void Foam::mpm::meshAdaptation::change(simulation& of, autoPtr<treeLeaves>&& to)
     ++nChanges_;
 }
 
+void Foam::mpm::meshAdaptation::makeWhole(simulation& of)
+{
+    const labelList to(adaptive_.whole());
+    rowsDistribution rows(mesh_, to);
+    simulation::rows state(of.takeDown());
+    ownedFields owned(mesh_);
+    const meshDistribution::maps maps(meshDistribution(mesh_).move(to));
+    rows.move(state, maps);
+    rows.move(owned.states, maps);
+    adaptive_.makeWhole();
+    state.places = meshPlaces(mesh_);
+    owned.make(mesh_);
+    of = simulation(mesh_, std::move(state));
+    maps.change.tellFunctionObjects();
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::mpm::meshAdaptation::update(simulation& of)
@@ -72,6 +89,10 @@ void Foam::mpm::meshAdaptation::update(simulation& of)
     }
     look_ = now;
     const timer t(seconds_);
+    if (returnReduce(adaptive_.whole().size() > 0, orOp<bool>()))
+    {
+        makeWhole(of);
+    }
 
     // At the start fields show what they need when cells are fine
     for (label i = 0; i < (first ? adaptive_.maxLevel() : 1); ++i)

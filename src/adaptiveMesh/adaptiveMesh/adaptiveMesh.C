@@ -7,31 +7,6 @@
 #include "syncTools.H"
 #include "Time.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-IOobject levelHeader(const polyMesh& mesh, const IOobject::readOption read)
-{
-    return IOobject(
-        "cellLevel", mesh.facesInstance(), polyMesh::meshSubDir, mesh, read, IOobject::NO_WRITE,
-        false);
-}
-
-//- Objects of the base mesh lie under the region base
-IOobject baseHeader(const polyMesh& mesh, const IOobject::readOption read)
-{
-    const Time& time = mesh.time();
-    return IOobject(
-        "base", read == IOobject::NO_READ ? mesh.facesInstance() : fileName(time.timeName()), time, read,
-        IOobject::NO_WRITE);
-}
-
-}
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::mpm::adaptiveMesh::readSettings()
@@ -67,57 +42,6 @@ bool Foam::mpm::adaptiveMesh::readSettings()
         FatalIOErrorInFunction(refine) << "There are no criteria." << exit(FatalIOError);
     }
     return true;
-}
-
-void Foam::mpm::adaptiveMesh::readBase()
-{
-    labelIOList levels(levelHeader(mesh_, IOobject::READ_IF_PRESENT));
-    const bool refined = returnReduce(levels.size() > 0, orOp<bool>());
-    baseWritten_ = refined;
-    if (refined)
-    {
-        if (returnReduce(levels.size() != mesh_.nCells(), orOp<bool>()))
-        {
-            FatalErrorInFunction
-                << "File " << levels.objectPath() << " has " << levels.size()
-                << " levels, the mesh has " << mesh_.nCells() << " cells: it is of another mesh."
-                << " Remove it, or make the mesh anew." << exit(FatalError);
-        }
-        base_.reset(new polyMesh(baseHeader(mesh_, IOobject::MUST_READ)));
-    }
-    else
-    {
-        levels.setSize(mesh_.nCells(), 0);
-        levels = 0;
-        base_.reset(new polyMesh(
-            baseHeader(mesh_, IOobject::NO_READ), pointField(mesh_.points()),
-            faceList(mesh_.faces()), labelList(mesh_.faceOwner()),
-            labelList(mesh_.faceNeighbour())));
-        PtrList<polyPatch> patches(mesh_.boundaryMesh().size());
-        forAll(patches, i)
-        {
-            patches.set(i, mesh_.boundaryMesh()[i].clone(base_->boundaryMesh()));
-        }
-        base_->addPatches(patches);
-        List<boolList> in(mesh_.cellZones().size(), boolList(mesh_.nCells(), false));
-        forAll(in, i)
-        {
-            UIndirectList<bool>(in[i], mesh_.cellZones()[i]) = true;
-        }
-        meshChange(base_()).setZones(mesh_.cellZones().names(), in);
-    }
-    hexes_.reset(new baseHexes(base_()));
-    leaves_.reset(new treeLeaves(hexes_(), levels));
-    if (refined)
-    {
-        refinedMesh made(leaves_());
-        baseFace_.transfer(made.made().baseFace);
-    }
-    else
-    {
-        baseFace_ = identity(
-            base_->nFaces() - base_->nInternalFaces(), base_->nInternalFaces());
-    }
 }
 
 void Foam::mpm::adaptiveMesh::spread(labelList& values, const labelUList& less) const
@@ -375,23 +299,38 @@ void Foam::mpm::adaptiveMesh::make(autoPtr<treeLeaves>&& leaves)
     changed_ = true;
 }
 
+void Foam::mpm::adaptiveMesh::makeWhole()
+{
+    make(autoPtr<treeLeaves>(new treeLeaves(leaves_())));
+    whole_.clear();
+}
+
 void Foam::mpm::adaptiveMesh::write(const fileName& instance)
 {
     if (!changed_)
     {
         return;
     }
-    if (!baseWritten_)
+    if (!baseWritten_ && distribution_.valid())
+    {
+        distribution_->write();
+    }
+    else if (!baseWritten_)
     {
         const fileName first(base_->facesInstance());
         base_->setInstance(first);
         base_->write();
         base_->setInstance(first, IOobject::NO_WRITE);
-        baseWritten_ = true;
     }
+    baseWritten_ = true;
     mesh_.setInstance(instance);
     mesh_.write();
     mesh_.setInstance(instance, IOobject::NO_WRITE);
-    labelIOList(levelHeader(mesh_, IOobject::NO_READ), leaves_->level()).write();
+    labelIOList(
+        IOobject(
+            "cellLevel", mesh_.facesInstance(), polyMesh::meshSubDir, mesh_, IOobject::NO_READ,
+            IOobject::NO_WRITE, false),
+        leaves_->level())
+        .write();
     changed_ = false;
 }

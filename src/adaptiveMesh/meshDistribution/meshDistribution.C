@@ -54,6 +54,13 @@ labelListList exchanged(const labelListList& to)
     return from;
 }
 
+IOobject header(const polyMesh& mesh, const word& name)
+{
+    return IOobject(
+        name, mesh.facesInstance(), polyMesh::meshSubDir, mesh, IOobject::NO_READ,
+        IOobject::NO_WRITE, false);
+}
+
 labelListList numbersOf(const labelUList& numbers, const labelListList& places)
 {
     labelListList of(places.size());
@@ -68,15 +75,16 @@ labelListList numbersOf(const labelUList& numbers, const labelListList& places)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelIOList Foam::mpm::meshDistribution::read(const word& name, const label size) const
+Foam::labelIOList Foam::mpm::meshDistribution::read(
+    const polyMesh& files, const word& name, const label size)
 {
     IOobject io(
-        name, mesh_.facesInstance(), polyMesh::meshSubDir, mesh_, IOobject::MUST_READ,
+        name, files.facesInstance(), polyMesh::meshSubDir, files, IOobject::MUST_READ,
         IOobject::NO_WRITE, false);
     if (!returnReduce(io.typeHeaderOk<labelIOList>(true), andOp<bool>()))
     {
-        FatalErrorInFunction << "loadBalance in system/decomposeParDict needs the file "
-                             << io.objectPath() << ", which decomposePar writes."
+        FatalErrorInFunction << "loadBalance in system/decomposeParDict and an adaptive mesh"
+                             << " on several processors need the file " << io.objectPath() << ", which decomposePar writes."
                              << exit(FatalError);
     }
     labelIOList list(io);
@@ -251,12 +259,21 @@ void Foam::mpm::meshDistribution::setMesh(
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::meshDistribution::meshDistribution(polyMesh& mesh) :
+Foam::mpm::meshDistribution::meshDistribution(polyMesh& mesh, const polyMesh* files) :
     mesh_(mesh),
-    cells_(read("cellProcAddressing", mesh.nCells())),
-    points_(read("pointProcAddressing", mesh.nPoints())),
-    faces_(read("faceProcAddressing", mesh.nFaces())),
-    patches_(read("boundaryProcAddressing", mesh.boundaryMesh().size()))
+    cells_(read(files ? *files : mesh, "cellProcAddressing", mesh.nCells())),
+    points_(read(files ? *files : mesh, "pointProcAddressing", mesh.nPoints())),
+    faces_(read(files ? *files : mesh, "faceProcAddressing", mesh.nFaces())),
+    patches_(read(files ? *files : mesh, "boundaryProcAddressing", mesh.boundaryMesh().size()))
+{
+}
+
+Foam::mpm::meshDistribution::meshDistribution(polyMesh& mesh, const zero) :
+    mesh_(mesh),
+    cells_(header(mesh, "cellProcAddressing"), identity(mesh.nCells())),
+    points_(header(mesh, "pointProcAddressing"), identity(mesh.nPoints())),
+    faces_(header(mesh, "faceProcAddressing"), identity(mesh.nFaces(), 1)),
+    patches_(header(mesh, "boundaryProcAddressing"), identity(mesh.boundaryMesh().size()))
 {
 }
 
@@ -384,7 +401,11 @@ void Foam::mpm::meshDistribution::write()
     mesh_.setInstance(time, IOobject::NO_WRITE);
     for (labelIOList* list : {&cells_, &points_, &faces_, &patches_})
     {
-        list->instance() = time;
-        list->write();
+        labelIOList(
+            IOobject(
+                list->name(), time, polyMesh::meshSubDir, mesh_, IOobject::NO_READ,
+                IOobject::NO_WRITE, false),
+            *list)
+            .write();
     }
 }
