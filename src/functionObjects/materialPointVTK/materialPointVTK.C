@@ -53,6 +53,7 @@ Usage
 #include "volFields.H"
 #include "vtkFile.H"
 #include "wordRes.H"
+#include <algorithm>
 
 namespace Foam::functionObjects
 {
@@ -67,18 +68,20 @@ int vtkComponent(const int size, const int i)
     return size == 6 ? symmetric[i] : i;
 }
 
-//- Declare a field of a class of files, if it is of this Type
+//- Name of the class of a field's file
 template<class Type>
-void declareField(mpm::vtkFile& file, const IOobject& io, const label nCells, const label nPoints)
+const word& classOf(const bool onCells)
 {
-    const word& type = io.headerClassName();
-    const bool onCells = type == GeometricField<Type, fvPatchField, volMesh>::typeName;
-    if (!onCells && type != GeometricField<Type, pointPatchField, pointMesh>::typeName)
-    {
-        return;
-    }
-    const label n = onCells ? nCells : nPoints;
+    return onCells ? GeometricField<Type, fvPatchField, volMesh>::typeName
+                   : GeometricField<Type, pointPatchField, pointMesh>::typeName;
+}
+
+//- Declare n values of a file, read when they are written
+template<class Type>
+void declareField(mpm::vtkFile& file, const IOobject& io, const label n)
+{
     const int size = pTraits<Type>::nComponents;
+    const word type(io.headerClassName());
     const IOobject source(
         io.name(), io.instance(), io.local(), io.db(), IOobject::MUST_READ, IOobject::NO_WRITE,
         false);
@@ -100,13 +103,30 @@ void declareField(mpm::vtkFile& file, const IOobject& io, const label nCells, co
         });
 }
 
-//- Is it a class that declareField() takes?
-bool isField(const word& type, const word& prefix)
+//- Files of fields of these types, on cells or on mesh points
+template<class... Types>
+struct filesOf
 {
-    const wordList types({"Scalar", "Vector", "SphericalTensor", "SymmTensor", "Tensor"});
-    return std::any_of(
-        types.begin(), types.end(), [&](const word& t) { return type == prefix + t + "Field"; });
-}
+    static bool has(const IOobject& io, const bool onCells)
+    {
+        return (... || (io.headerClassName() == classOf<Types>(onCells)));
+    }
+
+    static void declare(mpm::vtkFile& file, const IOobject& io, const bool onCells, const label n)
+    {
+        const auto one = [&](auto zero)
+        {
+            typedef decltype(zero) Type;
+            if (io.headerClassName() == classOf<Type>(onCells))
+            {
+                declareField<Type>(file, io, n);
+            }
+        };
+        (one(Types(Zero)), ...);
+    }
+};
+
+typedef filesOf<scalar, vector, sphericalTensor, symmTensor, tensor> fieldFiles;
 
 }
 
@@ -265,8 +285,8 @@ void materialPointVTK::writeMesh(const bool starts) const
         names,
         [&](const word& name)
         {
-            const word& type = objects[name]->headerClassName();
-            return isField(type, "vol") || isField(type, "point");
+            const IOobject& io = *objects[name];
+            return fieldFiles::has(io, true) || fieldFiles::has(io, false);
         });
     Pstream::scatter(names);
     for (const wordRe& field : fields)
@@ -286,20 +306,13 @@ void materialPointVTK::writeMesh(const bool starts) const
         "UnstructuredGrid",
         "NumberOfPoints=\"" + std::to_string(mesh_.nPoints()) + "\" NumberOfCells=\""
             + std::to_string(mesh_.nCells()) + '"');
-    for (const word prefix : {"vol", "point"})
+    for (const bool onCells : {true, false})
     {
-        file.section(prefix == "vol" ? "CellData" : "PointData");
+        file.section(onCells ? "CellData" : "PointData");
         for (const word& name : names)
         {
-            const IOobject& io = *objects[name];
-            if (isField(io.headerClassName(), prefix))
-            {
-                declareField<scalar>(file, io, mesh_.nCells(), mesh_.nPoints());
-                declareField<vector>(file, io, mesh_.nCells(), mesh_.nPoints());
-                declareField<sphericalTensor>(file, io, mesh_.nCells(), mesh_.nPoints());
-                declareField<symmTensor>(file, io, mesh_.nCells(), mesh_.nPoints());
-                declareField<tensor>(file, io, mesh_.nCells(), mesh_.nPoints());
-            }
+            fieldFiles::declare(
+                file, *objects[name], onCells, onCells ? mesh_.nCells() : mesh_.nPoints());
         }
     }
     file.section("Points");

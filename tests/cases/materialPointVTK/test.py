@@ -2,7 +2,7 @@
 """The function object materialPointVTK, read with VTK's own readers.
 
 serial      plates in air: at all written times position, id and columns of the points and all
-            fields on cells equal the run's files, bit by bit; volume of the mesh; the files of
+            fields on cells equal the run's files, bit by bit; volume of the mesh; ascii; the files of
             the times are the same bits as without the function object; -postProcess
 parallel    2 processors, one of them without points, and cells that move between them: one
             piece for each, points and volumes; the same on 3, one of which has no cell
@@ -12,6 +12,7 @@ meshes      cell volumes of a wedge, of boxes refined 2:1, of prisms, tetrahedra
 gasAlone    a gas on polyhedra and in 1D; points alone without a mesh
 times       writeControl: points by its own times, the mesh at the run's
 wrong       entries that are wrong end with a message that names the valid ones
+cost        MPM_VERIFY=1: seconds of a core for 1e5 points, and over the run's own write
 """
 
 import os
@@ -24,7 +25,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from cellMesh import boxOfCells
-from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, readInternal, runParts,
+from foamCase import (VERIFY, FoamCase, boxMesh, controlDict, noSchemes, readInternal, runParts,
                       velocityFile)
 from gasCases import gasCase
 from gasOnCells import gasOnCells
@@ -222,6 +223,18 @@ def serial(table):
     points = case.points(last, "target")
     table.check("-postProcess: positions of the points",
                 np.array_equal(found["x"][np.argsort(found["id"])], points.byId("x")))
+
+
+    # Fields come from the files, whatever their format is
+    text = plates("ascii")
+    text.change("system/controlDict", "^writeFormat.*", "writeFormat ascii;")
+    text.change("system/controlDict", "^writeCompression.*", "writeCompression on;")
+    text.run("materialPointFoam")
+    _, _, found = load(series(text, "mesh")[last])
+    table.check("ascii, compressed: the files are", os.path.isfile(text.file(last, "p.gz")))
+    table.row("ascii, compressed: fields on cells", 0, max(
+        abs(found[name] - cells[name]).max()/max(abs(cells[name]).max(), 1e-300)
+        for name in cells), 1e-12)
 
 
 def onPieces(name, split, balance=False, emptyToo=False):
@@ -471,8 +484,42 @@ def wrong(table):
         r"FATAL IO ERROR.*no material points.*columns", tube.log(), re.S))
 
 
+def cost(table):
+    if not VERIFY:
+        return
+    n, steps, dt = 25, 40, 1e-7
+    boxes = {"walls": ("patch", ("x-", "x+", "y-", "y+", "z-", "z+"))}
+
+    def mesh(case, patches):
+        case.write("system/blockMeshDict", boxMesh((0, 0, 0), (1, 1, 1), (n,)*3, patches))
+        case.run("blockMesh")
+
+    case = filled("cost", boxes, {"walls": "slip"}, mesh)
+    per = 1e5/(8*n**3)/steps
+
+    def seconds(interval, **entries):
+        """Fewest of three runs."""
+        case.write("system/controlDict", controlDict(
+            steps*dt, interval, deltaT=dt, functions=vtk(**entries) if entries else None))
+        some = []
+        for _ in range(3):
+            for time in case.times()[1:]:
+                shutil.rmtree(case.file(time))
+            some.append(case.run("materialPointFoam"))
+        return min(some)
+
+    none = seconds(1)
+    points = seconds(1, fields="()", writeControl="timeStep", writeInterval=1) - none
+    path = list(series(case, "points.body").values())[-1]
+    own = seconds(dt) - none
+    table.row("cost: seconds of a core for a file of 1e5 points", 0.1, points*per, 0.1, "atMost")
+    table.row("cost: seconds of the run's own write of 1e5 points", 1, own*per, 1, "atMost")
+    table.row("cost: bytes for a point with U m sigma", 116, os.path.getsize(path)/(8*n**3), 1)
+    table.row("cost: share of the run's own write", 0.5, points/own, 0.5, "atMost")
+
+
 def main():
-    return runParts(GROUP, serial, parallel, restart, meshes, gasAlone, times, wrong)
+    return runParts(GROUP, serial, parallel, restart, meshes, gasAlone, times, wrong, cost)
 
 
 if __name__ == "__main__":
