@@ -13,7 +13,8 @@ Description
     writes. With it, points follow it, and the mesh comes at those of its times
     that the run writes, since fields are taken from the files: those of cells
     and of mesh points, as foamToVTK takes them, without what restarts alone
-    need. The mesh is written with each time, so that it may change.
+    need. The mesh is written with each time, so that it may change. A name of
+    fields that the first written time does not have ends the run there.
 
     A restart drops the times after its start from the series; -postProcess
     replaces those that it writes.
