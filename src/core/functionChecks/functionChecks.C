@@ -61,7 +61,7 @@ void Foam::mpm::checkFunctions(const dictionary& control)
     const wordList own(
         {"materialPointBalance", "materialPointEnergy", "materialPointExtent",
          "materialPointFields", "materialPointPatchForces", "materialPointProbes",
-         "materialPointSeparation", "materialPointXT"});
+         "materialPointSeparation", "materialPointVTK", "materialPointXT"});
     const word library("mpmFunctionObjects");
     if (!control.isDict("functions"))
     {

@@ -42,7 +42,6 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointOutput.H"
-#include "startState.H"
 #include "FlatOutput.H"
 #include "pointFields.H"
 #include "pointMesh.H"
@@ -126,21 +125,9 @@ class materialPointFields : public materialPointOutput
         forAll(phases_, i)
         {
             const mpm::materialPointPhase& material = phase(points, phases_[i]);
-            bool needsStart = false;
-            for (const word& field : fields_)
-            {
-                if (field != "alpha")
-                {
-                    // Unknown names end here
-                    mpm::pointQuantity(dict_, material, field, nullptr);
-                    needsStart = needsStart || mpm::pointQuantity::needsStart(field);
-                }
-            }
-            if (needsStart)
-            {
-                start_.set(i, new mpm::startState(dict_, material));
-                start_[i].share(boolList(start_[i].id().size(), true));
-            }
+            wordList quantities(fields_);
+            inplaceSubsetList(quantities, [](const word& field) { return field != "alpha"; });
+            start_.set(i, startOf(material, quantities).ptr());
         }
     }
 

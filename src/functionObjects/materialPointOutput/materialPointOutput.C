@@ -3,14 +3,10 @@
 #include "materialPointOutput.H"
 #include <sstream>
 #include "OSspecific.H"
+#include "pointQuantity.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-const Foam::mpm::materialPointSystem* Foam::functionObjects::materialPointOutput::findPoints() const
-{
-    return mesh_.cfindObject<mpm::materialPointSystem>("materialPointSystem");
-}
 
 Foam::OFstream* Foam::functionObjects::materialPointOutput::openFile(const word& name) const
 {
@@ -43,6 +39,11 @@ Foam::OFstream* Foam::functionObjects::materialPointOutput::openFile(const word&
 }
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+const Foam::mpm::materialPointSystem* Foam::functionObjects::materialPointOutput::findPoints() const
+{
+    return mesh_.cfindObject<mpm::materialPointSystem>("materialPointSystem");
+}
 
 const Foam::mpm::materialPointSystem& Foam::functionObjects::materialPointOutput::system()
 {
@@ -128,6 +129,27 @@ const Foam::mpm::materialPointPhase& Foam::functionObjects::materialPointOutput:
     return points.phases()[0];
 }
 
+Foam::autoPtr<Foam::mpm::startState> Foam::functionObjects::materialPointOutput::startOf(
+    const mpm::materialPointPhase& phase, const wordList& quantities) const
+{
+    autoPtr<mpm::startState> start;
+    forAll(quantities, i)
+    {
+        mpm::pointQuantity(dict_, phase, quantities[i], nullptr);
+        if (quantities.find(quantities[i]) != i)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Field " << quantities[i] << " is listed twice." << exit(FatalIOError);
+        }
+        if (!start && mpm::pointQuantity::needsStart(quantities[i]))
+        {
+            start.reset(new mpm::startState(dict_, phase));
+            start->share(boolList(start->id().size(), true));
+        }
+    }
+    return start;
+}
+
 Foam::string Foam::functionObjects::materialPointOutput::joined(const wordList& names)
 {
     string all;
@@ -182,10 +204,10 @@ Foam::functionObjects::materialPointOutput::materialPointOutput(
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name),
     ready_(false),
-    sampled_(true),
 
     // A startTime of controlDict is no start of -postProcess
-    late_(functionObject::postProcess || runTime.timeIndex() > runTime.startTimeIndex())
+    late_(functionObject::postProcess || runTime.timeIndex() > runTime.startTimeIndex()),
+    sampled_(true)
 {
 }
 
