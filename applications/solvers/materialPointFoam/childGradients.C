@@ -16,6 +16,7 @@ Foam::mpm::childGradients::childGradients(
     factor_(cells.size(), 1)
 {
     const label nInternal = mesh.nInternalFaces();
+    const Vector<label> computed(mesh.geometricD());
     vectorField behind;
     syncTools::swapBoundaryCellPositions(mesh, mesh.cellCentres(), behind);
     boolList coupled(behind.size(), false);
@@ -32,7 +33,7 @@ Foam::mpm::childGradients::childGradients(
         for (direction d = 0; d < 3; ++d)
         {
             const label diagonal = d == 0 ? symmTensor::XX : d == 1 ? symmTensor::YY : symmTensor::ZZ;
-            m[diagonal] = mesh.geometricD()[d] < 0 ? 1 : 0;
+            m[diagonal] = computed[d] < 0 ? 1 : 0;
         }
         for (const label f : mesh.cells()[c])
         {

@@ -4,6 +4,7 @@
 #include "refinedMesh.H"
 #include "IFstream.H"
 #include "labelIOList.H"
+#include "pointIOField.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -127,6 +128,7 @@ bool Foam::mpm::adaptiveMesh::readWhole(labelList& levels)
 
     // A tree goes where its first leaf is
     const label nBase = returnReduce(base_->nCells(), sumOp<label>());
+    const label nDim = mesh_.nGeometricD();
     labelList baseOf(levels.size()), firstOf(nBase, label(-1));
     {
         scalar filled = 0;
@@ -138,7 +140,7 @@ bool Foam::mpm::adaptiveMesh::readWhole(labelList& levels)
                 firstOf[++b] = c;
             }
             baseOf[c] = b;
-            filled += std::pow(2.0, -scalar(levels[c]) * mesh_.nGeometricD());
+            filled += std::pow(2.0, -scalar(levels[c]) * nDim);
             filled = filled > 1 - SMALL ? 0 : filled;
         }
     }
@@ -177,7 +179,14 @@ void Foam::mpm::adaptiveMesh::readBase()
     IOobject header(
         "cellLevel", mesh_.facesInstance(), polyMesh::meshSubDir, mesh_, IOobject::MUST_READ,
         IOobject::NO_WRITE, false);
-    const bool refined = returnReduce(header.typeHeaderOk<labelIOList>(true), orOp<bool>());
+    IOobject ofBase(
+        "points", mesh_.time().findInstance("base/polyMesh", "points", IOobject::READ_IF_PRESENT),
+        "base/polyMesh", mesh_.time(), IOobject::MUST_READ, IOobject::NO_WRITE, false);
+
+    // decomposePar shares the levels, and does not know the base mesh
+    const bool levelsHere = returnReduce(header.typeHeaderOk<labelIOList>(true), orOp<bool>());
+    const bool refined = levelsHere
+        && returnReduce(ofBase.typeHeaderOk<pointIOField>(false), orOp<bool>());
     labelList levels(mesh_.nCells(), 0);
     baseWritten_ = refined;
     if (refined)
@@ -198,6 +207,12 @@ void Foam::mpm::adaptiveMesh::readBase()
     }
     else if (!readWhole(levels))
     {
+        if (levelsHere)
+        {
+            FatalErrorInFunction << "There is " << header.objectPath()
+                                 << ", but no base mesh: no file " << ofBase.objectPath()
+                                 << exit(FatalError);
+        }
         copyBase(mesh_);
         if (Pstream::parRun())
         {

@@ -25,6 +25,39 @@ bool isFlat(const polyMesh& mesh, const label face)
     return isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp);
 }
 
+//- The same corners from where their labels come in the least order, right-handed: the axes of
+//  a cell do not depend on the numbers of faces, which differ from processor to processor
+FixedList<label, 8> leastOrder(const labelUList& corners)
+{
+    static const FixedList<FixedList<label, 3>, 6> orders{
+        {0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    FixedList<label, 8> least(corners);
+    for (label turn = 0; turn < 48; ++turn)
+    {
+        const label flips = turn & 7, n = (flips & 1) + ((flips >> 1) & 1) + (flips >> 2);
+        const FixedList<label, 3>& axes = orders[turn >> 3];
+        if ((n + (turn >> 3) / 3) % 2)
+        {
+            continue;
+        }
+        FixedList<label, 8> turned;
+        for (label i = 0; i < 8; ++i)
+        {
+            label from = 0;
+            for (label a = 0; a < 3; ++a)
+            {
+                from |= (((i ^ flips) >> a) & 1) << axes[a];
+            }
+            turned[i] = corners[from];
+        }
+        if (turned < least)
+        {
+            least = turned;
+        }
+    }
+    return least;
+}
+
 //- Corners of OpenFOAM's hexahedron or of a prism at the axis of a wedge in
 //  tensor order; empty: another cell
 labelList tensorCorners(const polyMesh& mesh, const label celli)
@@ -72,7 +105,7 @@ Foam::mpm::baseHexes::hex Foam::mpm::baseHexes::make(const label celli) const
             << "Make a mesh of hexahedra, or remove system/adaptiveMeshDict." << exit(FatalError);
     }
     hex h;
-    h.corners = FixedList<label, 8>(corners);
+    h.corners = leastOrder(corners);
     for (label side = 0; side < 6; ++side)
     {
         const label a = side / 2, e = side % 2;

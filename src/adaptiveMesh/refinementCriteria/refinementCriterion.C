@@ -22,6 +22,7 @@ void Foam::mpm::refinementCriterion::markShape(
 {
     const autoPtr<pointRegionShape> shape(pointRegionShape::New(pointGrid::New(mesh), dict));
     const boundBox box(shape->bounds());
+    const Vector<label> computed(mesh.geometricD());
     const label nDim = mesh.nGeometricD();
     for (label c = 0; c < mesh.nCells(); ++c)
     {
@@ -54,7 +55,7 @@ void Foam::mpm::refinementCriterion::markShape(
             for (label d = 0; d < 3; ++d)
             {
                 const scalar x = shape->computed(box.midpoint())[d];
-                nIn += mesh.geometricD()[d] > 0 && x >= cell.min()[d] && x <= cell.max()[d];
+                nIn += computed[d] > 0 && x >= cell.min()[d] && x <= cell.max()[d];
             }
             in = nIn == nDim;
         }

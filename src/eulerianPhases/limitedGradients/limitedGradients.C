@@ -411,19 +411,21 @@ void Foam::mpm::limitedGradients::aroundPoints()
 
 void Foam::mpm::limitedGradients::cellGradients()
 {
-    // A change of less is none, for the limiter
-    constexpr scalar none = 1e-300;
+    // A change of less is none, for the limiter. Where all around a point have the same value
+    // there is no room, and a change is rounding: this much of the values is left for it
+    constexpr scalar none = 1e-300, rounding = 1e-13;
 
     const label nCells = mesh_.nCells();
     for (label c = 0; c < nCells; ++c)
     {
         const label first = start_[c], last = start_[c + 1];
         const state w = load<width>(states_.cdata() + width * c);
-        state x{}, y{}, z{};
+        state x{}, y{}, z{}, size = laneAbs(w);
         for (label k = first; k < last; ++k)
         {
             const corner& at = corners_[k];
             const state d = load<width>(points_[at.point].cdata()) - w;
+            size = laneMax(size, laneAbs(d));
             x += d * at.slope.x();
             y += d * at.slope.y();
             z += d * at.slope.z();
@@ -437,7 +439,9 @@ void Foam::mpm::limitedGradients::cellGradients()
             const state change = x * at.arm.x() + y * at.arm.y() + z * at.arm.z();
             const state room =
                 select(change > 0, load<width>(e + 2 * width), load<width>(e + width)) - w;
-            limit = select(laneAbs(change) > none, laneMin(limit, room / change), limit);
+            limit = select(
+                laneAbs(change) > none,
+                laneMin(limit, (laneAbs(room) + rounding * size) / laneAbs(change)), limit);
         }
         scalar* const g = gradients_.data() + 3 * width * c;
         store<width>(g, x * limit);

@@ -10,6 +10,7 @@
     together the same: an explosive in air, points in contact, a rigid body
     blast    a square of high pressure: fine where it jumps, beside all fine and all coarse
     restart  in the middle: as without
+    ranks    on three processors, from the base mesh and from one that was halved before
     wrong    messages
 """
 
@@ -191,7 +192,24 @@ def volumes(case, time, whole, nBase, nDim):
     return whole/nBase/2.0**(nDim*cellLevel(case, time))
 
 
-def everything(name, n, end):
+def toLeaves(case, nDim):
+    """Start values of the base cells to the cells that adaptMesh has made of them."""
+    level = cellLevel(case, "constant")
+    at = np.cumsum(np.concatenate([[0], 2.0**(-nDim*level)]))
+    cell = np.floor(at[:-1] + 1e-9).astype(int)
+    for name in os.listdir(case.file("0")):
+        if os.path.isfile(case.file("0", name)):
+            with open(case.file("0", name)) as f:
+                text = f.read()
+            found = re.search(r"(nonuniform List<\w+>\s*)\d+\s*\(\n(.*?)\n\)", text, re.S)
+            if found:
+                rows = found[2].split("\n")
+                new = f"{found[1]}{len(cell)}\n(\n" + "\n".join(rows[c] for c in cell) + "\n)"
+                with open(case.file("0", name), "w") as f:
+                    f.write(text[:found.start()] + new + text[found.end():])
+
+
+def everything(name, n, end, halved=None):
     """An explosive in air, a block in contact with a plate, a rigid body that is pushed."""
     def initial(x, y, z):
         a = np.where((x - 0.3)**2 + (y - 0.4)**2 < 0.15**2, 1.0, 0.0)
@@ -204,6 +222,10 @@ def everything(name, n, end):
     case = fluidCase("adaptiveMesh", name, (n, n, 1), (1, 1, 1/n), fluids, initial, end,
                      ends=WALL, maxCoGas=0.3,
                      control={"maxCo": 0.3, "reportInterval": 1})
+    if halved:
+        adaptive(case, 2, halved)
+        case.run("adaptMesh")
+        toLeaves(case, 2)
     law = {"constitutiveModel": {"type": "neoHookean", "rho": 2000, "E": 1e9, "nu": 0.3}}
     besidePoints(
         case, fluids,
@@ -295,6 +317,80 @@ def restart(table):
     table.check("restart from the middle: files of the end, bit by bit", not bad, bad)
 
 
+def ofBase(case, time, name):
+    """Values of a field in the order of the whole base mesh, of one or several processors."""
+    if not case.processors():
+        return volField(case, time, name)
+    nDim, parts = 2, {}
+    for folder in case.processors():
+        level = labels(os.path.join(folder, time, "polyMesh/cellLevel"))
+        base = [t for t in os.listdir(folder)
+                if os.path.exists(os.path.join(folder, t, "base/polyMesh/cellProcAddressing"))]
+        number = labels(os.path.join(folder, base[0], "base/polyMesh/cellProcAddressing"))
+        at = np.cumsum(np.concatenate([[0], 2.0**(-nDim*level)]))
+        cell = np.floor(at[:-1] + 1e-9).astype(int)
+        values = volField(FolderOf(folder), time, name)
+        for c in range(len(number)):
+            parts[number[c]] = values[cell == c] if len(values) > 1 else values
+    return np.concatenate([parts[c] for c in sorted(parts)])
+
+
+class FolderOf:
+    """A processor's folder as a case."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def file(self, *names):
+        return os.path.join(self.path, *names)
+
+    def processors(self):
+        return []
+
+
+def ranks(table):
+    """On three processors, from the base mesh and with trees that decomposePar has cut; a
+    restart there."""
+    end = 0.1
+    refine = {name: {"type": "jump", "field": field, "relative": 0.1}
+              for name, field in (("shock", "p"), ("contact", "rho.air"))}
+
+    def blastOn(name):
+        return adaptive(blastCase(name, (16, 16, 1), end, writeInterval=end/2), 2, refine)
+
+    def cut(name):
+        case = everything(name, 16, 3e-5, halved={"box": box((0.2, 0.3, -1), (0.9, 0.9, 1))})
+        comeAndGo(case, 3e-5, 2, n=30)
+        return case
+    for label, make, fields in (("blast", blastOn, ("p", "rho.air", "U.air")),
+                                ("trees cut, explosive, contact, rigid body", cut,
+                                 ("p", "U", "alpha.air"))):
+        one, other = make("one-" + label[:5]), make("three-" + label[:5])
+        one.run("materialPointFoam")
+        other.decompose((3, 1, 1))
+        other.runParallel()
+        time = one.times()[-1]
+        worst = 0
+        for name in fields:
+            u, v = (ofBase(c, time, name) for c in (one, other))
+            worst = max(worst, np.max(np.abs(u - v))/np.max(np.abs(u))
+                        if u.shape == v.shape else np.inf)
+        table.row(f"{label}: fields of three processors, difference to one", 0, worst, 1e-10)
+        table.check(f"{label}: the mesh has changed", changes(other) > 2, changes(other))
+        if label == "blast":
+            before = {n: ofBase(other, time, n) for n in fields}
+            for folder in other.processors():
+                shutil.rmtree(os.path.join(folder, time))
+            other.change("system/controlDict", "startFrom.*?;", "startFrom latestTime;")
+            other.runParallel()
+            same = [n for n in fields if np.array_equal(before[n], ofBase(other, time, n))]
+            table.check("restart on three processors: fields of the end, bit by bit",
+                        len(same) == len(fields), same)
+        else:
+            table.row(f"{label}: points, difference", 0, one.largestDifference(
+                other, time, ["block", "plate", "body"], ("x", "U", "V")), 1e-10)
+
+
 def wrong(table):
     for label, entries, words in (
             ("level", {"maxLevel": 7}, ("maxLevel", "5")),
@@ -317,4 +413,4 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, restart, wrong))
+    sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, restart, ranks, wrong))
