@@ -71,7 +71,7 @@ void Foam::mpm::childGradients::add(
             b += (q - here) * n.d / magSqr(n.d);
         }
         (*g)[h] = inverse_[h] & b;
-        if (share && high - low > 1e-9)
+        if (share && high > low)
         {
             factor_[h] = 0;
         }

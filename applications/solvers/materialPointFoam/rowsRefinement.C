@@ -134,7 +134,7 @@ void Foam::mpm::rowsRefinement::moveList(dictionary& field, const word& key)
     }
     const bool sum = isSum(field), density = key == internalValues && !sum;
     const scalarField& V = mesh_.V();
-    const vectorField& C = mesh_.C();
+    const vectorField& C = mesh_.cellCentres();
     Field<Type> now(from_.size());
     for (label c = 0; c < from_.size(); ++c)
     {

@@ -84,6 +84,9 @@ void Foam::mpm::meshChange::setPatches(
     {
         mesh_.addPatches(list);
     }
+
+    // Made when they are asked for, by all processors together
+    mesh_.geometricD();
 }
 
 void Foam::mpm::meshChange::setZones(const wordList& names, const List<boolList>& cells)

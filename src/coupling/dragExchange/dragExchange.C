@@ -311,14 +311,14 @@ void Foam::mpm::dragExchange::dragBody(const label phasei, const scalar dt)
         phasei,
         [&](const label celli, const labelUList&, const UList<scalar>&, const scalar thetaS)
         {
-            const point& x = fraction_.mesh().C()[celli];
+            const point& x = fraction_.mesh().cellCentres()[celli];
             drag(celli, now.velocityAt(x), x, thetaS, Zero);
         });
     fraction_.surface().forCells(
         phasei,
         [&](const label celli, const labelUList&, const vector& A)
         {
-            const point& x = fraction_.mesh().C()[celli];
+            const point& x = fraction_.mesh().cellCentres()[celli];
             drag(celli, now.velocityAt(x), x, fraction_.theta()[celli], A);
         });
 }

@@ -109,7 +109,7 @@ void Foam::mpm::dragExchange::payBody(const label phasei)
             continue;
         }
         const scalar V = fraction_.mesh().V()[c];
-        const point& x = fraction_.mesh().C()[c];
+        const point& x = fraction_.mesh().cellCentres()[c];
         const vector U(now.velocityAt(x));
         rigid.addLoad(phasei, -V * J);
         if (body)

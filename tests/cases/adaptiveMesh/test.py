@@ -358,14 +358,16 @@ def ranks(table):
     def blastOn(name):
         return adaptive(blastCase(name, (16, 16, 1), end, writeInterval=end/2), 2, refine)
 
-    def cut(name):
-        case = everything(name, 16, 3e-5, halved={"box": box((0.2, 0.3, -1), (0.9, 0.9, 1))})
-        comeAndGo(case, 3e-5, 2, n=30)
-        return case
+    def cut(name, changing=True):
+        case = everything(name, 16, 1e-5, halved={"box": box((0.2, 0.3, -1), (0.9, 0.9, 1))})
+        return comeAndGo(case, 1e-5, 2, n=30) if changing else case
     for label, make, fields in (("blast", blastOn, ("p", "rho.air", "U.air")),
                                 ("trees cut, explosive, contact, rigid body", cut,
+                                 ("p", "U", "alpha.air")),
+                                ("the same, unchanged", lambda name: cut(name, False),
                                  ("p", "U", "alpha.air"))):
-        one, other = make("one-" + label[:5]), make("three-" + label[:5])
+        short = label.split(",")[0].replace(" ", "-")
+        one, other = make("one-" + short), make("three-" + short)
         one.run("materialPointFoam")
         other.decompose((3, 1, 1))
         other.runParallel()
@@ -376,7 +378,8 @@ def ranks(table):
             worst = max(worst, np.max(np.abs(u - v))/np.max(np.abs(u))
                         if u.shape == v.shape else np.inf)
         table.row(f"{label}: fields of three processors, difference to one", 0, worst, 1e-10)
-        table.check(f"{label}: the mesh has changed", changes(other) > 2, changes(other))
+        table.check(f"{label}: the mesh has changed", changes(other) > 2 or "unchanged" in label,
+                    changes(other))
         if label == "blast":
             before = {n: ofBase(other, time, n) for n in fields}
             for folder in other.processors():
@@ -387,8 +390,10 @@ def ranks(table):
             table.check("restart on three processors: fields of the end, bit by bit",
                         len(same) == len(fields), same)
         else:
-            table.row(f"{label}: points, difference", 0, one.largestDifference(
-                other, time, ["block", "plate", "body"], ("x", "U", "V")), 1e-10)
+            # The rigid body hardly moves: its velocity is rounding
+            for phases, columns in ((["block", "plate"], ("x", "U", "V")), (["body"], ("x", "V"))):
+                table.row(f"{label}: points of {' and '.join(phases)}, difference", 0,
+                          one.largestDifference(other, time, phases, columns), 1e-10)
 
 
 def wrong(table):
