@@ -32,7 +32,9 @@ Foam::mpm::childGradients::childGradients(
         symmTensor m(Zero);
         for (direction d = 0; d < 3; ++d)
         {
-            const label diagonal = d == 0 ? symmTensor::XX : d == 1 ? symmTensor::YY : symmTensor::ZZ;
+            const label diagonal = d == 0 ? symmTensor::XX
+                : d == 1                  ? symmTensor::YY
+                                          : symmTensor::ZZ;
             m[diagonal] = computed[d] < 0 ? 1 : 0;
         }
         for (const label f : mesh.cells()[c])

@@ -6,6 +6,7 @@
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
 #include "largestOfAll.H"
+#include "OSspecific.H"
 #include "ownedFields.H"
 #include "Time.H"
 #include <cmath>
@@ -115,6 +116,12 @@ Foam::mpm::loadBalance::loadBalance(fvMesh& mesh) :
         }
     }
     checkKeywords(own, keywords);
+    if (isFile(mesh.time().rootPath() / mesh.time().globalCaseName() / "system/adaptiveMeshDict"))
+    {
+        FatalIOErrorInFunction(own)
+            << "loadBalance and system/adaptiveMeshDict do not go together yet: remove one of them."
+            << exit(FatalIOError);
+    }
     interval_ = boundedLabelOrDefault(own, "interval", 200, 1, labelMax);
     maxImbalance_ = boundedOrDefault(own, "maxImbalance", 1.2, 1, GREAT);
     worth_ = boundedOrDefault(own, "worth", 1, 0, GREAT);

@@ -75,8 +75,7 @@ void Foam::mpm::rowsRefinement::forLists(fieldStates& fields, const Function& f)
 }
 
 template<class Type>
-void Foam::mpm::rowsRefinement::addList(
-    const word& name, const dictionary& field, const word& key)
+void Foam::mpm::rowsRefinement::addList(const word& name, const dictionary& field, const word& key)
 {
     const Field<Type> v(key, field, V_.size());
     Field<Type> behind;
@@ -191,7 +190,7 @@ void Foam::mpm::rowsRefinement::mapFaces()
     {
         Pair<label>& range = onBase(baseFace_[i]);
         range = i > 0 && baseFace_[i - 1] == baseFace_[i] ? Pair<label>(range[0], i + 1)
-                                                         : Pair<label>(i, i + 1);
+                                                          : Pair<label>(i, i + 1);
     }
     const labelList& now = adaptive_.baseFace();
     fromFaces_.setSize(now.size());

@@ -147,8 +147,7 @@ Foam::mpm::adaptiveMesh::adaptiveMesh(polyMesh& mesh) :
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::mpm::adaptiveMesh::look(
-    const bool atStart, const bool always, const boolList& frozen)
+bool Foam::mpm::adaptiveMesh::look(const bool atStart, const bool always, const boolList& frozen)
 {
     // Layers that must be fine, and the part of the cells that must be superfluous
     constexpr label margin = 2;

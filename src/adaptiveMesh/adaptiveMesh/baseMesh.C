@@ -111,8 +111,8 @@ bool Foam::mpm::adaptiveMesh::readWhole(labelList& levels)
     readHeader(ofPatches);
     PtrList<entry>(ofPatches).swap(patches);
     base_.reset(new polyMesh(
-        baseHeader(mesh_, IOobject::NO_READ), std::move(points), std::move(faces),
-        std::move(owner), std::move(neighbour)));
+        baseHeader(mesh_, IOobject::NO_READ), std::move(points), std::move(faces), std::move(owner),
+        std::move(neighbour)));
     PtrList<polyPatch> list(patches.size());
     label start = base_->nInternalFaces();
     forAll(list, i)
@@ -185,8 +185,8 @@ void Foam::mpm::adaptiveMesh::readBase()
 
     // decomposePar shares the levels, and does not know the base mesh
     const bool levelsHere = returnReduce(header.typeHeaderOk<labelIOList>(true), orOp<bool>());
-    const bool refined = levelsHere
-        && returnReduce(ofBase.typeHeaderOk<pointIOField>(false), orOp<bool>());
+    const bool refined =
+        levelsHere && returnReduce(ofBase.typeHeaderOk<pointIOField>(false), orOp<bool>());
     labelList levels(mesh_.nCells(), 0);
     baseWritten_ = refined;
     if (refined)
@@ -194,10 +194,10 @@ void Foam::mpm::adaptiveMesh::readBase()
         levels = labelIOList(header);
         if (returnReduce(levels.size() != mesh_.nCells(), orOp<bool>()))
         {
-            FatalErrorInFunction
-                << "File " << header.objectPath() << " has " << levels.size()
-                << " levels, the mesh has " << mesh_.nCells() << " cells: it is of another mesh."
-                << " Remove it, or make the mesh anew." << exit(FatalError);
+            FatalErrorInFunction << "File " << header.objectPath() << " has " << levels.size()
+                                 << " levels, the mesh has " << mesh_.nCells()
+                                 << " cells: it is of another mesh."
+                                 << " Remove it, or make the mesh anew." << exit(FatalError);
         }
         base_.reset(new polyMesh(baseHeader(mesh_, IOobject::MUST_READ)));
         if (Pstream::parRun())

@@ -29,8 +29,8 @@ bool isFlat(const polyMesh& mesh, const label face)
 //  a cell do not depend on the numbers of faces, which differ from processor to processor
 FixedList<label, 8> leastOrder(const labelUList& corners)
 {
-    static const FixedList<FixedList<label, 3>, 6> orders{
-        {0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    static const FixedList<FixedList<label, 3>, 6> orders{{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                                          {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     FixedList<label, 8> least(corners);
     for (label turn = 0; turn < 48; ++turn)
     {

@@ -20,8 +20,7 @@ Foam::mpm::meshChange::meshChange(
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::PtrList<Foam::dictionary>
-Foam::mpm::meshChange::patches(const polyMesh& mesh, const label n)
+Foam::PtrList<Foam::dictionary> Foam::mpm::meshChange::patches(const polyMesh& mesh, const label n)
 {
     PtrList<dictionary> all(n < 0 ? mesh.boundaryMesh().size() : n);
     forAll(all, i)

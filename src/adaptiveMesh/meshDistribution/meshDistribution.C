@@ -75,8 +75,8 @@ labelListList numbersOf(const labelUList& numbers, const labelListList& places)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelIOList Foam::mpm::meshDistribution::read(
-    const polyMesh& files, const word& name, const label size)
+Foam::labelIOList
+Foam::mpm::meshDistribution::read(const polyMesh& files, const word& name, const label size)
 {
     IOobject io(
         name, files.facesInstance(), polyMesh::meshSubDir, files, IOobject::MUST_READ,
@@ -84,8 +84,8 @@ Foam::labelIOList Foam::mpm::meshDistribution::read(
     if (!returnReduce(io.typeHeaderOk<labelIOList>(true), andOp<bool>()))
     {
         FatalErrorInFunction << "loadBalance in system/decomposeParDict and an adaptive mesh"
-                             << " on several processors need the file " << io.objectPath() << ", which decomposePar writes."
-                             << exit(FatalError);
+                             << " on several processors need the file " << io.objectPath()
+                             << ", which decomposePar writes." << exit(FatalError);
     }
     labelIOList list(io);
     if (returnReduce(list.size() != size, orOp<bool>()))
@@ -221,8 +221,7 @@ void Foam::mpm::meshDistribution::setMesh(
     }
     owner = placesIn(to.cells, owner);
     labelList neighbour(placesIn(to.cells, inside));
-    change.set(
-        pointField(to.x), std::move(faces), std::move(owner), std::move(neighbour));
+    change.set(pointField(to.x), std::move(faces), std::move(owner), std::move(neighbour));
     const label n = nPatches + others.size();
     wordList names(n);
     PtrList<dictionary> dicts(n);

@@ -43,11 +43,7 @@ void Foam::mpm::treeLeaves::grow(
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::treeLeaves::treeLeaves(const baseHexes& base, const labelUList& levels) :
-    base_(base),
-    level_(levels),
-    cell_(levels.size()),
-    start_(base.size() + 1),
-    at_(levels.size())
+    base_(base), level_(levels), cell_(levels.size()), start_(base.size() + 1), at_(levels.size())
 {
     label next = 0;
     for (label celli = 0; celli < base.size(); ++celli)
@@ -115,8 +111,7 @@ Foam::labelList Foam::mpm::treeLeaves::changed(const labelUList& change) const
     return labelList(std::move(levels));
 }
 
-Foam::List<Foam::Pair<Foam::label>>
-Foam::mpm::treeLeaves::sources(const treeLeaves& before) const
+Foam::List<Foam::Pair<Foam::label>> Foam::mpm::treeLeaves::sources(const treeLeaves& before) const
 {
     List<Pair<label>> from(size());
     for (label celli = 0; celli < base_.size(); ++celli)

@@ -25,8 +25,8 @@ public:
     {
         if (relative_ >= GREAT && absolute_ >= GREAT)
         {
-            FatalIOErrorInFunction(dict) << "A jump needs an entry relative or absolute."
-                                         << exit(FatalIOError);
+            FatalIOErrorInFunction(dict)
+                << "A jump needs an entry relative or absolute." << exit(FatalIOError);
         }
     }
 
@@ -35,10 +35,7 @@ public:
         const volScalarField& v = mesh.lookupObject<volScalarField>(
             oneOf(dict(), "field", mesh.sortedNames<volScalarField>()));
         const auto jump = [&](const scalar a, const scalar b)
-        {
-            return mag(a - b)
-                / min(absolute_, max(relative_ * 0.5 * (mag(a) + mag(b)), VSMALL));
-        };
+        { return mag(a - b) / min(absolute_, max(relative_ * 0.5 * (mag(a) + mag(b)), VSMALL)); };
         scalarField behind;
         syncTools::swapBoundaryCellList(mesh, v.primitiveField(), behind);
         const label nInternal = mesh.nInternalFaces();

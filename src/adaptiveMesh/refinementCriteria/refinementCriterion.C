@@ -63,8 +63,7 @@ void Foam::mpm::refinementCriterion::markShape(
     }
 }
 
-Foam::dictionary
-Foam::mpm::refinementCriterion::systemDict(const polyMesh& mesh, const word& name)
+Foam::dictionary Foam::mpm::refinementCriterion::systemDict(const polyMesh& mesh, const word& name)
 {
     return IOdictionary(IOobject(
         name, mesh.time().system(), mesh.time(), IOobject::READ_IF_PRESENT, IOobject::NO_WRITE,
