@@ -13,7 +13,7 @@ namespace
 using namespace Foam;
 
 //- The values of an internal field: densities of the state
-const word internalValues("value");
+const word internalValues("value"), conditions("boundaryField");
 
 //- Shares of a cell: fluids, solid
 bool isShare(const word& name)
@@ -230,11 +230,11 @@ void Foam::mpm::rowsRefinement::moveFaces(
 
 void Foam::mpm::rowsRefinement::moveBoundary(dictionary& field) const
 {
-    if (!field.found("boundaryField"))
+    if (!field.found(conditions))
     {
         return;
     }
-    dictionary& all = field.subDict("boundaryField");
+    dictionary& all = field.subDict(conditions);
     forAll(mesh_.boundaryMesh(), patchi)
     {
         const word& name = mesh_.boundaryMesh()[patchi].name();
@@ -314,7 +314,7 @@ Foam::mpm::rowsRefinement::rowsRefinement(
     }
     forAllConstIters(rows.points.pointFields, iter)
     {
-        for (const entry& e : iter.val().subDict("boundaryField"))
+        for (const entry& e : iter.val().subDict(conditions))
         {
             for (const word& key : e.dict().toc())
             {

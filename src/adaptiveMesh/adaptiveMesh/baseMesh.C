@@ -26,10 +26,11 @@ IOobject baseHeader(const polyMesh& mesh, const IOobject::readOption read)
 //- Class of a file's content, which comes next
 word readHeader(IFstream& is)
 {
+    const word format("format"), type("class");
     const token start(is);
     const dictionary header(is);
-    is.format(header.get<word>("format"));
-    return header.get<word>("class");
+    is.format(header.get<word>(format));
+    return header.get<word>(type);
 }
 
 faceList readFaces(IFstream& is)
@@ -118,8 +119,9 @@ bool Foam::mpm::adaptiveMesh::readWhole(labelList& levels)
     forAll(list, i)
     {
         dictionary dict(patches[i].dict());
-        const label n = Pstream::master() ? dict.get<label>("nFaces") : 0;
-        dict.set("nFaces", n);
+        const word nFaces("nFaces");
+        const label n = Pstream::master() ? dict.get<label>(nFaces) : 0;
+        dict.set(nFaces, n);
         dict.set("startFace", start);
         list.set(i, polyPatch::New(patches[i].keyword(), dict, i, base_->boundaryMesh()));
         start += n;

@@ -59,8 +59,7 @@ public:
     //- A fluid ends where its shape does
     void markStart(const polyMesh& mesh, scalarField& need) const override
     {
-        const dictionary regions(systemDict(mesh, "setFluidsDict").subOrEmptyDict("regions"));
-        for (const entry& e : regions)
+        for (const entry& e : regionsOf(mesh, "setFluidsDict"))
         {
             if (e.isDict())
             {

@@ -12,6 +12,9 @@ class pointsCriterion : public refinementCriterion
 {
     const wordList phases_;
 
+    //- Of the phase of a region
+    const word phaseKey{"phase"};
+
     bool has(const word& phase) const { return phases_.empty() || phases_.found(phase); }
 
 public:
@@ -50,11 +53,9 @@ public:
 
     void markStart(const polyMesh& mesh, scalarField& need) const override
     {
-        const dictionary regions(
-            systemDict(mesh, "setMaterialPointsDict").subOrEmptyDict("regions"));
-        for (const entry& e : regions)
+        for (const entry& e : regionsOf(mesh, "setMaterialPointsDict"))
         {
-            if (e.isDict() && has(required<word>(e.dict(), "phase")))
+            if (e.isDict() && has(required<word>(e.dict(), phaseKey)))
             {
                 markShape(mesh, e.dict(), false, need);
             }

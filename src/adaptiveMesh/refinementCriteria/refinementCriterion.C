@@ -63,11 +63,13 @@ void Foam::mpm::refinementCriterion::markShape(
     }
 }
 
-Foam::dictionary Foam::mpm::refinementCriterion::systemDict(const polyMesh& mesh, const word& name)
+Foam::dictionary Foam::mpm::refinementCriterion::regionsOf(const polyMesh& mesh, const word& file)
 {
-    return IOdictionary(IOobject(
-        name, mesh.time().system(), mesh.time(), IOobject::READ_IF_PRESENT, IOobject::NO_WRITE,
+    const word regions("regions");
+    const IOdictionary dict(IOobject(
+        file, mesh.time().system(), mesh.time(), IOobject::READ_IF_PRESENT, IOobject::NO_WRITE,
         false));
+    return dict.subOrEmptyDict(regions);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
