@@ -428,15 +428,14 @@ void Foam::mpm::meshDistribution::tellFunctionObjects() const
     const_cast<Time&>(mesh_.time()).functionObjects().updateMesh(map);
 }
 
-void Foam::mpm::meshDistribution::write()
+void Foam::mpm::meshDistribution::write(const word& instance)
 {
-    const word& time = mesh_.time().timeName();
-    mesh_.setInstance(time);
+    mesh_.setInstance(instance);
     mesh_.write();
-    mesh_.setInstance(time, IOobject::NO_WRITE);
+    mesh_.setInstance(instance, IOobject::NO_WRITE);
     for (labelIOList* list : {&cells_, &points_, &faces_, &patches_})
     {
-        list->instance() = time;
+        list->instance() = instance;
         list->write();
     }
 }
