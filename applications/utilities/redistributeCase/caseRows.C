@@ -62,7 +62,7 @@ void dropLists(dictionary& dict)
 template<class Function>
 bool ofClass(const word& type, const Function& f)
 {
-    type == "labelField"          ? f(label())
+    type == "labelField"            ? f(label())
         : type == "scalarField"     ? f(scalar())
         : type == "vectorField"     ? f(vector())
         : type == "symmTensorField" ? f(symmTensor())
@@ -70,6 +70,21 @@ bool ofClass(const word& type, const Function& f)
                                     : void();
     return wordList({"labelField", "scalarField", "vectorField", "symmTensorField", "tensorField"})
         .found(type);
+}
+
+//- First component of a column in a row, -1: there is none
+label columnPlace(const mpm::pointRows& rows, const word& name)
+{
+    label at = 0;
+    forAll(rows.columns, i)
+    {
+        if (rows.columns[i] == name)
+        {
+            return at;
+        }
+        at += rows.nComponents[i];
+    }
+    return -1;
 }
 
 //- Files below a folder, with their paths in it
@@ -254,28 +269,32 @@ void Foam::mpm::caseRows::writeCloud(const word& name) const
     const fileName local(cloud::prefix / name);
     const label n = rows.size(), size = rows.rowSize();
     Cloud<passiveParticle> parcels(mesh_, name, IDLList<passiveParticle>());
-    label at = 0, ids = -1;
-    forAll(rows.columns, i)
-    {
-        if (rows.columns[i] == "origId")
+
+    // In the order of the solver: by cells, in them by ids
+    const label ids = columnPlace(rows, "id"), origIds = columnPlace(rows, "origId");
+    labelList order(identity(n));
+    std::sort(
+        order.begin(), order.end(),
+        [&](const label p, const label q)
         {
-            ids = at;
-        }
-        at += rows.nComponents[i];
-    }
-    for (label p = 0; p < n; ++p)
+            const label a = rows.cells[p], b = rows.cells[q];
+            const bool less =
+                ids < 0 ? p < q : rows.values[size * p + ids] < rows.values[size * q + ids];
+            return a < b || (a == b && less);
+        });
+    for (const label p : order)
     {
         const scalar* row = &rows.values[size * p];
         const scalar* x = row + size - 3;
         passiveParticle* parcel =
             new passiveParticle(mesh_, point(x[0], x[1], x[2]), rows.cells[p]);
         parcel->origProc() = 0;
-        parcel->origId() = ids < 0 ? p : label(row[ids]);
+        parcel->origId() = origIds < 0 ? p : label(row[origIds]);
         parcels.addParticle(parcel);
     }
     parcels.write();
 
-    at = 0;
+    label at = 0;
     for (label i = 0; i < rows.columns.size() - 1; ++i)
     {
         ofClass(
@@ -290,7 +309,7 @@ void Foam::mpm::caseRows::writeCloud(const word& name) const
                 {
                     for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
                     {
-                        setComponent(f[p], d) = rows.values[size * p + at + d];
+                        setComponent(f[p], d) = rows.values[size * order[p] + at + d];
                     }
                 }
                 f.write(n > 0);
@@ -377,8 +396,7 @@ void Foam::mpm::caseRows::write() const
         const bool onPoints = rows_.points.pointFields.found(name);
         const IOobject io(object(name));
         OFstream os(
-            io.objectPath(), time.writeFormat(), IOstream::currentVersion,
-            time.writeCompression());
+            io.objectPath(), time.writeFormat(), IOstream::currentVersion, time.writeCompression());
         io.writeHeader(os, fields_[name]);
         (onPoints ? rows_.points.pointFields : rows_.gas)[name].write(os, false);
         IOobject::writeEndDivider(os);

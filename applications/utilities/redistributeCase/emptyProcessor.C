@@ -37,6 +37,7 @@ void writeText(
 void Foam::mpm::writeEmptyProcessor(const Time& time, const word& instance, const bool empty)
 {
     string patches, identity;
+    bool tets = false;
     if (Pstream::master())
     {
         IOobject io(meshFile(time, instance, "boundary"));
@@ -57,10 +58,12 @@ void Foam::mpm::writeEmptyProcessor(const Time& time, const word& instance, cons
             }
         }
         patches = Foam::name(n) + "\n(\n" + os.str() + ")";
+        tets = isFile(meshFile(time, instance, "tetBasePtIs").objectPath());
         identity = Foam::name(n) + "(" + places.str() + ")";
     }
     Pstream::scatter(patches);
     Pstream::scatter(identity);
+    Pstream::scatter(tets);
     if (!empty)
     {
         return;
@@ -72,6 +75,11 @@ void Foam::mpm::writeEmptyProcessor(const Time& time, const word& instance, cons
          {"owner", "neighbour", "cellProcAddressing", "faceProcAddressing", "pointProcAddressing"})
     {
         writeText(time, instance, name, "labelList", "0()");
+    }
+    if (tets)
+    {
+        // All read them or all find them
+        writeText(time, instance, "tetBasePtIs", "labelList", "0()");
     }
     writeText(time, instance, "boundaryProcAddressing", "labelList", identity);
 }

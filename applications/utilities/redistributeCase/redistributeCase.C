@@ -35,6 +35,7 @@ Usage
 #include "rowsDistribution.H"
 #include "dictionaryTools.H"
 #include "fatalMessages.H"
+#include "IFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -47,6 +48,17 @@ namespace
 {
 
 const word before("processorsBefore");
+
+dictionary contentsOf(const fileName& file)
+{
+    if (!isFile(file))
+    {
+        FatalErrorInFunction << "There is no file " << file << "." << exit(FatalError);
+    }
+    requireClosed(file);
+    IFstream is(file);
+    return dictionary(is);
+}
 
 //- Number of processors that the case has; checks what there is. Collective
 label nProcessors(const argList& args, const label nNew)
@@ -65,7 +77,8 @@ label nProcessors(const argList& args, const label nNew)
     if (!n)
     {
         FatalErrorInFunction
-            << "There is no folder " << root / "processor0" << "." << nl
+            << "There is no folder " << root / "processor0"
+            << "." << nl
             << "decomposePar -latestTime  brings a case that is not decomposed to several"
             << " processors; fileHandler collated is not read here." << exit(FatalError);
     }
@@ -121,9 +134,9 @@ instant timeOf(const argList& args, const bool empty)
     {
         names.append(t.name());
     }
-    FatalErrorInFunction << (wanted.empty() ? string("No time") : string("Time " + wanted) + " is not")
-                         << " complete on all processors; processor0 has " << flatOutput(names)
-                         << exit(FatalError);
+    FatalErrorInFunction
+        << (wanted.empty() ? string("No time") : string("Time " + wanted) + " is not")
+        << " complete on all processors; processor0 has " << flatOutput(names) << exit(FatalError);
     return instant();
 }
 
@@ -170,9 +183,8 @@ labelList newProcs(
     Pstream::listCombineScatter(cells);
     if (min(cells) < 1)
     {
-        FatalIOErrorInFunction(dict)
-            << "Processor " << cells.find(0) << " of " << nNew << " would have no cells."
-            << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Processor " << cells.find(0) << " of " << nNew
+                                     << " would have no cells." << exit(FatalIOError);
     }
     return to;
 }
@@ -212,21 +224,23 @@ int main(int argc, char* argv[])
                              << " the numbers of processors before and after." << exit(FatalError);
     }
     const fileName root(args.rootPath() / args.globalCaseName());
-    const fileName dictFile(root / "system" / "decomposeParDict");
-    if (!isFile(dictFile))
+    const dictionary dict(contentsOf(root / "system" / "decomposeParDict"));
+    const label nNew = required<label>(dict, "numberOfSubdomains");
+    if (nNew < 1)
     {
-        FatalErrorInFunction << "There is no file " << dictFile << "." << exit(FatalError);
+        FatalIOErrorInFunction(dict)
+            << "numberOfSubdomains is " << nNew << "; it must be 1 or more." << exit(FatalIOError);
     }
-    Time runTime(Time::controlDictName, args);
-    const IOdictionary dict(IOobject(
-        "decomposeParDict", runTime.system(), runTime, IOobject::MUST_READ, IOobject::NO_WRITE,
-        false));
-    const label nNew = boundedLabelOrDefault(dict, "numberOfSubdomains", 0, 1, labelMax);
     label nOld = nProcessors(args, nNew);
     Pstream::scatter(nOld);
     const bool empty = Pstream::myProcNo() >= nOld;
 
+    // The last time may not be the same on all processors
     const instant start(timeOf(args, empty));
+    dictionary control(contentsOf(root / "system" / "controlDict"));
+    control.set("startFrom", word("startTime"));
+    control.set("startTime", start.value());
+    Time runTime(control, args.rootPath(), args.caseName());
     runTime.setTime(start, 0);
     if (nNew == 1 && isDir(root / start.name()))
     {
@@ -238,8 +252,7 @@ int main(int argc, char* argv[])
     word instance(meshInstance(args.path(), start.value()));
     Pstream::scatter(instance);
     writeEmptyProcessor(runTime, instance, empty);
-    fvMesh mesh(
-        IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
+    fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
     addEmptyZones(mesh, empty);
     meshDistribution distribution(mesh);
     caseRows rows(mesh, empty);
@@ -256,8 +269,7 @@ int main(int argc, char* argv[])
     with.move(rows.rows(), maps);
     if (returnReduce(rows.nPoints(), sumOp<label>()) != nPoints)
     {
-        FatalErrorInFunction << "Points were lost; nothing is changed on disk."
-                             << exit(FatalError);
+        FatalErrorInFunction << "Points were lost; nothing is changed on disk." << exit(FatalError);
     }
 
     putAside(args, empty);
