@@ -58,18 +58,23 @@ void dropLists(dictionary& dict)
     }
 }
 
+template<class Type, class Function>
+bool ifClass(const word& type, const Function& f)
+{
+    const bool is = type == IOField<Type>::typeName;
+    if (is)
+    {
+        f(pTraits<Type>::zero);
+    }
+    return is;
+}
+
 //- Call f(a value of the type of a column); false: there is none
 template<class Function>
 bool ofClass(const word& type, const Function& f)
 {
-    type == "labelField"            ? f(label())
-        : type == "scalarField"     ? f(scalar())
-        : type == "vectorField"     ? f(vector())
-        : type == "symmTensorField" ? f(symmTensor())
-        : type == "tensorField"     ? f(tensor())
-                                    : void();
-    return wordList({"labelField", "scalarField", "vectorField", "symmTensorField", "tensorField"})
-        .found(type);
+    return ifClass<label>(type, f) || ifClass<scalar>(type, f) || ifClass<vector>(type, f)
+        || ifClass<symmTensor>(type, f) || ifClass<tensor>(type, f);
 }
 
 //- First component of a column in a row, -1: there is none

@@ -87,6 +87,8 @@ def scenes():
     yield "failing plates in air", rebuild.plates("FMPM", air={}), True, 20
     yield "gas alone, waves leave it", rebuild.gasAlone(), False, 3
     yield "grains in a gas", rebuild.grainsInGas(), True, 15
+    yield ("block through cyclic sides onto a wall", module("parallel").fallingBlock(
+        "cyclic", 2, {"shapeFunction": "GIMP", "transfer": "APIC"}), True, 12)
 
 
 def trips(table):
