@@ -55,6 +55,20 @@ labelListList exchanged(const labelListList& to)
     return from;
 }
 
+//- OpenFOAM reads tetBasePtIs where it has started, of the mesh of then: not while this is there
+struct noMeshFiles
+{
+    fileName& instance;
+    const fileName before;
+
+    explicit noMeshFiles(polyMesh& mesh) : instance(mesh.polyMesh::instance()), before(instance)
+    {
+        instance = mesh.time().path() / "none";
+    }
+
+    ~noMeshFiles() { instance = before; }
+};
+
 labelListList numbersOf(const labelUList& numbers, const labelListList& places)
 {
     labelListList of(places.size());
@@ -214,6 +228,7 @@ void Foam::mpm::meshDistribution::setMesh(
     owner() = placesIn(to.cells, owner());
     autoPtr<labelList> neighbour(new labelList(placesIn(to.cells, inside)));
 
+    const noMeshFiles guard(mesh_);
     label start = inside.size();
     mesh_.clearOut();
     mesh_.removeFvBoundary();
@@ -251,6 +266,7 @@ void Foam::mpm::meshDistribution::setMesh(
     patches_.setSize(nPatches);
     patches_.setSize(list.size(), -1);
     mesh_.addFvPatches(list);
+    mesh_.tetBasePtIs();
 }
 
 void Foam::mpm::meshDistribution::dropFields()

@@ -1,8 +1,8 @@
 """One scene with all that load balance moves: a charge detonates in air, between walls and
 under gravity; plates of points are thrown onto each other and onto a free rigid body.
 
-    case = everything("straight", steps=200)
-    sums(case)          # {name of a sum: (values over the time, their scale)}
+    case = everything("straight")
+    sums(case)          # {function and file: its rows}
 """
 
 import os
@@ -32,7 +32,7 @@ BOOKS = {"energy": {"type": "materialPointEnergy", **EACH},
 PHASES = ("plate", "cover", "body")
 
 
-def everything(name, end=4e-5):
+def everything(name, end=5e-5):
     """The case, not run yet."""
     def initial(x, y, z):
         a = np.clip((0.04 - np.hypot(x - 0.09, y - 0.1))/H + 0.5, 0, 1)
