@@ -15,6 +15,7 @@
     functions  of OpenFOAM that keep cells and fields of the mesh: probes, fieldAverage, mag
     thrown   a block that crosses the box: without moves it is on one of two processors,
              with them the points are shared evenly
+    crossing  debris that crosses the box (crossing.py has more, by hand): imbalance after looks
     wrong    messages
 """
 
@@ -206,6 +207,27 @@ def killed(table):
                 f"{n}, {straight.nSteps()}")
 
 
+def crossing(table):
+    """Debris that crosses the box."""
+    import crossing as of
+    one, fresh = (of.debris(f"debris{word}", 3) for word in ("", "-fresh"))
+    one.run("materialPointFoam")
+    end = one.times()[-1]
+    for n in (2, 4):
+        case = balanced(fresh, 25, (n, 1, 1), f"on{n}", maxImbalance=1.1, worth=0)
+        case.runParallel()
+        label = f"debris that crosses the box, {n} processors"
+        table.row(f"{label}: largest difference to one", 0,
+                  one.largestDifference(case, end, ["debris"], ("x", "U", "V", "sigma")), 1e-10)
+        looks = of.after(case)
+        table.row(f"{label}: largest imbalance of the load after a look", 1, max(looks), 1.2,
+                  "atMost")
+        table.check(f"{label}: it was moved", moves(case) > 8, moves(case))
+        table.row(f"{label}: way of the centre [boxes]", 0.6, np.mean(
+            one.points(end, "debris")["x"][:, 0] - one.points("0", "debris")["x"][:, 0])/1.2, 0.6,
+            "atLeast")
+
+
 def thrown(table):
     """A block that crosses the box, which two processors share by its length."""
     parallel = module("parallel")
@@ -356,6 +378,14 @@ def wrong(table):
             text = other.log()
         lacks = [w for w in words if w not in text]
         table.check(f"wrong input: {label}", not lacks, f"message lacks {lacks}")
+    other = balanced(case, 5, (2, 1, 1), "wrong-handler")
+    try:
+        other.runParallel("materialPointFoam", "-fileHandler", "collated")
+        text = ""
+    except RunFailed:
+        text = other.log()
+    table.check("wrong input: fileHandler collated",
+                "fileHandler collated" in text and "uncollated" in text, text[-200:])
     other = balanced(case, 5, (2, 1, 1), "wrong-addressing")
     os.remove(os.path.join(other.processors()[1], "constant/polyMesh/cellProcAddressing"))
     try:
@@ -369,4 +399,4 @@ def wrong(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("loadBalance", moved, fluids, allOfIt, budget, mesh, functions, restart, killed,
-                      thrown, wrong))
+                      crossing, thrown, wrong))
