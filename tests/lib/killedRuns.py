@@ -56,7 +56,8 @@ def killWhen(case, words, n, delay):
     log = case.file("log.killed")
     with open(log, "w") as f:
         p = subprocess.Popen([*mpirun(len(case.processors())), "materialPointFoam", "-parallel"],
-                             cwd=case.path, stdout=f, stderr=f, env={**os.environ, "PWD": case.path})
+                             cwd=case.path, stdout=f, stderr=f,
+                             env={**os.environ, "PWD": case.path})
     last = time.monotonic() + 60*PATIENCE
     while p.poll() is None and time.monotonic() < last:
         with open(log) as f:

@@ -41,7 +41,8 @@ def everything(name, end=5e-5):
     case = fluidCase("loadBalance", name, CELLS, high, FLUIDS, initial, end, ends=WALL, sides=WALL,
                      gravity=(0, -1e5, 0), control={
                          "maxCo": 0.3, "deltaT": 1e-9, "functions": BOOKS, "reportInterval": 1})
-    phases = {"plate": {**LAW, "velocityField": "solids"}, "cover": {**LAW, "velocityField": "cover"},
+    phases = {"plate": {**LAW, "velocityField": "solids"},
+              "cover": {**LAW, "velocityField": "cover"},
               "body": {"type": "rigid", "rho": 7800, "motion": {
                   "type": "free", "velocity": (-100, 20, 0), "angularVelocity": (0, 0, 500)},
                   "velocityField": "body"}}

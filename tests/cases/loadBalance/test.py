@@ -398,5 +398,5 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("loadBalance", moved, fluids, allOfIt, budget, mesh, functions, restart, killed,
-                      crossing, thrown, wrong))
+    sys.exit(runParts("loadBalance", moved, fluids, allOfIt, budget, mesh, functions, restart,
+                      killed, crossing, thrown, wrong))

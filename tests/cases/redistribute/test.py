@@ -180,7 +180,8 @@ def wrong(table):
     shutil.copytree(case.processors()[1], case.file("processor2"))
     shutil.rmtree(case.file("processor2", "constant"))
     shutil.move(case.file("processor1"), case.file("aside"))
-    text(lambda: redistribute(case, 3, ranks=3), "a processor is missing", ("there is no", "processor1"))
+    text(lambda: redistribute(case, 3, ranks=3), "a processor is missing",
+         ("there is no", "processor1"))
 
 
 if __name__ == "__main__":
