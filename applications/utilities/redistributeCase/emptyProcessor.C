@@ -49,7 +49,7 @@ void Foam::mpm::writeEmptyProcessor(const Time& time, const word& instance, cons
         for (const entry& e : all)
         {
             dictionary dict(e.dict());
-            if (!dict.found("neighbProcNo"))
+            if (!dict.get<word>("type").starts_with("processor"))
             {
                 dict.set("nFaces", 0);
                 dict.set("startFace", 0);
