@@ -49,7 +49,7 @@ void Foam::mpm::writeEmptyProcessor(const Time& time, const word& instance, cons
         for (const entry& e : all)
         {
             dictionary dict(e.dict());
-            if (!dict.get<word>("type").starts_with("processor"))
+            if (!e.keyword().starts_with("procBoundary"))
             {
                 dict.set("nFaces", 0);
                 dict.set("startFace", 0);

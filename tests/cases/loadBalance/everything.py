@@ -32,7 +32,7 @@ BOOKS = {"energy": {"type": "materialPointEnergy", **EACH},
 PHASES = ("plate", "cover", "body")
 
 
-def everything(name, end=5e-5):
+def everything(name, end=4.2e-5):
     """The case, not run yet."""
     def initial(x, y, z):
         a = np.clip((0.04 - np.hypot(x - 0.09, y - 0.1))/H + 0.5, 0, 1)
