@@ -193,6 +193,13 @@ def testModule(name, group):
     made = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(made)
     made.FoamCase = lambda _, case, template=None: FoamCase(group, f"{name}-{case}", template)
+
+    # Makers of cases of tests/lib: two tests at once must not have the same folders
+    for maker in ("plateCase", "gasCase", "coupledCase", "fluidCase", "blockInGas"):
+        if hasattr(made, maker):
+            def make(_, case, *args, of=getattr(made, maker), **more):
+                return of(group, f"{name}-{case}", *args, **more)
+            setattr(made, maker, make)
     return made
 
 

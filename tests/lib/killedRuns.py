@@ -1,6 +1,7 @@
 """Runs that are killed with kill -9 again and again, and the bits of their last time.
 
     kills(case, 8)              starts the solver 8 times and kills it
+    killWhen(case, words, 2, 0) when its log has the words twice
     sameBits(a, b, time)        names of files that differ in this time
 """
 
@@ -47,6 +48,29 @@ def kills(case, n, seed=7):
             p.wait()
     with open(case.file("log.killed")) as log:
         return n, log.read()
+
+
+def killWhen(case, words, n, delay):
+    """Starts a decomposed case and kills it when its log has the words for the nth time; 1 if
+    it did not end before."""
+    log = case.file("log.killed")
+    with open(log, "w") as f:
+        p = subprocess.Popen([*mpirun(len(case.processors())), "materialPointFoam", "-parallel"],
+                             cwd=case.path, stdout=f, stderr=f,
+                             env={**os.environ, "PWD": case.path})
+    last = time.monotonic() + 60*PATIENCE
+    while p.poll() is None and time.monotonic() < last:
+        with open(log) as f:
+            if f.read().count(words) >= n:
+                break
+        time.sleep(0.001)
+    time.sleep(delay)
+    ran = p.poll() is None
+    for pid in _children(p.pid):
+        os.kill(pid, signal.SIGKILL)
+    p.send_signal(signal.SIGKILL)
+    p.wait()
+    return int(ran)
 
 
 def sameBits(a, b, timeName, unlike=("uniform",)):

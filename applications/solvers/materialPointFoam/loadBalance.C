@@ -211,6 +211,6 @@ void Foam::mpm::loadBalance::write()
     {
         return;
     }
-    distribution_->write();
+    distribution_->write(mesh_.time().timeName());
     write_ = false;
 }

@@ -31,7 +31,10 @@ template<class Type>
 void Foam::mpm::rowsDistribution::moveList(
     dictionary& dict, const word& key, const place of, const label patchi) const
 {
-    const label n = of == cells ? nCells_ : of == faces ? size_[patchi] : points_[patchi].size();
+    const label n = of == cells ? nCells_
+        : of == nodes           ? nPoints_
+        : of == faces           ? size_[patchi]
+                                : points_[patchi].size();
     Field<Type> v(n, Zero);
     if (n || dict.found(key))
     {
@@ -40,6 +43,10 @@ void Foam::mpm::rowsDistribution::moveList(
     if (of == cells)
     {
         map_->cells.distribute(v);
+    }
+    else if (of == nodes)
+    {
+        map_->points.distribute(v);
     }
     else if (of == faces)
     {
@@ -87,14 +94,7 @@ void Foam::mpm::rowsDistribution::moveLists(
 
 void Foam::mpm::rowsDistribution::moveField(dictionary& field, const place boundary) const
 {
-    if (boundary == faces)
-    {
-        moveLists(field, cells, -1);
-    }
-    else
-    {
-        field.merge(writtenDictionary([](Ostream& os) { os << "internalField uniform (0 0 0);"; }));
-    }
+    moveLists(field, boundary == faces ? cells : nodes, -1);
     const word boundaryField("boundaryField");
     if (!field.found(boundaryField))
     {

@@ -55,6 +55,10 @@ Foam::mpm::simulation::simulation(const fvMesh& mesh, rows&& from) :
         sums.setState(from.gasBudget);
         coupling_->setBalance(sums);
     }
+    if (from.gains)
+    {
+        gas_->setAllGained(from.gained);
+    }
 }
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -166,6 +170,11 @@ Foam::mpm::simulation::rows Foam::mpm::simulation::takeDown()
     if (coupling_ && coupling_->hasBudget())
     {
         r.gasBudget = coupling_->balance().state();
+    }
+    r.gains = gas_ && gas_->hasBudget();
+    if (r.gains)
+    {
+        r.gained = gas_->allGained();
     }
     if (points_)
     {

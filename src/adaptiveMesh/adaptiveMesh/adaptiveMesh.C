@@ -312,7 +312,7 @@ void Foam::mpm::adaptiveMesh::write(const fileName& instance)
     }
     if (!baseWritten_ && distribution_.valid())
     {
-        distribution_->write();
+        distribution_->write(word(instance));
     }
     else if (!baseWritten_)
     {

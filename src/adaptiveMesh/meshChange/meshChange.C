@@ -84,8 +84,14 @@ void Foam::mpm::meshChange::setPatches(
         mesh_.addPatches(list);
     }
 
-    // Made when they are asked for, by all processors together
+    // Made when they are asked for, by all processors together. OpenFOAM would read base points
+    // of the faces from where the mesh was written, that of then
     mesh_.geometricD();
+    fileName& instance = mesh_.polyMesh::instance();
+    const fileName before(instance);
+    instance = mesh_.time().path() / "none";
+    mesh_.tetBasePtIs();
+    instance = before;
 }
 
 void Foam::mpm::meshChange::setZones(const wordList& names, const List<boolList>& cells)

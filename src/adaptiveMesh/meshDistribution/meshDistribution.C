@@ -392,17 +392,16 @@ Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelL
     return m;
 }
 
-void Foam::mpm::meshDistribution::write()
+void Foam::mpm::meshDistribution::write(const word& instance)
 {
-    const word& time = mesh_.time().timeName();
-    mesh_.setInstance(time);
+    mesh_.setInstance(instance);
     mesh_.write();
-    mesh_.setInstance(time, IOobject::NO_WRITE);
+    mesh_.setInstance(instance, IOobject::NO_WRITE);
     for (labelIOList* list : {&cells_, &points_, &faces_, &patches_})
     {
         labelIOList(
             IOobject(
-                list->name(), time, polyMesh::meshSubDir, mesh_, IOobject::NO_READ,
+                list->name(), instance, polyMesh::meshSubDir, mesh_, IOobject::NO_READ,
                 IOobject::NO_WRITE, false),
             *list)
             .write();

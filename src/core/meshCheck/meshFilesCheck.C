@@ -344,6 +344,14 @@ void Foam::mpm::refuseMesh(const string& found)
 
 void Foam::mpm::checkMeshFiles(const Time& time)
 {
+    const word& handler = fileHandler().type();
+    if (Pstream::parRun() && (handler == "collated" || handler == "hostCollated"))
+    {
+        FatalErrorInFunction << "fileHandler " << handler << ": points and the state of a run are"
+                             << " files of each processor. Take  uncollated,  for decomposePar, too"
+                             << " (-fileHandler, FOAM_FILEHANDLER, OptimisationSwitches of"
+                             << " controlDict)." << exit(FatalError);
+    }
     const word& dir = polyMesh::meshSubDir;
     const auto object = [&](const word& name, const word& instance)
     { return IOobject(name, instance, dir, time, IOobject::MUST_READ, IOobject::NO_WRITE, false); };

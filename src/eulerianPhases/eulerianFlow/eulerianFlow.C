@@ -479,6 +479,22 @@ Foam::mpm::fieldStates Foam::mpm::eulerianFlow::takeDown()
     return states;
 }
 
+Foam::mpm::flowGains Foam::mpm::eulerianFlow::allGained() const
+{
+    flowGains all(earlier_);
+    if (flows_)
+    {
+        all += *flows_;
+    }
+    return all;
+}
+
+void Foam::mpm::eulerianFlow::setAllGained(const flowGains& sums)
+{
+    startBudget();
+    earlier_ = sums;
+}
+
 Foam::dictionary Foam::mpm::eulerianFlow::state() const
 {
     dictionary state;

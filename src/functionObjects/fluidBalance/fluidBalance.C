@@ -180,7 +180,7 @@ class fluidBalance : public flowOutput
     //  collective: of this processor, unless reduced
     scalarList gained() const
     {
-        const mpm::eulerianFlow::flows& in = flow().gained();
+        const mpm::eulerianFlow::flows in(flow().allGained());
         const label n = flow().fluidNames().size();
         scalarField s(n + 4, Zero);
         for (label k = 0; k < n; ++k)

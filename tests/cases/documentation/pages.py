@@ -9,7 +9,7 @@ _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _SPAN = re.compile(r"`([^`]+)`")
 _CLAIM = re.compile(r"<!-- read in: ([^>]*?) -->", re.S)
 _COMMANDS = ("cp|mkdir|touch|git|wmake|mpirun|blockMesh|setMaterialPoints|materialPointFoam"
-             r"|foam[A-Z]\w+|decomposePar|reconstructPar|compareMaterialPoints|paraview"
+             r"|foam[A-Z]\w+|decomposePar|reconstructPar|compareMaterialPoints|redistributeCase|paraview"
              r"|\./All\w+|(tests|tutorials|benchmarks)/[\w/]*All\w+|\. etc/\w+")
 
 

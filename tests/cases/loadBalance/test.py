@@ -4,17 +4,24 @@
     moved    scenes of tests/cases/rebuild and two fluids, one of which detonates: every few
              steps all cells go to random processors, of three; points and fields of the
              whole case, by reconstructPar, are those of one processor to 1e-10
+    allOfIt  points in contact, a free body, two fluids and a detonation in one scene, moved
+             every second step: mass, momentum with what walls and gravity gave and the energy
+             budget as without moves, to 1e-12
     budget   terms of the energy budget of a turning disc, a shock and a block, so too
     mesh     after moves to and fro a processor has the mesh of decomposePar, bit by bit
     restart  from a time in the middle, with the mesh of that time: to 1e-10
+    killed   kill -9 before, in and after moves: the restarted run ends with the bits of the
+             one that was left alone
     functions  of OpenFOAM that keep cells and fields of the mesh: probes, fieldAverage, mag
     thrown   a block that crosses the box: without moves it is on one of two processors,
              with them the points are shared evenly
+    crossing  debris that crosses the box (crossing.py has more, by hand): imbalance after looks
     wrong    messages
 """
 
 import os
 import re
+import random
 import shutil
 import sys
 
@@ -23,8 +30,10 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
 from blockInGas import blockInGas
-from foamCase import FoamCase, RunFailed, readInternal, runParts, testModule
+from everything import PHASES, everything, sums
+from foamCase import FoamCase, RunFailed, foamText, readInternal, runParts, testModule
 from gasCases import labels, volField
+from killedRuns import killWhen, sameBits, times
 from mpm.files import Points
 
 DICT = "system/decomposeParDict"
@@ -102,6 +111,12 @@ def moved(table):
                     f"{moves(other)} times, {n} fields")
 
 
+def booked(case):
+    case.change("system/controlDict", r"^functions\s*\{", "functions\n{\n"
+                + foamText({"fluids": {"type": "fluidBalance", "libs": "(mpmFunctionObjects)",
+                                       "writeControl": "timeStep", "writeInterval": 1}}, 4))
+
+
 def fluids(table):
     """Two fluids, of which one detonates; a wave on a block in water and air."""
     os.environ["MPM_MOVES"] = "7"
@@ -111,9 +126,13 @@ def fluids(table):
                 ("pointsInFluids", "struck", 5e-5, ("p", "U", "alpha.water"), 1e-9)):
             of = module(name)
             if make == "discCase":
-                one, other = (of.discCase(f"moved-{n}", 16, end, split)
+                one, other = (of.discCase(f"moved-{n}", 16, end, split, before=booked)
                               for n, split in ((1, None), (3, (3, 1, 1))))
                 worst = of.differences(one, other, one.timeName(end))
+                u, v = (c.series("fluids", "total.dat") for c in (one, other))
+                table.row(f"{name}: moved often, fluidBalance, difference to one processor", 0,
+                          np.max(abs(u - v))/np.max(abs(u)) if u.shape == v.shape else np.inf,
+                          1e-12)
             else:
                 one, other = (of.struck(f"moved-{n}", end, split=split)
                               for n, split in ((1, None), (3, (3, 1, 1))))
@@ -124,6 +143,89 @@ def fluids(table):
             table.check(f"{name}: it was", moves(other) > 0, moves(other))
     finally:
         del os.environ["MPM_MOVES"]
+
+
+def allOfIt(table):
+    one = everything("everything")
+    still = balanced(one, 2, (2, 1, 1), "still", maxImbalance=1e9)
+    other = balanced(one, 2, (2, 1, 1), **RANDOM)
+    for case in (still, other):
+        case.runParallel(limit=600)
+    a, b = sums(still), sums(other)
+    if any(a[k].shape != b[k].shape for k in a):
+        table.check("everything: as many steps", False)
+        return
+
+    def worst(name, columns, size):
+        return np.max(abs(a[name] - b[name])[:, columns])/size
+    mixture, energy = a["balance mixture.dat"], a["energy energy.dat"]
+    impulse = np.max(abs(mixture[:, 6:9]))
+    exchanged = module("energyInGas").exchanged(energy)
+    masses = {"balance mixture.dat": 1, "fluids charge.dat": 1, "fluids air.dat": 1,
+              **{f"balance {p}.dat": 2 for p in PHASES}}
+    label = "points, contact, a free body, two fluids, detonation, moved often, to without moves"
+    table.row(f"{label}: masses", 0, max(worst(k, [i], np.max(a[k][:, i]))
+                                         for k, i in masses.items()), 1e-12)
+    table.row(f"{label}: momentum less what walls and gravity gave, over that", 0,
+              worst("balance mixture.dat", [9, 10, 11], impulse), 1e-12)
+    table.row(f"{label}: momenta of phases over that", 0,
+              max(worst(f"balance {p}.dat", [3, 4, 5], impulse) for p in PHASES), 1e-12)
+    table.row(f"{label}: terms of the energy budget over what was exchanged", 0,
+              worst("energy energy.dat", slice(1, None), exchanged), 1e-12)
+    table.row(f"{label}: fluidBalance, impulse and energy through walls, over the largest", 0,
+              max(worst("fluids total.dat", [10, 11], impulse),
+                  worst("fluids total.dat", [13], exchanged)), 1e-9)
+    closed = [float(n) for n in re.findall("^Contact all between .*closed nodes ([0-9]+)",
+                                           still.log(), re.M)]
+    table.check(f"{label}: bodies have met, the body too, it was moved",
+                moves(other) >= 100 and max(closed[::3]) > 0 and max(closed[2::3]) > 0
+                and moves(still) == 0, f"{moves(other)} times")
+
+
+def killed(table):
+    """Moves every 7 steps, times every 11: the restart's first step has no look."""
+    case = module("parallel").fallingBlock(
+        "killed", 2, {"shapeFunction": "GIMP", "transfer": "FLIP"})
+    case.change("system/controlDict", "^startFrom.*?;", "startFrom latestTime;")
+    case.change("system/controlDict", "^writeControl.*?;", "writeControl timeStep;")
+    case.change("system/controlDict", "^writeInterval.*?;", "writeInterval 11;")
+    case.change("system/controlDict", "^endTime.*?;", "endTime 4.6e-3;")
+    straight = balanced(case, 7, (2, 1, 1), "straight", **RANDOM)
+    straight.runParallel()
+    other = balanced(case, 7, (2, 1, 1), "again", **RANDOM)
+    rng = random.Random(3)
+    n = sum(killWhen(other, words, 1 + i % 3, 0.004*rng.random())
+            for i in range(4) for words in ("deltaT set by", "Load: imbalance",
+                                            "Simulation is built again"))
+    other.runParallel()
+    end = times(straight)[-1]
+    differ, count = sameBits(straight, other, end)
+    table.check("kill -9 before, in and after moves: the last time has the bits of the run that"
+                " was left alone", not differ and count > 20 and times(other)[-1] == end,
+                f"{differ} of {count}, {times(other)[-1]} {end}")
+    table.check("kill -9: runs were killed, steps", n >= 8 and 66 < straight.nSteps() < 77,
+                f"{n}, {straight.nSteps()}")
+
+
+def crossing(table):
+    """Debris that crosses the box."""
+    import crossing as of
+    one, fresh = (of.debris(f"debris{word}", 3) for word in ("", "-fresh"))
+    one.run("materialPointFoam")
+    end = one.times()[-1]
+    for n in (2, 4):
+        case = balanced(fresh, 25, (n, 1, 1), f"on{n}", maxImbalance=1.1, worth=0)
+        case.runParallel()
+        label = f"debris that crosses the box, {n} processors"
+        table.row(f"{label}: largest difference to one", 0,
+                  one.largestDifference(case, end, ["debris"], ("x", "U", "V", "sigma")), 1e-10)
+        looks = of.after(case)
+        table.row(f"{label}: largest imbalance of the load after a look", 1, max(looks), 1.2,
+                  "atMost")
+        table.check(f"{label}: it was moved", moves(case) > 8, moves(case))
+        table.row(f"{label}: way of the centre [boxes]", 0.6, np.mean(
+            one.points(end, "debris")["x"][:, 0] - one.points("0", "debris")["x"][:, 0])/1.2, 0.6,
+            "atLeast")
 
 
 def thrown(table):
@@ -276,6 +378,14 @@ def wrong(table):
             text = other.log()
         lacks = [w for w in words if w not in text]
         table.check(f"wrong input: {label}", not lacks, f"message lacks {lacks}")
+    other = balanced(case, 5, (2, 1, 1), "wrong-handler")
+    try:
+        other.runParallel("materialPointFoam", "-fileHandler", "collated")
+        text = ""
+    except RunFailed:
+        text = other.log()
+    table.check("wrong input: fileHandler collated",
+                "fileHandler collated" in text and "uncollated" in text, text[-200:])
     other = balanced(case, 5, (2, 1, 1), "wrong-addressing")
     os.remove(os.path.join(other.processors()[1], "constant/polyMesh/cellProcAddressing"))
     try:
@@ -288,4 +398,5 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("loadBalance", moved, fluids, budget, mesh, functions, restart, thrown, wrong))
+    sys.exit(runParts("loadBalance", moved, fluids, allOfIt, budget, mesh, functions, restart,
+                      killed, crossing, thrown, wrong))
