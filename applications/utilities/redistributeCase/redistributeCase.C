@@ -235,6 +235,13 @@ int main(int argc, char* argv[])
     Pstream::scatter(nOld);
     const bool empty = Pstream::myProcNo() >= nOld;
 
+    if (isFile(root / "system" / "adaptiveMeshDict"))
+    {
+        FatalErrorInFunction << "There is " << root / "system" / "adaptiveMeshDict"
+                             << ": the trees of an adaptive mesh stay on their processors."
+                             << exit(FatalError);
+    }
+
     // The last time may not be the same on all processors
     const instant start(timeOf(args, empty));
     dictionary control(contentsOf(root / "system" / "controlDict"));
