@@ -212,5 +212,7 @@ void Foam::mpm::loadBalance::write()
         return;
     }
     distribution_->write(mesh_.time().timeName());
-    write_ = false;
+
+    // Where old times are removed each has its mesh
+    write_ = mesh_.time().controlDict().getOrDefault<label>("purgeWrite", 0) > 0;
 }

@@ -75,28 +75,37 @@ void Foam::mpm::adaptiveMesh::spread(labelList& values, const labelUList& less) 
     }
 }
 
-void Foam::mpm::adaptiveMesh::around(
-    const labelUList& marked, const label level, const label layers, const label fewer,
-    labelList& all, labelList& less) const
+Foam::labelList Foam::mpm::adaptiveMesh::around(const labelUList& marked, const label layers) const
 {
-    // Layers of cells of this level: what is left of them behind each cell
-    labelList left(marked.size()), size(marked.size());
-    forAll(left, c)
+    labelList all(marked.size(), 0);
+    labelHashSet levels;
+    for (const refinementCriterion& criterion : criteria_)
     {
-        size[c] = 1 << max(level - leaves_->level()[c], label(0));
-        left[c] = marked[c] >= level ? layers : label(-1000);
+        const label level = criterion.level();
+        if (!levels.insert(level))
+        {
+            continue;
+        }
+
+        // Layers of cells of this level: what is left of them behind each cell
+        labelList left(marked.size()), size(marked.size());
+        forAll(left, c)
+        {
+            size[c] = 1 << max(level - leaves_->level()[c], label(0));
+            left[c] = marked[c] >= level ? layers : label(-1000);
+        }
+        for (label i = 0; i < layers; ++i)
+        {
+            spread(left, size);
+        }
+        forAll(left, c)
+        {
+            // The near side lies within them
+            const bool in = marked[c] >= level || left[c] + size[c] > 0;
+            all[c] = max(all[c], in ? level : 0);
+        }
     }
-    for (label i = 0; i < layers; ++i)
-    {
-        spread(left, size);
-    }
-    forAll(left, c)
-    {
-        // The near side lies within them
-        const label near = marked[c] >= level ? layers + 1 : left[c] + size[c];
-        all[c] = max(all[c], near > 0 ? level : 0);
-        less[c] = max(less[c], near > layers - fewer ? level : 0);
-    }
+    return all;
 }
 
 bool Foam::mpm::adaptiveMesh::keepBrothers(labelList& wanted) const
@@ -171,19 +180,6 @@ bool Foam::mpm::adaptiveMesh::look(const bool atStart, const bool always, const 
             keeps[c] = max(keeps[c], need[c] > 1.0 / 3 ? criterion.level() : 0);
         }
     }
-    wanted_ = labelList(marked.size(), 0);
-    kept_ = wanted_;
-    labelList least(wanted_), other(wanted_);
-    labelHashSet levels;
-    for (const refinementCriterion& criterion : criteria_)
-    {
-        if (levels.insert(criterion.level()))
-        {
-            around(marked, criterion.level(), buffer_, min(margin, buffer_), wanted_, least);
-            around(keeps, criterion.level(), buffer_ + keep_, 0, kept_, other);
-        }
-    }
-    const labelList& level = leaves_->level();
     frozen_ = labelList(mesh_.nCells(), 0);
     if (returnReduce(frozen.size() > 0, orOp<bool>()))
     {
@@ -193,24 +189,43 @@ bool Foam::mpm::adaptiveMesh::look(const bool atStart, const bool always, const 
         }
         spread(frozen_, labelList(mesh_.nCells(), 0));
     }
-    scalarList n(4, Zero);
+
+    // First with few layers: most looks end here
+    const labelList& level = leaves_->level();
+    const labelList least(around(marked, min(margin, buffer_)));
+    scalarList n(2, Zero);
     forAll(least, c)
     {
-        n[0] += least[c] > level[c] && !frozen_[c];
-        n[1] += kept_[c] < level[c] && !frozen_[c];
-        n[2] += 1;
-        n[3] += least[c] > level[c] && frozen_[c];
+        n[frozen_[c]] += least[c] > level[c];
     }
     reduce(n, sumOp<scalarList>());
-    if (n[3] > 0 && !warned_)
+    if (n[1] > 0 && !warned_)
     {
-        WarningInFunction << label(n[3]) << " cells at material points in a fluid are coarser than "
+        WarningInFunction << label(n[1]) << " cells at material points in a fluid are coarser than "
                           << "system/adaptiveMeshDict wants; cells at points keep their size"
                           << " beside a fluid. Valid choices: adaptMesh before"
                           << " setMaterialPoints; a criterion points with a larger buffer." << endl;
         warned_ = true;
     }
-    return always || n[0] > 0 || n[1] > worth * n[2];
+    const bool needed = always || n[0] > 0;
+    if (!needed && (mesh_.time().timeIndex() / interval_) % 4)
+    {
+        return false;
+    }
+    kept_ = around(keeps, buffer_ + keep_);
+    n = 0;
+    forAll(kept_, c)
+    {
+        n[0] += kept_[c] < level[c] && !frozen_[c];
+        n[1] += 1;
+    }
+    reduce(n, sumOp<scalarList>());
+    if (!needed && n[0] <= worth * n[1])
+    {
+        return false;
+    }
+    wanted_ = around(marked, buffer_);
+    return true;
 }
 
 Foam::autoPtr<Foam::mpm::treeLeaves> Foam::mpm::adaptiveMesh::next()
@@ -306,9 +321,15 @@ void Foam::mpm::adaptiveMesh::makeWhole()
 
 void Foam::mpm::adaptiveMesh::write(const fileName& instance)
 {
-    if (!changed_)
+    // Old times are removed: each must have its mesh
+    const bool purged = mesh_.time().controlDict().getOrDefault<label>("purgeWrite", 0) > 0;
+    if (!(changed_ || (purged && baseWritten_)))
     {
         return;
+    }
+    if (purged && distribution_.valid())
+    {
+        baseWritten_ = false;
     }
     if (!baseWritten_ && distribution_.valid())
     {

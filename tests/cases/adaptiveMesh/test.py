@@ -319,6 +319,16 @@ def restart(table):
             bad += [name] if f.read() != data else []
     table.check("restart from the middle: files of the end, bit by bit", not bad, bad)
 
+    # The mesh changes once, its first folder is removed
+    case = adaptive(blastCase("purged", (8, 8, 1), 0.02, writeInterval=0.005), 1,
+                    {"box": box((0, 0, -1), (0.5, 0.5, 1))})
+    case.change("system/controlDict", "purgeWrite.*?;", "purgeWrite 1;")
+    case.run("materialPointFoam")
+    times = [t for t in case.times() if float(t) > 0]
+    table.check("old times removed: the mesh is in the one that is left",
+                len(times) == 1 and changes(case) == 1
+                and os.path.exists(case.file(times[0], "polyMesh/cellLevel")), times)
+
 
 def ofBase(case, time, name):
     """Values of a field in the order of the whole base mesh, of one or several processors."""
