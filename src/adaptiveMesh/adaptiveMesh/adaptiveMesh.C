@@ -322,7 +322,8 @@ void Foam::mpm::adaptiveMesh::makeWhole()
 void Foam::mpm::adaptiveMesh::write(const fileName& instance)
 {
     // Old times are removed: each must have its mesh
-    const bool purged = mesh_.time().controlDict().getOrDefault<label>("purgeWrite", 0) > 0;
+    const word purge("purgeWrite");
+    const bool purged = mesh_.time().controlDict().getOrDefault<label>(purge, 0) > 0;
     if (!(changed_ || (purged && baseWritten_)))
     {
         return;
