@@ -48,7 +48,7 @@ void Foam::mpm::meshAdaptation::change(simulation& of, autoPtr<treeLeaves>&& to)
     simulation::rows state(of.takeDown());
     ownedFields owned(mesh_);
     const label nCells = mesh_.nCells(), nFaces = mesh_.nFaces(), nPoints = mesh_.nPoints();
-    while (to.valid())
+    while (to)
     {
         rowsRefinement rows(mesh_, adaptive_, to(), state, owned.states);
         adaptive_.make(std::move(to));
@@ -102,7 +102,7 @@ void Foam::mpm::meshAdaptation::update(simulation& of)
             break;
         }
         autoPtr<treeLeaves> to(adaptive_.next());
-        if (to.valid())
+        if (to)
         {
             change(of, std::move(to));
             Info << "Adaptive mesh: " << returnReduce(mesh_.nCells(), sumOp<label>()) << " cells"

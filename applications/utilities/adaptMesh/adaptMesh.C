@@ -55,7 +55,7 @@ int main(int argc, char* argv[])
     {
         adaptive.look(true, true);
         autoPtr<treeLeaves> to(adaptive.next());
-        if (to.empty())
+        if (!to)
         {
             break;
         }

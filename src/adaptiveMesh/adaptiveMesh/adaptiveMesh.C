@@ -328,11 +328,11 @@ void Foam::mpm::adaptiveMesh::write(const fileName& instance)
     {
         return;
     }
-    if (purged && distribution_.valid())
+    if (purged && distribution_)
     {
         baseWritten_ = false;
     }
-    if (!baseWritten_ && distribution_.valid())
+    if (!baseWritten_ && distribution_)
     {
         distribution_->write(word(instance));
     }

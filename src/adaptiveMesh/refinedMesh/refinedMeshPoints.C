@@ -52,7 +52,7 @@ void Foam::mpm::refinedMesh::makePoints()
         {
             if ((onEdge_[e] >> i) & 1u)
             {
-                x.append(((full - i) * X[of.minVertex()] + i * X[of.maxVertex()]) / full);
+                x.append(((full - i) * X[lower(of)] + i * X[of.otherVertex(lower(of))]) / full);
             }
         }
     }
@@ -136,7 +136,7 @@ Foam::label Foam::mpm::refinedMesh::onEdge(const label edge, const label A, cons
         return -1;
     }
     const unsigned mask = onEdge_[edge];
-    const label i = A == edges_[edge].minVertex() ? at : full - at;
+    const label i = A == lower(edges_[edge]) ? at : full - at;
     if (!((mask >> i) & 1u))
     {
         return -1;
@@ -159,7 +159,7 @@ void Foam::mpm::refinedMesh::markEdge(const label celli, const place& at)
         const label e = h.edges[4 * a + p + 2 * q];
         if (e >= 0 && at[a] > 0 && at[a] < full && (p || at[b] == 0) && (q || at[c] == 0))
         {
-            const bool up = h.corners[(p << b) | (q << c)] == edges_[e].minVertex();
+            const bool up = h.corners[(p << b) | (q << c)] == lower(edges_[e]);
             onEdge_[e] |= label(1u << (up ? at[a] : full - at[a]));
         }
     }
