@@ -412,7 +412,8 @@ void Foam::mpm::limitedGradients::aroundPoints()
 void Foam::mpm::limitedGradients::cellGradients()
 {
     // A change of less is none, for the limiter. Where all around a point have the same value
-    // there is no room, and a change is rounding: this much of the values is left for it
+    // there is no room, and a change is rounding: this much of the values is left for it. A
+    // gradient without any larger change is none: what is uniform stays so to the last bit
     constexpr scalar none = 1e-300, rounding = 1e-13;
 
     const label nCells = mesh_.nCells();
@@ -431,7 +432,7 @@ void Foam::mpm::limitedGradients::cellGradients()
             z += d * at.slope.z();
         }
 
-        state limit = broadcast<width>(1);
+        state limit = broadcast<width>(1), most{};
         for (label k = first; k < last; ++k)
         {
             const corner& at = corners_[k];
@@ -439,10 +440,12 @@ void Foam::mpm::limitedGradients::cellGradients()
             const state change = x * at.arm.x() + y * at.arm.y() + z * at.arm.z();
             const state room =
                 select(change > 0, load<width>(e + 2 * width), load<width>(e + width)) - w;
+            most = laneMax(most, laneAbs(change));
             limit = select(
                 laneAbs(change) > none,
                 laneMin(limit, (laneAbs(room) + rounding * size) / laneAbs(change)), limit);
         }
+        limit = select(most > rounding * size, limit, broadcast<width>(0));
         scalar* const g = gradients_.data() + 3 * width * c;
         store<width>(g, x * limit);
         store<width>(g + width, y * limit);
