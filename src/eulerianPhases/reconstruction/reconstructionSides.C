@@ -44,10 +44,11 @@ void Foam::mpm::reconstruction::sidesOfBoundary(const phase& of, const boolUList
         {
             const vector d(Cf[f] - C[c]);
             s = limitedGradients::fromLanes(slopes_->at(c, d));
-            if (of.Wb[f - mesh_.nInternalFaces()].p != w.p)
+            if (mag(of.Wb[f - mesh_.nInternalFaces()].p - w.p) > 1e-10 * mag(w.p))
             {
                 // The pressure of the boundary is that at the foot of the
-                // normal
+                // normal; where it is the cell's but for rounding it is not
+                // another one
                 const vector along(d - (d & S[f]) / magSqr(S[f]) * S[f]);
                 s.p = slopes_->at(c, along)[4];
             }
