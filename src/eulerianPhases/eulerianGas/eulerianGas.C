@@ -209,8 +209,7 @@ void Foam::mpm::eulerianGas::readRegion(const dictionary& dict)
             << "activeRegion of " << name_ << ": " << why
             << ", and no cell is left alone. Remove activeRegion." << exit(FatalIOError);
     }
-    const bool upwind = reconstruction_.upwind();
-    region_.use(upwind ? 1 : 2, !upwind && reconstruction_.byCells());
+    region_.use(reconstruction_.rings(), !reconstruction_.upwind() && reconstruction_.byCells());
 }
 
 const Foam::volScalarField* Foam::mpm::eulerianGas::transport(scalarField& rhoCv)

@@ -237,7 +237,7 @@ Foam::mpm::reconstruction::reconstruction(
         }
         if (own_.size() && !byCells_)
         {
-            boxes_ = boxSides::New(mesh, region);
+            boxes_ = boxSides::New(mesh, region, coupled);
             byCells_ = !boxes_;
             skew_.clear();
         }
@@ -279,6 +279,11 @@ void Foam::mpm::reconstruction::leaveAlone()
             grad_[c] = gradients{Zero, Zero, Zero};
         }
     }
+}
+
+Foam::label Foam::mpm::reconstruction::rings() const
+{
+    return upwind_ ? 1 : boxes_ ? boxes_->rings() : 2;
 }
 
 Foam::string Foam::mpm::reconstruction::description() const
