@@ -44,38 +44,16 @@ bool Foam::mpm::adaptiveMesh::readSettings()
     return true;
 }
 
-void Foam::mpm::adaptiveMesh::spread(labelList& values, const labelUList& less) const
+const Foam::mpm::cellLayers& Foam::mpm::adaptiveMesh::layers() const
 {
-    labelList atPoint(mesh_.nPoints(), labelMin);
-    const faceList& faces = mesh_.faces();
-    const labelList &owner = mesh_.faceOwner(), &neighbour = mesh_.faceNeighbour();
-    const label nInternal = mesh_.nInternalFaces();
-    forAll(faces, f)
+    if (!layers_)
     {
-        const label own = values[owner[f]];
-        const label l = f < nInternal ? max(own, values[neighbour[f]]) : own;
-        for (const label p : faces[f])
-        {
-            atPoint[p] = max(atPoint[p], l);
-        }
+        layers_.reset(new cellLayers(mesh_));
     }
-    syncTools::syncPointList(mesh_, atPoint, maxEqOp<label>(), labelMin);
-    forAll(faces, f)
-    {
-        label l = labelMin;
-        for (const label p : faces[f])
-        {
-            l = max(l, atPoint[p]);
-        }
-        values[owner[f]] = max(values[owner[f]], l - less[owner[f]]);
-        if (f < nInternal)
-        {
-            values[neighbour[f]] = max(values[neighbour[f]], l - less[neighbour[f]]);
-        }
-    }
+    return layers_();
 }
 
-Foam::labelList Foam::mpm::adaptiveMesh::around(const labelUList& marked, const label layers) const
+Foam::labelList Foam::mpm::adaptiveMesh::around(const labelUList& marked, const label nLayers) const
 {
     labelList all(marked.size(), 0);
     labelHashSet levels;
@@ -92,11 +70,20 @@ Foam::labelList Foam::mpm::adaptiveMesh::around(const labelUList& marked, const 
         forAll(left, c)
         {
             size[c] = 1 << max(level - leaves_->level()[c], label(0));
-            left[c] = marked[c] >= level ? layers : label(-1000);
+            left[c] = marked[c] >= level ? nLayers : label(-1000);
         }
-        for (label i = 0; i < layers; ++i)
+        labelList raised(identity(left.size()));
+        for (label i = 0; i < nLayers; ++i)
         {
-            spread(left, size);
+            DynamicList<label> from;
+            for (const label c : raised)
+            {
+                if (left[c] > 0)
+                {
+                    from.append(c);
+                }
+            }
+            raised = layers().spread(left, size, from);
         }
         forAll(left, c)
         {
@@ -108,9 +95,9 @@ Foam::labelList Foam::mpm::adaptiveMesh::around(const labelUList& marked, const 
     return all;
 }
 
-bool Foam::mpm::adaptiveMesh::keepBrothers(labelList& wanted) const
+Foam::labelList Foam::mpm::adaptiveMesh::keepBrothers(labelList& wanted) const
 {
-    bool any = false;
+    DynamicList<label> kept;
     boolList goes(wanted.size(), false);
     for (label c = 0; c < wanted.size(); ++c)
     {
@@ -130,10 +117,10 @@ bool Foam::mpm::adaptiveMesh::keepBrothers(labelList& wanted) const
         if (wanted[c] < leaves_->level()[c] && !goes[c])
         {
             wanted[c] = leaves_->level()[c];
-            any = true;
+            kept.append(c);
         }
     }
-    return any;
+    return labelList(std::move(kept));
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -187,7 +174,8 @@ bool Foam::mpm::adaptiveMesh::look(const bool atStart, const bool always, const 
         {
             frozen_[c] = frozen[c];
         }
-        spread(frozen_, labelList(mesh_.nCells(), 0));
+        layers().spread(
+            frozen_, labelList(mesh_.nCells(), 0), labelList(findIndices(frozen, true)));
     }
 
     // First with few layers: most looks end here
@@ -238,26 +226,27 @@ Foam::autoPtr<Foam::mpm::treeLeaves> Foam::mpm::adaptiveMesh::next()
     }
 
     // Beside what stays as it is nothing is finer by two levels
-    labelList most(to.size());
-    forAll(most, c)
+    const labelList one(to.size(), 1);
+    labelList most(to.size(), -treeLeaves::maxLevel), from(findIndices(frozen_, 1));
+    for (const label c : from)
     {
-        most[c] = frozen_[c] ? -level[c] : -treeLeaves::maxLevel;
+        most[c] = -level[c];
     }
     for (label i = 0; i < treeLeaves::maxLevel; ++i)
     {
-        spread(most, labelList(to.size(), 1));
+        from = layers().spread(most, one, from);
     }
     forAll(to, c)
     {
         to[c] = frozen_[c] ? level[c] : min(to[c], -most[c]);
     }
+    from = identity(to.size());
     bool again = true;
     while (again)
     {
-        const bool brothers = keepBrothers(to);
-        const labelList before(to);
-        spread(to, labelList(to.size(), 1));
-        again = returnReduce(brothers || before != to, orOp<bool>());
+        from.append(keepBrothers(to));
+        from = layers().spread(to, one, from);
+        again = returnReduce(from.size() > 0, orOp<bool>());
     }
     bool any = false;
     forAll(to, c)
@@ -290,6 +279,7 @@ Foam::autoPtr<Foam::mpm::treeLeaves> Foam::mpm::adaptiveMesh::next()
 void Foam::mpm::adaptiveMesh::make(autoPtr<treeLeaves>&& leaves)
 {
     leaves_ = std::move(leaves);
+    layers_.clear();
     refinedMesh made(leaves_());
     refinedMesh::primitives& p = made.made();
     baseFace_.transfer(p.baseFace);

@@ -184,7 +184,8 @@ const Foam::mpm::refinedMesh::square& Foam::mpm::refinedMesh::at(
 
 template<class PointAt, class Place>
 void Foam::mpm::refinedMesh::edgePoints(
-    const PointAt& pointAt, const Place& from, const Place& to, DynamicList<label>& points)
+    const PointAt& pointAt, const Place& from, const Place& to, const label first,
+    DynamicList<label>& points)
 {
     Place middle(from);
     label length = 0;
@@ -193,13 +194,14 @@ void Foam::mpm::refinedMesh::edgePoints(
         length += mag(to[a] - from[a]);
         middle[a] = (from[a] + to[a]) / 2;
     }
-    if (length > 1 && pointAt(middle) >= 0)
+    const label half = length > 1 ? pointAt(middle) : -1;
+    if (half >= 0)
     {
-        edgePoints(pointAt, from, middle, points);
-        edgePoints(pointAt, middle, to, points);
+        edgePoints(pointAt, from, middle, first, points);
+        edgePoints(pointAt, middle, to, half, points);
         return;
     }
-    points.append(pointAt(from));
+    points.append(first);
 }
 
 template<class PointAt, class Place>
@@ -207,12 +209,17 @@ Foam::face
 Foam::mpm::refinedMesh::polygon(const PointAt& pointAt, const FixedList<Place, 4>& corners)
 {
     DynamicList<label> points(8);
-    for (label i = 0; i < 4; ++i)
+    FixedList<label, 4> at;
+    forAll(at, i)
+    {
+        at[i] = pointAt(corners[i]);
+    }
+    forAll(at, i)
     {
         // Corners that are one have no edge between them
-        if (pointAt(corners[i]) != pointAt(corners[(i + 1) % 4]))
+        if (at[i] != at[(i + 1) % 4])
         {
-            edgePoints(pointAt, corners[i], corners[(i + 1) % 4], points);
+            edgePoints(pointAt, corners[i], corners[(i + 1) % 4], at[i], points);
         }
     }
     return points.size() < 3 ? face() : face(points);
