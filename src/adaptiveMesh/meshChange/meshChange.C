@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "meshChange.H"
+#include "labelIOList.H"
 #include "ListOps.H"
 #include "mapPolyMesh.H"
 #include "Time.H"
@@ -85,13 +86,19 @@ void Foam::mpm::meshChange::setPatches(
     }
 
     // Made when they are asked for, by all processors together. OpenFOAM would read base points
-    // of the faces from where the mesh was written, that of then
+    // of the faces from where the mesh was written, that of then. One processor makes them when
+    // points want them
     mesh_.geometricD();
     fileName& instance = mesh_.polyMesh::instance();
     const fileName before(instance);
-    instance = mesh_.time().path() / "none";
-    mesh_.tetBasePtIs();
-    instance = before;
+    if (Pstream::parRun()
+        || IOobject("tetBasePtIs", before, polyMesh::meshSubDir, mesh_, IOobject::MUST_READ)
+               .typeHeaderOk<labelIOList>(true))
+    {
+        instance = mesh_.time().path() / "none";
+        mesh_.tetBasePtIs();
+        instance = before;
+    }
 }
 
 void Foam::mpm::meshChange::setZones(const wordList& names, const List<boolList>& cells)

@@ -311,7 +311,7 @@ void Foam::mpm::nodeDual::findRuns()
     std::unordered_multimap<std::size_t, label> firsts;
     forAll(alike_, m)
     {
-        // By number of entries and G of the first to six digits: where these
+        // By the places of the nodes and G of the first to six digits: where these
         // differ by rounding a row has one more to look like
         const label begin = nDim_ * start_[m], end = nDim_ * start_[m + 1];
         scalar most = VSMALL;
@@ -323,6 +323,11 @@ void Foam::mpm::nodeDual::findRuns()
         for (label i = begin; i < min(begin + 2 * nDim_, end); ++i)
         {
             key = 1000003 * key + std::size_t(std::lround(1e6 * G_[i] / most));
+        }
+
+        for (label e = start_[m]; e < start_[m + 1]; ++e)
+        {
+            key = 1000003 * key + std::size_t(node_[e] - m);
         }
 
         label first = m && sameRow(alike_[m - 1], m) ? alike_[m - 1] : -1;
