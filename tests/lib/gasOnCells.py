@@ -23,11 +23,21 @@ def cyclicSides(axes):
     return patches, {name: ("cyclic",)*3 for name in patches}
 
 
+def halve(case, boxes):
+    case.write("system/adaptiveMeshDict", {"maxLevel": len(boxes), "buffer": 0, "refine": {
+        f"box{i}": {"type": "shape", "level": i + 1,
+                    "shape": {"type": "box", "min": low, "max": high}}
+        for i, (low, high) in enumerate(boxes)}})
+    case.run("adaptMesh")
+    os.remove(case.file("system", "adaptiveMeshDict"))
+
+
 def gasOnCells(folder, name, kind, n, high, patches, conditions, state, end,
                reconstruct=VAN_LEER, low=(0, 0, 0), moved=0.2, maxCoGas=0.4, deltaT=None,
-               split=None, writes=1, start=None, place=None):
+               split=None, writes=1, start=None, place=None, halved=()):
     """conditions: of p, T, U on each patch; split: pieces (nx, ny, nz), one for each
-    processor; start: called with the case before the run; place: as for boxOfCells."""
+    processor; start: called with the case before the run; place: as for boxOfCells;
+    halved: boxes (low, high) whose cells are halved, inner ones twice."""
     case = FoamCase(folder, name.replace(" ", "-"))
     patches, conditions = dict(patches), dict(conditions)
     if n[2] == 1:
@@ -44,6 +54,8 @@ def gasOnCells(folder, name, kind, n, high, patches, conditions, state, end,
         "type": "gas", "thermo": "perfectGas", "R": 1, "gamma": 1.4}})
     if kind == "polyhedra":
         case.run("polyDualMesh", "60", "-overwrite")
+    if halved:
+        halve(case, halved)
     os.makedirs(case.file("0"), exist_ok=True)
     for what in ("Centres", "Volumes"):
         case.run("postProcess", "-func", "writeCell" + what, "-time", "0")

@@ -2,6 +2,7 @@
 
     orders         isentropic vortex, simple wave between walls, density wave
     sodOnCells     Sod's tube: error beside first order, overshoots
+    halvedBoxes    order, two processors, gas left alone
     uniformFlow    nothing changes
     linearFlow     a linear density in it stays linear away from the sides
     ring           a quarter with cyclic sides that turn as a whole ring
@@ -10,6 +11,7 @@
 """
 
 import os
+import re
 import shutil
 
 import numpy as np
@@ -55,10 +57,10 @@ def swirl(x, y, z):
     return rho, u, p
 
 
-def vortexOnPrisms(n):
+def vortexOn(kind, n, **options):
     case, C, V = gasOnCells(
-        "gasAlone", f"vortex-prisms-{n}", "prisms", (n, n, 1), (5, 5, 10/n), *cyclicSides("xy"),
-        lambda C, t: vortexState(C[:, 0] - t, C[:, 1] - t), 1.0, low=(-5, -5, 0))
+        "gasAlone", f"vortex-{kind}-{n}", kind, (n, n, 1), (5, 5, 10/n), *cyclicSides("xy"),
+        lambda C, t: vortexState(C[:, 0] - t, C[:, 1] - t), 1.0, low=(-5, -5, 0), **options)
     rho = volField(case, case.timeName(1.0), "rho.air")
     return np.sum(V*abs(rho - vortexState(C[:, 0] - 1, C[:, 1] - 1)[0]))/np.sum(V)
 
@@ -73,7 +75,7 @@ def waveOnTets(n, state, sides):
 def orders(table):
     """Least squares through the faces alone blew up on tetrahedra."""
     for label, grids, run in (
-            ("isentropic vortex, prisms", (25, 50), vortexOnPrisms),
+            ("isentropic vortex, prisms", (25, 50), lambda n: vortexOn("prisms", n)),
             ("simple wave, tetrahedra between walls", (24, 48),
              lambda n: waveOnTets(n, simpleWave, BETWEEN_WALLS)),
             ("density wave, tetrahedra", (24, 48),
@@ -137,19 +139,57 @@ def uniformFlow(table):
                   1e-13, "atMost")
 
 
+def halvedBoxes(table):
+    """Limiters of boxes where cells are halved; the vortex comes out of the fine cells."""
+    half = (((-6, -6, -1), (0, 6, 9)),)
+    errors = [vortexOn("hexes", n, moved=0, halved=half) for n in (24, 48)]
+    table.row("vortex from boxes that are halved: order, 24 to 48", 2,
+              np.log2(errors[0]/errors[1]), 1.8, "atLeast")
+    table.row("vortex from boxes that are halved: error over that of all coarse", 1,
+              errors[1]/vortexOn("boxes", 48, moved=0), 1, "atMost")
+    walls = {"walls": ("wall", ("x-", "x+", "y-", "y+", "z-", "z+"))}, {"walls": WALL}
+    boxes = ((0.2, 0.2, -0.1), (0.8, 0.7, 0.7)), ((0.4, 0.4, -0.1), (0.6, 0.7, 0.4))
+
+    whole, parts = (gasOnCells(
+        "gasAlone", f"halved-{split}".replace(" ", ""), "hexes", (8, 8, 8), (1, 1, 1), *walls,
+        spot, 0.1, deltaT=1e-3, moved=0, halved=boxes, split=split)[0]
+        for split in (None, (2, 1, 1)))
+    table.row("halved boxes: 1 against 2 processors, largest difference", 0,
+              difference(whole, parts, "0.1"), 1e-12, "atMost")
+
+    def still(C, t):
+        high = np.all(C[:, :2] < 0.05, axis=1)
+        return 1 + 0.5*high, np.zeros((len(C), 3)), 1 + 2.0*high
+
+    def leaveAlone(case):
+        case.change("constant/phaseProperties", "gamma", "activeRegion yes; gamma")
+    every, active = (gasOnCells(
+        "gasAlone", f"halved-still-{start is None}", "hexes", (60, 60, 1), (1, 1, 0.1),
+        {"walls": ("wall", ("x-", "x+", "y-", "y+"))}, {"walls": WALL}, still, 0.12, deltaT=1.5e-3,
+        moved=0, halved=(((0.1, -1, -1), (0.2, 2, 1)),), start=start)[0]
+        for start in (None, leaveAlone))
+    table.row("halved boxes: gas at rest left alone, largest difference", 0,
+              difference(every, active, "0.12"), 0, "atMost")
+    n, of = map(int, re.findall(r"(\d+) of (\d+) cells active", active.log())[-1])
+    table.row("halved boxes: cells that were not, of all", 0, n/of, 0.75, "atMost")
+
+
 def linearFlow(table):
     dt, velocity, slope = 2e-3, np.array((1.0, 0.5, -0.3)), np.array((0.1, 0.2, -0.1))
     sides = {"outside": ("patch", ("x-", "x+", "y-", "y+", "z-", "z+"))}, {"outside": OPEN}
     flat = {"outside": ("patch", ("x-", "x+", "y-", "y+"))}, {"outside": OPEN}
     for kind, n, (patches, conditions) in (("prisms", (10, 10, 1), flat),
-                                           ("tets", (8, 8, 8), sides)):
+                                           ("tets", (8, 8, 8), sides),
+                                           ("hexes", (8, 8, 8), sides)):
         u = velocity*(1, 1, n[2] > 1)
 
         def state(C, t):
             return (1 + (C - u*t) @ (slope*(1, 1, n[2] > 1)), np.tile(u, (len(C), 1)),
                     np.ones(len(C)))
+        halved = ((0.3, 0.3, 0.3), (0.6, 0.7, 0.6)), ((0.4, 0.4, 0.4), (0.55, 0.6, 0.6))
         case, C, _ = gasOnCells("gasAlone", f"linear-{kind}", kind, n, (1, 1, n[2]/n[0]),
-                                patches, conditions, state, dt, deltaT=dt)
+                                patches, conditions, state, dt, deltaT=dt,
+                                **{"moved": 0, "halved": halved} if kind == "hexes" else {})
         inner = np.all(abs(C - 0.5)[:, :2 + (n[2] > 1)] < 0.2, axis=1)
         worst = np.max(abs(volField(case, f"{dt:g}", "rho.air") - state(C, dt)[0])[inner])
         table.row(f"linear density moves, {kind}, one step: largest error of {inner.sum()}"

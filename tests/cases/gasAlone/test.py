@@ -26,8 +26,8 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import riemannExact as exact
-from anyCells import (STATE, difference, linearFlow, orders, partsOfCells, ring, sodOnCells,
-                      swirl, tetrahedra, uniformFlow, vortexState)
+from anyCells import (STATE, difference, halvedBoxes, linearFlow, orders, partsOfCells, ring,
+                      sodOnCells, swirl, tetrahedra, uniformFlow, vortexState)
 from foamCase import RUN, RunFailed, VERIFY, readField, writeField
 from gasCases import UPWIND, VAN_LEER, WALL, gasCase, volField, writeVolField
 from report import Report
@@ -407,8 +407,8 @@ def blasts(table):
 def main():
     table = Report("gasAlone")
     parts = [sod, vacuum, nearVacuum, isentropic, conservation, skewed, orders, sodOnCells,
-             uniformFlow, linearFlow, ring, partsOfCells, tetrahedra, parallel, restart, solid,
-             wrong]
+             uniformFlow, halvedBoxes, linearFlow, ring, partsOfCells, tetrahedra, parallel,
+             restart, solid, wrong]
     if VERIFY:
         parts.append(blasts)
     for part in parts:
