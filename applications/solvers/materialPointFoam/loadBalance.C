@@ -50,7 +50,7 @@ Foam::scalarField Foam::mpm::loadBalance::weights(simulation& of) const
             w[cloud.cells()[k]] += ofPoint_ * (cloud.start()[k + 1] - cloud.start()[k]);
         }
     }
-    return w;
+    return adaptation_.active() ? adaptation_.trees().ofBase(w) : w;
 }
 
 Foam::scalarField
@@ -75,13 +75,34 @@ Foam::labelList Foam::mpm::loadBalance::newProcs(const scalarField& weights) con
             << "method " << method->type() << " does not work while a run goes on; name another"
             << " one in loadBalance, for example  method hierarchical;" << exit(FatalIOError);
     }
-    return method->decompose(mesh_, mesh_.cellCentres(), weights);
+    return method->decompose(units(), units().cellCentres(), weights);
+}
+
+void Foam::mpm::loadBalance::move(simulation& of, const labelList& to)
+{
+    before_ = labelList(to.size(), Pstream::myProcNo());
+    if (adaptation_.active())
+    {
+        adaptation_.move(of, to, before_);
+        return;
+    }
+    rowsDistribution rows(mesh_, to);
+    simulation::rows state(of.takeDown());
+    ownedFields owned(mesh_);
+    const meshDistribution::maps maps(distribution_->move(to));
+    rows.move(state, maps);
+    rows.move(owned.states, maps);
+    maps.cells.distribute(before_);
+    owned.make(mesh_);
+    of = simulation(mesh_, std::move(state));
+    maps.change.tellFunctionObjects();
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::loadBalance::loadBalance(fvMesh& mesh) :
+Foam::mpm::loadBalance::loadBalance(fvMesh& mesh, meshAdaptation& adaptation) :
     mesh_(mesh),
+    adaptation_(adaptation),
     interval_(0),
     maxImbalance_(GREAT),
     worth_(1),
@@ -116,12 +137,6 @@ Foam::mpm::loadBalance::loadBalance(fvMesh& mesh) :
         }
     }
     checkKeywords(own, keywords);
-    if (isFile(mesh.time().rootPath() / mesh.time().globalCaseName() / "system/adaptiveMeshDict"))
-    {
-        FatalIOErrorInFunction(own)
-            << "loadBalance and system/adaptiveMeshDict do not go together yet: remove one of them."
-            << exit(FatalIOError);
-    }
     interval_ = boundedLabelOrDefault(own, "interval", 200, 1, labelMax);
     maxImbalance_ = boundedOrDefault(own, "maxImbalance", 1.2, 1, GREAT);
     worth_ = boundedOrDefault(own, "worth", 1, 0, GREAT);
@@ -129,7 +144,10 @@ Foam::mpm::loadBalance::loadBalance(fvMesh& mesh) :
     dict_.name() = own.name();
     dict_.merge(own);
     dict_.set("numberOfSubdomains", Pstream::nProcs());
-    distribution_.reset(new meshDistribution(mesh));
+    if (!adaptation.active())
+    {
+        distribution_.reset(new meshDistribution(mesh));
+    }
     Info << "Load balance: a look every " << interval_ << " steps, imbalance up to "
          << maxImbalance_ << " is borne; method " << required<word>(dict_, "method") << nl << endl;
 }
@@ -184,22 +202,12 @@ void Foam::mpm::loadBalance::update(simulation& of)
     scalar seconds = 0;
     {
         const timer t(seconds);
-        rowsDistribution rows(mesh_, to);
-        simulation::rows state(of.takeDown());
-        ownedFields owned(mesh_);
-        const meshDistribution::maps maps(distribution_->move(to));
-        rows.move(state, maps);
-        rows.move(owned.states, maps);
-        before_ = labelList(w.size(), Pstream::myProcNo());
-        maps.cells.distribute(before_);
-        owned.make(mesh_);
-        of = simulation(mesh_, std::move(state));
-        maps.change.tellFunctionObjects();
+        move(of, to);
     }
     cost_ = largestOfAll(seconds);
     brought_ = 0;
     moved_ = now;
-    write_ = true;
+    write_ = distribution_.valid();
 
     // The clocks of the new simulation go on
     measure(of, 1);

@@ -57,8 +57,8 @@ int main(int argc, char* argv[])
 
     Info << "\nStarting time loop\n" << endl;
 
-    mpm::loadBalance balance(mesh);
     mpm::meshAdaptation adaptation(mesh);
+    mpm::loadBalance balance(mesh, adaptation);
     adaptation.update(simulation);
     control.setDeltaT();
     while (runTime.run())

@@ -61,16 +61,17 @@ void Foam::mpm::meshAdaptation::change(simulation& of, autoPtr<treeLeaves>&& to)
     ++nChanges_;
 }
 
-void Foam::mpm::meshAdaptation::makeWhole(simulation& of)
+template<class Move>
+void Foam::mpm::meshAdaptation::distribute(
+    simulation& of, const labelList& to, meshDistribution&& numbers, const Move& moveTrees)
 {
-    const labelList to(adaptive_.whole());
     rowsDistribution rows(mesh_, to);
     simulation::rows state(of.takeDown());
     ownedFields owned(mesh_);
-    const meshDistribution::maps maps(meshDistribution(mesh_).move(to));
+    const meshDistribution::maps maps(numbers.move(to));
     rows.move(state, maps);
     rows.move(owned.states, maps);
-    adaptive_.makeWhole();
+    moveTrees();
     state.places = meshPlaces(mesh_);
     owned.make(mesh_);
     of = simulation(mesh_, std::move(state));
@@ -91,7 +92,9 @@ void Foam::mpm::meshAdaptation::update(simulation& of)
     const timer t(seconds_);
     if (returnReduce(adaptive_.whole().size() > 0, orOp<bool>()))
     {
-        makeWhole(of);
+        distribute(
+            of, labelList(adaptive_.whole()), meshDistribution(mesh_),
+            [&]() { adaptive_.makeWhole(); });
     }
 
     // At the start fields show what they need when cells are fine
@@ -109,6 +112,13 @@ void Foam::mpm::meshAdaptation::update(simulation& of)
                  << nl << endl;
         }
     }
+}
+
+void Foam::mpm::meshAdaptation::move(simulation& of, const labelList& toProc, labelList& values)
+{
+    distribute(
+        of, adaptive_.ofCells(toProc), std::move(*adaptive_.numbers()),
+        [&]() { adaptive_.move(toProc, values); });
 }
 
 void Foam::mpm::meshAdaptation::report() const

@@ -309,6 +309,21 @@ void Foam::mpm::adaptiveMesh::makeWhole()
     whole_.clear();
 }
 
+Foam::scalarField Foam::mpm::adaptiveMesh::ofBase(const scalarField& values) const
+{
+    scalarField sums(base_->nCells(), 0);
+    forAll(values, c)
+    {
+        sums[leaves_->cell()[c]] += values[c];
+    }
+    return sums;
+}
+
+Foam::labelList Foam::mpm::adaptiveMesh::ofCells(const labelUList& values) const
+{
+    return labelList(UIndirectList<label>(values, leaves_->cell()));
+}
+
 void Foam::mpm::adaptiveMesh::write(const fileName& instance)
 {
     // Old times are removed: each must have its mesh

@@ -276,6 +276,16 @@ Foam::mpm::meshDistribution::meshDistribution(polyMesh& mesh, const zero) :
 {
 }
 
+Foam::mpm::meshDistribution::meshDistribution(
+    polyMesh& mesh, const labelUList& cells, const labelUList& points, const labelUList& faces) :
+    mesh_(mesh),
+    cells_(header(mesh, "cellProcAddressing"), cells),
+    points_(header(mesh, "pointProcAddressing"), points),
+    faces_(header(mesh, "faceProcAddressing"), faces),
+    patches_(header(mesh, "boundaryProcAddressing"), labelList())
+{
+}
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::mpm::meshDistribution::maps Foam::mpm::meshDistribution::move(const labelList& toProc)

@@ -10,7 +10,9 @@
     together the same: an explosive in air, points in contact, a rigid body
     blast    a square of high pressure: fine where it jumps, beside all fine and all coarse
     restart  in the middle: as without
-    ranks    on three processors, from the base mesh and from one that was halved before
+    ranks    on three processors, from the base mesh and from one that was halved before; while
+             all base cells go to random ones (loadBalance)
+    balance  loadBalance shares the fine cells
     wrong    messages
 """
 
@@ -338,7 +340,8 @@ def ofBase(case, time, name):
         level = labels(os.path.join(folder, time, "polyMesh/cellLevel"))
         base = [t for t in os.listdir(folder)
                 if os.path.exists(os.path.join(folder, t, "base/polyMesh/cellProcAddressing"))]
-        number = labels(os.path.join(folder, base[0], "base/polyMesh/cellProcAddressing"))
+        last = max(base, key=lambda t: -1 if t == "constant" else float(t))
+        number = labels(os.path.join(folder, last, "base/polyMesh/cellProcAddressing"))
         at = np.cumsum(np.concatenate([[0], 2.0**(-nDim*level)]))
         cell = np.floor(at[:-1] + 1e-9).astype(int)
         values = volField(FolderOf(folder), time, name)
@@ -373,15 +376,21 @@ def ranks(table):
     def cut(name, changing=True):
         case = everything(name, 16, 1e-5, halved={"box": box((0.2, 0.3, -1), (0.9, 0.9, 1))})
         return comeAndGo(case, 1e-5, 2, n=30) if changing else case
-    for label, make, fields in (("blast", blastOn, ("p", "rho.air", "U.air")),
-                                ("trees cut, explosive, contact, rigid body", cut,
-                                 ("p", "U", "alpha.air")),
-                                ("the same, unchanged", lambda name: cut(name, False),
-                                 ("p", "U", "alpha.air"))):
-        short = label.split(",")[0].replace(" ", "-")
+    state, flow = ("p", "rho.air", "U.air"), ("p", "U", "alpha.air")
+    for label, make, fields, moves in (
+            ("blast", blastOn, state, 0),
+            ("trees cut, explosive, contact, rigid body", cut, flow, 0),
+            ("the same, unchanged", lambda name: cut(name, False), flow, 0),
+            ("blast, all base cells to random processors", blastOn, state, 7),
+            ("everything to random processors", cut, flow, 2)):
+        short = label.split(",")[0].replace(" ", "-") + "-moved"*(moves > 0)
         one, other = make("one-" + short), make("three-" + short)
         one.run("materialPointFoam")
         other.decompose((3, 1, 1))
+        if moves:
+            other.change("system/decomposeParDict", "^method ",
+                         f"loadBalance {{ interval {moves}; maxImbalance 1; worth 0;"
+                         " method random; }\nmethod ")
         other.runParallel()
         time = one.times()[-1]
         worst = 0
@@ -392,7 +401,10 @@ def ranks(table):
         table.row(f"{label}: fields of three processors, difference to one", 0, worst, 1e-10)
         table.check(f"{label}: the mesh has changed", changes(other) > 2 or "unchanged" in label,
                     changes(other))
-        if label == "blast":
+        if moves:
+            n = len(re.findall("^Load: imbalance [^,]*, by random [^,]*$", other.log(), re.M))
+            table.check(f"{label}: moves", n >= 10, n)
+        if fields == state:
             before = {n: ofBase(other, time, n) for n in fields}
             for folder in other.processors():
                 shutil.rmtree(os.path.join(folder, time))
@@ -406,6 +418,25 @@ def ranks(table):
             for phases, columns in ((["block", "plate"], ("x", "U", "V")), (["body"], ("x", "V"))):
                 table.row(f"{label}: points of {' and '.join(phases)}, difference", 0,
                           one.largestDifference(other, time, phases, columns), 1e-10)
+
+
+def balance(table):
+    """Cells of the processor that has most, over the mean: the fine ones are in a corner."""
+    refine = {"shock": {"type": "jump", "field": "p", "relative": 0.1}}
+    share = {}
+    for balanced in (False, True):
+        case = adaptive(blastCase(f"balance-{balanced}", (24, 24, 1), 0.04), 2, refine)
+        case.decompose((2, 1, 1))
+        if balanced:
+            case.change("system/decomposeParDict", "^method ",
+                        "loadBalance { interval 5; maxImbalance 1.05; worth 0; }\nmethod ")
+        case.runParallel()
+        n = [len(labels(os.path.join(f, case.times()[-1], "polyMesh/cellLevel")))
+             for f in case.processors()]
+        share[balanced] = max(n)/np.mean(n)
+    table.row(f"cells of two processors, most over mean ({share[False]:.2f} without loadBalance)",
+              1, share[True], 1.2, "atMost")
+    table.check("without loadBalance it is more", share[False] > 1.4, share[False])
 
 
 def wrong(table):
@@ -431,4 +462,4 @@ def wrong(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, restart,
-                      ranks, wrong))
+                      ranks, balance, wrong))
