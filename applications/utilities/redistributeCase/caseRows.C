@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "caseRows.H"
+#include "rowsDistribution.H"
 #include "Cloud.H"
 #include "IFstream.H"
 #include "IOField.H"
@@ -40,7 +41,8 @@ dictionary contents(IOobject io)
     return dictionary(is);
 }
 
-//- Entries without lists of values: what a processor has that has no cells
+//- Entries with one value in place of lists, where they stood: what a processor has that has no
+//  cells
 void dropLists(dictionary& dict)
 {
     for (const word& key : dict.toc())
@@ -50,11 +52,24 @@ void dropLists(dictionary& dict)
             dropLists(dict.subDict(key));
             continue;
         }
-        const ITstream& is = dict.lookup(key);
-        if (is.size() && is[0].isWord() && is[0].wordToken() == "nonuniform")
+        ITstream& is = dict.lookup(key);
+        if (is.empty() || !is[0].isWord() || is[0].wordToken() != "nonuniform")
+        {
+            continue;
+        }
+        const label n = mpm::rowsDistribution::componentsOf(is);
+        if (n == 0)
         {
             dict.remove(key);
+            continue;
         }
+        string zeros;
+        for (label i = 0; i < n; ++i)
+        {
+            zeros += " 0";
+        }
+        IStringStream text(key + " uniform " + (n > 1 ? "(" + zeros + ")" : zeros) + ";");
+        dict.merge(dictionary(text));
     }
 }
 

@@ -14,7 +14,8 @@ Description
     larger of both numbers; the mesh moves by meshDistribution, what stands on
     it by rowsDistribution, as in loadBalance. The folders processor* of
     before go to processorsBefore. With  numberOfSubdomains 1;  the time goes to
-    the case itself.
+    the case itself; a case that is not decomposed yet goes to several processors, where
+    the decomposePar of OpenFOAM v1912 takes points times faces.
 
 Usage
     \verbatim
@@ -60,6 +61,67 @@ dictionary contentsOf(const fileName& file)
     return dictionary(is);
 }
 
+//- Folder of the mesh of a time
+word meshInstance(const fileName& path, const scalar time)
+{
+    const instantList times(Time::findTimes(path));
+    for (label i = times.size() - 1; i >= 0; --i)
+    {
+        const fileName faces(path / times[i].name() / polyMesh::meshSubDir / "faces");
+        if (times[i].name() != "constant" && times[i].value() <= time
+            && (isFile(faces) || isFile(faces + ".gz")))
+        {
+            return times[i].name();
+        }
+    }
+    return "constant";
+}
+
+//- A case that is not decomposed: one processor that has a copy of its mesh and its time.
+//  False: it is, or has no such time
+bool makeOneProcessor(const argList& args)
+{
+    const fileName root(args.rootPath() / args.globalCaseName()), path(root / "processor0");
+    if (isDir(path))
+    {
+        return false;
+    }
+    const word wanted(args.getOrDefault<word>("time", word::null));
+    const instantList times(Time::findTimes(root));
+    for (label i = times.size() - 1; i >= 0; --i)
+    {
+        const word& name = times[i].name();
+        const bool meant = wanted.empty() || name == wanted;
+        if (name == "constant" || !meant
+            || !(i < 2 || isFile(root / name / "uniform" / "materialPointState")))
+        {
+            continue;
+        }
+        const word mesh(meshInstance(root, times[i].value()));
+        mkDir(path / mesh);
+        cp(root / mesh / polyMesh::meshSubDir, path / mesh);
+        if (mesh != name)
+        {
+            cp(root / name, path);
+        }
+        else
+        {
+            for (const fileName::Type type : {fileName::FILE, fileName::DIRECTORY})
+            {
+                for (const fileName& file : readDir(root / name, type, false))
+                {
+                    if (file != polyMesh::meshSubDir)
+                    {
+                        cp(root / name / file, path / name);
+                    }
+                }
+            }
+        }
+        return true;
+    }
+    return false;
+}
+
 //- Number of processors that the case has; checks what there is. Collective
 label nProcessors(const argList& args, const label nNew)
 {
@@ -76,11 +138,10 @@ label nProcessors(const argList& args, const label nNew)
     }
     if (!n)
     {
-        FatalErrorInFunction
-            << "There is no folder " << root / "processor0"
-            << "." << nl
-            << "decomposePar -latestTime  brings a case that is not decomposed to several"
-            << " processors; fileHandler collated is not read here." << exit(FatalError);
+        FatalErrorInFunction << "There is no folder " << root / "processor0"
+                             << ", and the case has no complete time"
+                             << " that was asked for; fileHandler collated is not read here."
+                             << exit(FatalError);
     }
     if (has.rfind(true) > n)
     {
@@ -140,22 +201,6 @@ instant timeOf(const argList& args, const bool empty)
     return instant();
 }
 
-//- Folder of the mesh of a time
-word meshInstance(const fileName& path, const scalar time)
-{
-    const instantList times(Time::findTimes(path));
-    for (label i = times.size() - 1; i >= 0; --i)
-    {
-        const fileName faces(path / times[i].name() / polyMesh::meshSubDir / "faces");
-        if (times[i].name() != "constant" && times[i].value() <= time
-            && (isFile(faces) || isFile(faces + ".gz")))
-        {
-            return times[i].name();
-        }
-    }
-    return "constant";
-}
-
 labelList newProcs(
     const fvMesh& mesh, const dictionary& dict, const caseRows& rows, const bool empty,
     const label nNew)
@@ -190,10 +235,10 @@ labelList newProcs(
 }
 
 //- The old folders are put aside, those that were made for this run removed
-void putAside(const argList& args, const bool empty)
+void putAside(const argList& args, const bool made)
 {
     const fileName path(args.path());
-    if (empty)
+    if (made)
     {
         rmDir(path);
     }
@@ -212,8 +257,8 @@ void putAside(const argList& args, const bool empty)
 int main(int argc, char* argv[])
 {
     exitOnFatal();
-    argList::addNote("Bring a decomposed case to the number of processors and the method of"
-                     " system/decomposeParDict. Runs on the larger of both numbers.");
+    argList::addNote("Bring a case, decomposed or not, to the number of processors and the method"
+                     " of system/decomposeParDict. Runs on the larger of both numbers.");
     argList::noFunctionObjects();
     argList::noCheckProcessorDirectories();
     argList::addOption("time", "value", "Time to take (default: the last complete one)");
@@ -231,6 +276,8 @@ int main(int argc, char* argv[])
         FatalIOErrorInFunction(dict)
             << "numberOfSubdomains is " << nNew << "; it must be 1 or more." << exit(FatalIOError);
     }
+    bool whole = Pstream::master() && nNew > 1 && makeOneProcessor(args);
+    Pstream::scatter(whole);
     label nOld = nProcessors(args, nNew);
     Pstream::scatter(nOld);
     const bool empty = Pstream::myProcNo() >= nOld;
@@ -261,7 +308,7 @@ int main(int argc, char* argv[])
     writeEmptyProcessor(runTime, instance, empty);
     fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
     addEmptyZones(mesh, empty);
-    meshDistribution distribution(mesh);
+    meshDistribution distribution(whole ? meshDistribution(mesh, zero()) : meshDistribution(mesh));
     caseRows rows(mesh, empty);
     const label nPoints = returnReduce(rows.nPoints(), sumOp<label>());
     if (rows.left().size())
@@ -279,7 +326,7 @@ int main(int argc, char* argv[])
         FatalErrorInFunction << "Points were lost; nothing is changed on disk." << exit(FatalError);
     }
 
-    putAside(args, empty);
+    putAside(args, empty || whole);
     returnReduce(label(0), sumOp<label>());
     distribution.write(runTime.constant());
     rows.write();
@@ -293,9 +340,11 @@ int main(int argc, char* argv[])
         mv(args.path() / start.name(), root / start.name());
         rmDir(args.path());
     }
-    Info << nPoints << " points on " << nNew << (nNew > 1 ? " processors" : " processor") << nl
-         << "The folders of before are in " << before << ": remove it if all is well" << nl
-         << "End\n"
-         << endl;
+    Info << nPoints << " points on " << nNew << (nNew > 1 ? " processors" : " processor") << nl;
+    if (!whole)
+    {
+        Info << "The folders of before are in " << before << ": remove it if all is well" << nl;
+    }
+    Info << "End\n" << endl;
     return 0;
 }

@@ -4,7 +4,8 @@
     trips    two processors, three, one: points and fields at the end are those of one
              processor to 1e-10, mass and number of points too; also from a mesh that load
              balance has moved and with a boundary condition that has a state
-    bits     from two to three and back, without a step: all columns and values bit by bit
+    bits     from two to three and back, without a step: all columns and values bit by bit; from
+             one to two as decomposePar
     wrong    messages
 """
 
@@ -119,6 +120,11 @@ def trips(table):
                     f"{n} columns and fields, {three} processors, moved {moved}")
 
 
+def times(case):
+    folder = case.processors()[0] if case.processors() else case.path
+    return sorted((t for t in os.listdir(folder) if t[0].isdigit() and float(t) > 0), key=float)
+
+
 def values(case, time, processor):
     """Bytes of all columns of the points, of a processor, and values of fields."""
     found = {}
@@ -154,6 +160,25 @@ def bits(table):
                 f"{differ}, of {len(before[0])}")
     table.check("on 3 they were others", len(middle) == 3 and middle[0] != before[0])
 
+    # A case that is not decomposed, against decomposePar
+    whole = copyOf(rebuild.plates("FLIP", air={}), "whole")
+    whole.change(CONTROL, "^endTime.*?;", "endTime 0.9e-6;")
+    whole.run("materialPointFoam")
+    end = times(whole)[-1]
+    parts = []
+    for name in ("decomposePar", "redistributeCase"):
+        other = copyOf(whole, name)
+        other.write("system/decomposeParDict", {
+            "numberOfSubdomains": 2, "method": "simple",
+            "simpleCoeffs": {"n": (2, 1, 1), "delta": 0.001}})
+        other.run(*(("decomposePar", "-time", end) if name == "decomposePar" else
+                    (*mpirun(2), name, "-parallel", "-time", end)))
+        parts.append([values(other, end, p) for p in other.processors()])
+    differ = [k for a, b in zip(*parts) for k in a if a[k] != b.get(k)]
+    table.check("1 to 2, as by decomposePar: all columns, fields and states bit by bit",
+                len(parts[1]) == 2 and not differ and len(parts[0][0]) > 25,
+                f"{differ}, of {len(parts[0][0])}")
+
 
 def wrong(table):
     rebuild = module("rebuild")
@@ -170,8 +195,8 @@ def wrong(table):
         table.check(f"wrong: {label}", not lacks, f"message lacks {lacks}")
 
     case = copyOf(rebuild.gasAlone(), "wrong")
-    text(lambda: redistribute(case, 2, ranks=2), "not decomposed",
-         ("processor0", "decomposePar -latestTime"))
+    text(lambda: redistribute(case, 2, "-time", "7", ranks=2), "not decomposed, no such time",
+         ("processor0", "no complete time"))
     case.decompose((2, 1, 1))
     text(lambda: redistribute(case, 3, ranks=2), "number of processors",
          ("2 processors", "asks for 3", "mpirun -np 3"))
