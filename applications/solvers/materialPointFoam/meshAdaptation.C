@@ -30,11 +30,13 @@ Foam::boolList Foam::mpm::meshAdaptation::frozen(simulation& of) const
     {
         return boolList();
     }
+    // Less than this is rounding, which must not decide
+    constexpr scalar none = 1e-10;
     boolList at(mesh_.nCells());
     const scalarField& theta = of.gas()->theta();
     forAll(at, c)
     {
-        at[c] = mag(theta[c] - 1) > SMALL;
+        at[c] = mag(theta[c] - 1) > none;
     }
     for (const materialPointPhase& phase : of.points()->phases())
     {

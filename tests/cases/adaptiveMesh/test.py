@@ -7,7 +7,8 @@
     uniform  a gas, and two fluids, in translation through boxes that come and go: nothing
              changes
     sums     boxes that come and go: mass and energy of a blast
-    together the same: an explosive in air, points in contact, a rigid body
+    together the same: an explosive in air, points in contact, a rigid body; on three processors
+             while base cells go to random ones
     blast    a square of high pressure: fine where it jumps, beside all fine and all coarse
     restart  in the middle: as without
     ranks    on three processors, from the base mesh and from one that was halved before; while
@@ -251,26 +252,39 @@ def everything(name, n, end, halved=None):
     return case
 
 
+def movesOf(case):
+    return len(re.findall("^Load: imbalance [^,]*, by random [^,]*$", case.log(), re.M))
+
+
+def toRandom(case, interval):
+    """All base cells to random ones of three processors, every so many steps."""
+    case.decompose((3, 1, 1))
+    case.change("system/decomposeParDict", "^method ",
+                f"loadBalance {{ interval {interval}; maxImbalance 1; worth 0;"
+                " method random; }\nmethod ")
+
+
 def together(table):
     n, end = 16, 1.2e-4
-    case = comeAndGo(everything("together", n, end), end, 2)
-    case.run("materialPointFoam")
-    time = case.times()[-1]
-    log = case.log()
-    table.check("explosive, air, contact, rigid body: changes", changes(case) >= 50, changes(case))
-    first = {}
-    for start in (True, False):
+    one, moved = (comeAndGo(everything(name, n, end), end, 2) for name in ("together", "moved"))
+    one.run("materialPointFoam")
+    toRandom(moved, 3)
+    moved.runParallel()
+    for label, case in (("", one), (", three processors", moved)):
+        log = case.log()
+        name = "explosive, air, contact, rigid body" + label
+        table.row(f"{name}: changes and moves", 100 if label else 50,
+                  changes(case) + movesOf(case), 100 if label else 50, "atLeast")
         rows = re.findall(r"^Fluids: mass (.*?)(?:, |$)", log, re.M)
-        numbers = [float(x) for x in re.findall(r" ([0-9.e+-]+)", " " + rows[0 if start else -1])]
-        for i, m in enumerate(numbers):
-            if start:
-                first[i] = m
-            else:
-                table.row(f"explosive, air, contact, rigid body: mass of fluid {i}", 1,
-                          m/first[i], 1e-11)
-    masses = re.findall(r"^Material points: \d+, mass (\S+),", log, re.M)
-    table.row("explosive, air, contact, rigid body: mass of the points", 1,
-              float(masses[-1])/float(masses[0]), 1e-11)
+        first, last = ([float(x) for x in re.findall(r" ([0-9.e+-]+)", " " + row)]
+                       for row in (rows[0], rows[-1]))
+        for i, (m, m0) in enumerate(zip(last, first)):
+            table.row(f"{name}: mass of fluid {i}", 1, m/m0, 1e-11)
+        masses = re.findall(r"^Material points: \d+, mass (\S+),", log, re.M)
+        table.row(f"{name}: mass of the points", 1, float(masses[-1])/float(masses[0]), 1e-11)
+    table.row("the same: points of block and plate, difference to one processor", 0,
+              one.largestDifference(moved, one.times()[-1], ["block", "plate"], ("x", "U", "V")),
+              1e-10)
 
 
 def blast(table):
@@ -386,11 +400,10 @@ def ranks(table):
         short = label.split(",")[0].replace(" ", "-") + "-moved"*(moves > 0)
         one, other = make("one-" + short), make("three-" + short)
         one.run("materialPointFoam")
-        other.decompose((3, 1, 1))
         if moves:
-            other.change("system/decomposeParDict", "^method ",
-                         f"loadBalance {{ interval {moves}; maxImbalance 1; worth 0;"
-                         " method random; }\nmethod ")
+            toRandom(other, moves)
+        else:
+            other.decompose((3, 1, 1))
         other.runParallel()
         time = one.times()[-1]
         worst = 0
@@ -402,8 +415,7 @@ def ranks(table):
         table.check(f"{label}: the mesh has changed", changes(other) > 2 or "unchanged" in label,
                     changes(other))
         if moves:
-            n = len(re.findall("^Load: imbalance [^,]*, by random [^,]*$", other.log(), re.M))
-            table.check(f"{label}: moves", n >= 10, n)
+            table.row(f"{label}: moves", 10, movesOf(other), 10, "atLeast")
         if fields == state:
             before = {n: ofBase(other, time, n) for n in fields}
             for folder in other.processors():
