@@ -47,12 +47,22 @@ Foam::boolList Foam::mpm::meshAdaptation::frozen(simulation& of) const
 
 void Foam::mpm::meshAdaptation::change(simulation& of, autoPtr<treeLeaves>&& to)
 {
+    wordList split;
+    for (label i = 0; adaptive_.splitsPoints() && of.points() && i < of.points()->phases().size();
+         ++i)
+    {
+        const materialPointPhase& phase = of.points()->phases()[i];
+        if (!phase.motion())
+        {
+            split.append(phase.name());
+        }
+    }
     simulation::rows state(of.takeDown());
     ownedFields owned(mesh_);
     const label nCells = mesh_.nCells(), nFaces = mesh_.nFaces(), nPoints = mesh_.nPoints();
     while (to)
     {
-        rowsRefinement rows(mesh_, adaptive_, to(), state, owned.states);
+        rowsRefinement rows(mesh_, adaptive_, to(), state, owned.states, split);
         adaptive_.make(std::move(to));
         rows.move(state, owned.states);
         to = adaptive_.next();

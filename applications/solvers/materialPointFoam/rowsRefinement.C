@@ -2,7 +2,9 @@
 
 #include "rowsRefinement.H"
 #include "rowsDistribution.H"
+#include "boundBox.H"
 #include "fieldTypes.H"
+#include "ListOps.H"
 #include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -266,29 +268,152 @@ void Foam::mpm::rowsRefinement::moveBoundary(dictionary& field) const
     }
 }
 
+Foam::label Foam::mpm::rowsRefinement::placeOf(const pointRows& rows, const word& name)
+{
+    label at = 0;
+    forAll(rows.columns, i)
+    {
+        if (rows.columns[i] == name)
+        {
+            return at;
+        }
+        at += rows.nComponents[i];
+    }
+    return -1;
+}
+
 void Foam::mpm::rowsRefinement::movePoints(pointRows& rows) const
 {
-    labelList now(V_.size());
+    // New cells of each old one
+    List<Pair<label>> now(V_.size(), Pair<label>(labelMax, -1));
     forAll(from_, c)
     {
         for (label o = from_[c][0]; o < from_[c][1]; ++o)
         {
-            // In one of several: -2 - a cell nearby
-            now[o] = isPart(c) ? -2 - c : c;
+            now[o] = Pair<label>(min(now[o][0], c), c);
         }
     }
-    for (label& c : rows.cells)
+    const label size = rows.rowSize(), x = placeOf(rows, "x");
+    forAll(rows.cells, p)
     {
-        const label to = now[c < 0 ? -2 - c : c];
-        c = c < 0 && to >= 0 ? -2 - to : to;
+        label& c = rows.cells[p];
+        const Pair<label> to(now[c < 0 ? -2 - c : c]);
+        if (to[0] == to[1])
+        {
+            c = c < 0 ? -2 - to[0] : to[0];
+            continue;
+        }
+        // In one of several: -2 - a cell nearby, of boxes the one
+        scalar least = VGREAT;
+        for (label n = to[0]; n <= to[1]; ++n)
+        {
+            scalar way = 0;
+            label i = 0;
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (mesh_.geometricD()[d] > 0)
+                {
+                    way += sqr(mesh_.cellCentres()[n][d] - rows.values[size * p + x + i++]);
+                }
+            }
+            c = way < least ? -2 - n : c;
+            least = min(least, way);
+        }
     }
+}
+
+void Foam::mpm::rowsRefinement::splitPoints(pointRows& rows) const
+{
+    const label size = rows.rowSize();
+    const int nDim = mesh_.nGeometricD(), n = 1 << nDim;
+    const label x = placeOf(rows, "x"), m = placeOf(rows, "m"), V = placeOf(rows, "V"),
+                id = placeOf(rows, "id");
+    const label half = placeOf(rows, "halfSize"), reference = placeOf(rows, "X");
+
+    DynamicList<label> which;
+    labelList ids;
+    scalar next = 0;
+    for (label p = 0; p < rows.size(); ++p)
+    {
+        const scalar* row = &rows.values[size * p];
+        next = max(next, row[id] + 1);
+        const label c = rows.cells[p];
+        const auto iter = boxes_.cfind(c < 0 ? -2 - c : c);
+        if (iter.good() && row[V] > 0.5 * V_[iter.key()] / n)
+        {
+            which.append(p);
+            ids.append(label(row[id]));
+        }
+    }
+    List<labelList> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = ids;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    labelList sorted(ListListOps::combine<labelList>(all, accessOp<labelList>()));
+    Foam::sort(sorted);
+    reduce(next, maxOp<scalar>());
+
+    DynamicList<scalar> values(std::move(rows.values));
+    DynamicList<label> cells(std::move(rows.cells));
+    for (const label p : which)
+    {
+        const label at = cells[p], c = at < 0 ? -2 - at : at;
+        const boundBox& box = boxes_[c];
+        const List<scalar> parent(SubList<scalar>(values, size, size * p));
+        const scalar place =
+            std::lower_bound(sorted.begin(), sorted.end(), label(parent[id])) - sorted.begin();
+        for (int part = 0; part < n; ++part)
+        {
+            List<scalar> row(parent);
+            row[m] /= n;
+            row[V] /= n;
+            int i = 0;
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (mesh_.geometricD()[d] < 0)
+                {
+                    continue;
+                }
+                // Within the cell, of which the point's is known if it is a box
+                const scalar width = half >= 0
+                    ? 2 * parent[half + i]
+                    : box.span()[d] * std::pow(parent[V] / V_[c], 1.0 / nDim);
+                const scalar room =
+                    0.9 * min(parent[x + i] - box.min()[d], box.max()[d] - parent[x + i]);
+                const scalar way = ((part >> i) & 1 ? 1 : -1)
+                    * (room > 0 ? min(0.25 * width, room) : 0.25 * width);
+                row[x + i] += way;
+                if (reference >= 0)
+                {
+                    row[reference + i] += way;
+                }
+                if (half >= 0)
+                {
+                    row[half + i] /= 2;
+                }
+                ++i;
+            }
+            if (part == 0)
+            {
+                SubList<scalar>(values, size, size * p) = row;
+            }
+            else
+            {
+                row[id] = next + (n - 1) * place + part - 1;
+                values.append(row);
+                cells.append(at);
+            }
+        }
+    }
+    rows.values.transfer(values);
+    rows.cells.transfer(cells);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::rowsRefinement::rowsRefinement(
     const fvMesh& mesh, const adaptiveMesh& adaptive, const treeLeaves& to, simulation::rows& rows,
-    fieldStates& others) :
+    fieldStates& others, const wordList& split) :
     mesh_(mesh),
     adaptive_(adaptive),
     from_(to.sources(adaptive.leaves())),
@@ -298,6 +423,7 @@ Foam::mpm::rowsRefinement::rowsRefinement(
     owner_(SubList<label>(
         mesh.faceOwner(), mesh.nFaces() - mesh.nInternalFaces(), mesh.nInternalFaces())),
     V_(mesh.V().field()),
+    split_(split),
     next_(0)
 {
     forAll(start_, patchi)
@@ -306,6 +432,14 @@ Foam::mpm::rowsRefinement::rowsRefinement(
         size_[patchi] = mesh.boundaryMesh()[patchi].size();
     }
     makeGradients(to);
+    for (label c = 0; split.size() && c < from_.size(); ++c)
+    {
+        if (isPart(c))
+        {
+            const label old = from_[c][0];
+            boxes_.set(old, boundBox(pointField(mesh.points(), mesh.cellPoints()[old]), false));
+        }
+    }
     const auto add = [&](const word& name, const dictionary& field, const word& key, const auto& as)
     { addList<typename std::decay<decltype(as)>::type>(name, field, key); };
     for (fieldStates* fields : {&rows.gas, &rows.points.cellFields, &others})
@@ -344,7 +478,14 @@ void Foam::mpm::rowsRefinement::move(simulation::rows& rows, fieldStates& others
         forLists(*fields, moveCells);
         forAllIters(*fields, iter) { moveBoundary(iter.val()); }
     }
-    forAllIters(rows.points.points, iter) { movePoints(iter.val()); }
+    for (const word& phase : rows.points.points.sortedToc())
+    {
+        if (split_.found(phase))
+        {
+            splitPoints(rows.points.points[phase]);
+        }
+        movePoints(rows.points.points[phase]);
+    }
     forAllIters(rows.points.pointFields, iter)
     {
         iter.val().merge(

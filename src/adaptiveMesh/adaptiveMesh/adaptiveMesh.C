@@ -18,12 +18,13 @@ bool Foam::mpm::adaptiveMesh::readSettings()
     {
         return false;
     }
-    checkKeywords(dict, {"maxLevel", "refine", "buffer", "keep", "interval"});
+    checkKeywords(dict, {"maxLevel", "refine", "buffer", "keep", "interval", "splitPoints"});
     requireKeyword(dict, "maxLevel");
     maxLevel_ = boundedLabelOrDefault(dict, "maxLevel", 1, 1, treeLeaves::maxLevel);
     buffer_ = boundedLabelOrDefault(dict, "buffer", 6, 0, 100);
     keep_ = boundedLabelOrDefault(dict, "keep", 2, 0, 100);
     interval_ = boundedLabelOrDefault(dict, "interval", 5, 1, labelMax);
+    splitPoints_ = dict.getOrDefault<bool>("splitPoints", false);
     const dictionary& refine = requiredDict(dict, "refine");
     criteria_.setSize(refine.size());
     label i = 0;
@@ -131,6 +132,7 @@ Foam::mpm::adaptiveMesh::adaptiveMesh(polyMesh& mesh) :
     buffer_(0),
     keep_(0),
     interval_(0),
+    splitPoints_(false),
     changed_(false),
     baseWritten_(false),
     warned_(false)

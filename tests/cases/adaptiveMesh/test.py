@@ -14,6 +14,7 @@
     ranks    on three processors, from the base mesh and from one that was halved before; while
              all base cells go to random ones (loadBalance)
     balance  loadBalance shares the fine cells
+    split    points that are split with their cells
     wrong    messages
 """
 
@@ -31,6 +32,7 @@ from fluidCases import AIR, besidePoints, fluidCase
 from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes, runParts,
                       testModule, velocityFile)
 from gasCases import WALL, gasCase, labels, volField
+from splitPoints import split
 
 DICT = "system/adaptiveMeshDict"
 
@@ -474,4 +476,4 @@ def wrong(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, restart,
-                      ranks, balance, wrong))
+                      ranks, balance, split, wrong))
