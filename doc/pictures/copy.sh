@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Takes the tutorials' pictures into the checkout, from runs that are there: the first one that
-# each README names, as <tutorial>.png; two animations; then the row at the top of README.md
+# each README names, as <tutorial>.png; animations; then the row at the top of README.md
 # (row.py).
 # After . etc/bashrc. Optional argument: the folder of the tutorials.
 cd "${0%/*}" || exit 1
@@ -12,7 +12,8 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     spallInAir/plates blockInAir/moving freePiston/piston shockOnSlab/cylinder \
     dustyShockTube/dustyShockTube houimOran/dense darcyFlow/darcy fluidisedColumn/fluidised \
     ballThroughPlate/debris blastWall/blast kirsch/kirsch spallOnTriangles/spallOnTriangles \
-    bracket/bracket pipeBlast/pipe refinedImpact/impact sphereOnSphere/spheres \
+    bracket/bracket pipeBlast/pipe refinedImpact/impact adaptiveImpact/impact \
+    sphereOnSphere/spheres \
     cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak \
     tntInAir/blast fluidShockTubes/tubes underwaterPlate/clamped shockOnHelium/helium \
     wedgeEntry/wedgeEntry damBreakGate/damBreakGate submergedSand/submergedSand \
@@ -21,8 +22,8 @@ do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done
 
-# Animations at the top of README.md, from Allrun -animate
-for pair in ballThroughPlate/debris blastWall/blast
+# Animations, two at the top of README.md, from Allrun -animate
+for pair in ballThroughPlate/debris blastWall/blast adaptiveImpact/impact
 do
     [ ! -e "$tutorials/$pair.gif" ] || cp "$tutorials/$pair.gif" "${pair%/*}.gif"
 done

@@ -184,9 +184,11 @@ class Case:
     def nCells(self):
         return int(readLists(self.file("constant/polyMesh/owner")).max()) + 1
 
-    def polygons(self):
-        """Corners (x, y) of each cell of a mesh in the plane of x and y, any cells."""
-        mesh = self.file("constant/polyMesh")
+    def polygons(self, time=None):
+        """Corners (x, y) of each cell of a mesh in the plane of x and y, any cells: the mesh of
+        a time, or that of the start."""
+        changed = [t for t in self.times("polyMesh/faces") if time and float(t) <= float(time)]
+        mesh = self.file(changed[-1] if changed else "constant", "polyMesh")
         x = readField(os.path.join(mesh, "points"))
         faces = readLists(os.path.join(mesh, "faces"))
         owner = readLists(os.path.join(mesh, "owner"))
