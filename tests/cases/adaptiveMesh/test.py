@@ -15,6 +15,7 @@
              all base cells go to random ones (loadBalance)
     balance  loadBalance shares the fine cells
     split    points that are split with their cells
+    waves    across sides between two sizes, in points and in a gas
     wrong    messages
 """
 
@@ -28,6 +29,7 @@ import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from acrossSides import waves
 from fluidCases import AIR, besidePoints, fluidCase
 from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes, runParts,
                       testModule, velocityFile)
@@ -476,4 +478,4 @@ def wrong(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, restart,
-                      ranks, balance, split, wrong))
+                      ranks, balance, split, waves, wrong))
