@@ -88,6 +88,16 @@ Foam::mpm::cloudColumn& Foam::mpm::materialPointCloud::need(
     return c ? *c : declare(name, kind, rules);
 }
 
+Foam::wordList Foam::mpm::materialPointCloud::columnNames() const
+{
+    wordList names;
+    for (const cloudColumn& c : columns_)
+    {
+        names.append(c.name());
+    }
+    return names;
+}
+
 Foam::mpm::cloudColumn* Foam::mpm::materialPointCloud::findColumn(const word& name)
 {
     for (cloudColumn& c : columns_)

@@ -1,6 +1,8 @@
 """Points that are split with their cells (splitPoints of adaptiveMeshDict): sums of before, and
 a run on points that were split as on points that were set in the fine cells."""
 
+import re
+
 import numpy as np
 
 from foamCase import FoamCase, boxMesh, controlDict, noSchemes, velocityFile
@@ -81,3 +83,11 @@ def split(table):
     table.row("points split on three processors: largest difference to one", 0,
               one.largestDifference(three, one.times()[-1], ["block"], ("x", "U", "V", "sigma")),
               1e-10)
+
+    # A column of the points: the lower half of the block, 4 by 8 cells, moves faster along x
+    case = spinning("column", 2, 16, 1e-9, True, deltaT=1e-9)
+    case.write("system/adaptiveMeshDict", {"maxLevel": 1, "buffer": 0, "keep": 0, "refine": {
+        "fast": {"type": "points", "phases": ["block"], "column": "U", "min": 1}}})
+    case.run("materialPointFoam")
+    cells = [int(n) for n in re.findall(r"^Adaptive mesh: (\d+) cells", case.log(), re.M)]
+    table.row("points whose column is at least min: cells", 16**2 + 3*4*8, cells[-1], 0)

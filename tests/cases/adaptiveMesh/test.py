@@ -464,6 +464,7 @@ def wrong(table):
              ("rho", "rho.air")),
             ("threshold", {"refine": {"a": {"type": "jump", "field": "p"}}},
              ("relative", "absolute")),
+            ("column", {"refine": {"a": {"type": "points", "column": "damage"}}}, ("min",)),
             ("nothing", {"refine": {}}, ("no criteria",))):
         case = blastCase(f"wrong-{label}", (4, 4, 1))
         case.write(DICT, {"maxLevel": 2, "refine": {"a": box((0, 0, 0), (1, 1, 1))}, **entries})

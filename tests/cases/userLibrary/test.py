@@ -24,6 +24,7 @@ each against an exact value.
     object      centreOfMass: its last row against the points written
     failure     hydrostaticTension: of points that start with a mean stress below and above
                 the strength those above fail
+    criterion   fastPoints of an adaptive mesh
     erosion     behindPlane: a block that flies through an oblique plane: left are the points
                 before it
     heat        WhitakerHeat: gas and dust with a slip that nothing changes; the gap of their
@@ -37,6 +38,7 @@ each against an exact value.
 
 import glob
 import os
+import re
 import sys
 
 import numpy as np
@@ -453,6 +455,24 @@ def nodes(table):
               np.max(cases[1].points(time, "block")["U"][:, 0]), 0.1*v, "atLeast")
 
 
+# --- criterion of an adaptive mesh -------------------------------------------
+
+def criterion(table):
+    """A fast block and a slow one: cells are halved at the fast one."""
+    case = freeBlock("criterion", 1e-3, 1e-3)
+    case.write("system/setMaterialPointsDict", {"regions": {
+        name: {"phase": "block", "type": "box", "min": (x, 2*H, 0), "max": (x + 2*H, 4*H, H),
+               "pointsPerCell": 2, "velocity": (0, u, 0)}
+        for name, x, u in (("slow", 2*H, 0.1), ("fast", 12*H, 2))}})
+    case.run("setMaterialPoints")
+    case.write("system/fvSolution", {"materialPoints": {**FLIP, "shapeFunction": "nodeDual"}})
+    case.write("system/adaptiveMeshDict", {"maxLevel": 1, "buffer": 0, "keep": 0, "refine": {
+        "fast": {"type": "fastPoints", "speed": 1}}})
+    case.run("materialPointFoam")
+    cells = [int(n) for n in re.findall(r"^Adaptive mesh: (\d+) cells", case.log(), re.M)]
+    table.row("criterion: 16 by 6 cells, four of them halved", 16*6 + 4*3, cells[-1], 0)
+
+
 # --- choices -----------------------------------------------------------------
 
 def choices(table):
@@ -475,4 +495,4 @@ def choices(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("userLibrary", compiles, law, equation, gas, drag, friction, spring, force,
-                      failure, erosion, heat, pressure, column, nodes, choices))
+                      failure, erosion, heat, pressure, column, nodes, criterion, choices))
