@@ -17,13 +17,13 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak \
     tntInAir/blast fluidShockTubes/tubes underwaterPlate/clamped shockOnHelium/helium \
     wedgeEntry/wedgeEntry damBreakGate/damBreakGate submergedSand/submergedSand \
-    blastOnWall/wall explosiveRing/ring waterFilledTube/tube
+    blastOnWall/wall adaptiveBlast/blast explosiveRing/ring waterFilledTube/tube
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done
 
 # Animations, two at the top of README.md, from Allrun -animate
-for pair in ballThroughPlate/debris blastWall/blast adaptiveImpact/impact
+for pair in ballThroughPlate/debris blastWall/blast adaptiveImpact/impact adaptiveBlast/blast
 do
     [ ! -e "$tutorials/$pair.gif" ] || cp "$tutorials/$pair.gif" "${pair%/*}.gif"
 done

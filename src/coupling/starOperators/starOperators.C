@@ -476,7 +476,8 @@ Foam::mpm::starOperators::starOperators(const pointGrid& grid) :
 void Foam::mpm::starOperators::toNodes(
     const UList<scalar>& ofCells, scalarList& ofNodes, const labelUList* some) const
 {
-    ofNodes.setSize(grid_.nNodes());
+    // Nodes of cells that points come into later have none yet
+    ofNodes.setSize(grid_.nNodes(), Zero);
     sums_.setSize(others_ ? grid_.nNodes() : 0);
     const auto mean = [&](const label l)
     {

@@ -10,6 +10,12 @@
     together the same: an explosive in air, points in contact, a rigid body; on three processors
              while base cells go to random ones
     blast    a square of high pressure: fine where it jumps, beside all fine and all coarse
+    lake     water below air at rest, boxes come and go through the surface: largest velocity
+             beside that on a mesh that was halved before and stays
+    carried  a disc of a fluid in another, carried over cyclic sides: width of its interface
+             in fine cells beside that on fine cells, masses
+    dam      a column of water collapses (tutorials/damBreak), fine at the interface: tip
+             beside that on fine cells; with MPM_VERIFY=1 also on cells half as wide
     restart  in the middle: as without
     ranks    on three processors, from the base mesh and from one that was halved before; while
              all base cells go to random ones (loadBalance)
@@ -20,7 +26,6 @@
 """
 
 import os
-import random
 import re
 import shutil
 import sys
@@ -30,46 +35,13 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
 from acrossSides import waves
+from changing import DICT, adaptive, box, cellLevel, changes, comeAndGo
+from fluidChanges import carried, dam, lake
 from fluidCases import AIR, besidePoints, fluidCase
 from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes, runParts,
                       testModule, velocityFile)
 from gasCases import WALL, gasCase, labels, volField
 from splitPoints import split
-
-DICT = "system/adaptiveMeshDict"
-
-
-def box(low, high, level=None, times=None):
-    """A criterion: cells in a box, for a time."""
-    return {"type": "shape", **({"level": level} if level else {}),
-            **({"from": times[0], "to": times[1]} if times else {}),
-            "shape": {"type": "box", "min": tuple(low), "max": tuple(high)}}
-
-
-def adaptive(case, maxLevel, refine, **entries):
-    case.write(DICT, {"maxLevel": maxLevel, **entries, "refine": refine})
-    return case
-
-
-def comeAndGo(case, end, nDim, n=100, maxLevel=2, seed=1):
-    """Boxes in the unit cube, each for a short time, all levels; a look in each step."""
-    rng = random.Random(seed)
-    refine = {}
-    for i in range(n):
-        low = [rng.uniform(0, 0.8) if d < nDim else -1 for d in range(3)]
-        size = [rng.uniform(0.05, 0.3) if d < nDim else 3 for d in range(3)]
-        refine[f"box{i}"] = box(low, [a + b for a, b in zip(low, size)],
-                                rng.randint(1, maxLevel),
-                                (end*i/n, end*(i + rng.uniform(1, 4))/n))
-    return adaptive(case, maxLevel, refine, buffer=0, keep=0, interval=1)
-
-
-def changes(case):
-    return int(re.search(r"Adaptive mesh: (\d+) changes", case.log())[1])
-
-
-def cellLevel(case, time):
-    return labels(case.file(time, "polyMesh/cellLevel"))
 
 
 # ---------------------------------------------------------------- the mesh
@@ -119,7 +91,7 @@ def shapes(table):
         case.run("checkMesh", "-constant", "-allTopology")
         log = case.log("checkMesh")
         after = float(re.search(r"Total volume = ([^ ]*[0-9])", log)[1])
-        level = np.array(cellLevel(case, "constant"))
+        level = np.array(cellLevel(case, 0))
         owner, neighbour = (np.array(labels(case.file("constant/polyMesh", f)))
                             for f in ("owner", "neighbour"))
         steps = abs(level[owner[:len(neighbour)]] - level[neighbour])
@@ -206,7 +178,7 @@ def volumes(case, time, whole, nBase, nDim):
 
 def toLeaves(case, nDim):
     """Start values of the base cells to the cells that adaptMesh has made of them."""
-    level = cellLevel(case, "constant")
+    level = cellLevel(case, 0)
     at = np.cumsum(np.concatenate([[0], 2.0**(-nDim*level)]))
     cell = np.floor(at[:-1] + 1e-9).astype(int)
     for name in os.listdir(case.file("0")):
@@ -478,5 +450,5 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, restart,
-                      ranks, balance, split, waves, wrong))
+    sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, lake,
+                      carried, dam, restart, ranks, balance, split, waves, wrong))
