@@ -268,20 +268,6 @@ void Foam::mpm::rowsRefinement::moveBoundary(dictionary& field) const
     }
 }
 
-Foam::label Foam::mpm::rowsRefinement::placeOf(const pointRows& rows, const word& name)
-{
-    label at = 0;
-    forAll(rows.columns, i)
-    {
-        if (rows.columns[i] == name)
-        {
-            return at;
-        }
-        at += rows.nComponents[i];
-    }
-    return -1;
-}
-
 void Foam::mpm::rowsRefinement::movePoints(pointRows& rows) const
 {
     // New cells of each old one
@@ -293,7 +279,7 @@ void Foam::mpm::rowsRefinement::movePoints(pointRows& rows) const
             now[o] = Pair<label>(min(now[o][0], c), c);
         }
     }
-    const label size = rows.rowSize(), x = placeOf(rows, "x");
+    const label size = rows.rowSize(), x = rows.place("x");
     forAll(rows.cells, p)
     {
         label& c = rows.cells[p];
@@ -326,9 +312,9 @@ void Foam::mpm::rowsRefinement::splitPoints(pointRows& rows) const
 {
     const label size = rows.rowSize();
     const int nDim = mesh_.nGeometricD(), n = 1 << nDim;
-    const label x = placeOf(rows, "x"), m = placeOf(rows, "m"), V = placeOf(rows, "V"),
-                id = placeOf(rows, "id");
-    const label half = placeOf(rows, "halfSize"), reference = placeOf(rows, "X");
+    const label x = rows.place("x"), m = rows.place("m"), V = rows.place("V"),
+                id = rows.place("id");
+    const label half = rows.place("halfSize"), reference = rows.place("X");
 
     DynamicList<label> which;
     labelList ids;

@@ -92,21 +92,6 @@ bool ofClass(const word& type, const Function& f)
         || ifClass<symmTensor>(type, f) || ifClass<tensor>(type, f);
 }
 
-//- First component of a column in a row, -1: there is none
-label columnPlace(const mpm::pointRows& rows, const word& name)
-{
-    label at = 0;
-    forAll(rows.columns, i)
-    {
-        if (rows.columns[i] == name)
-        {
-            return at;
-        }
-        at += rows.nComponents[i];
-    }
-    return -1;
-}
-
 //- Files below a folder, with their paths in it
 void addFiles(const fileName& folder, const fileName& below, DynamicList<fileName>& names)
 {
@@ -291,7 +276,7 @@ void Foam::mpm::caseRows::writeCloud(const word& name) const
     Cloud<passiveParticle> parcels(mesh_, name, IDLList<passiveParticle>());
 
     // In the order of the solver: by cells, in them by ids
-    const label ids = columnPlace(rows, "id"), origIds = columnPlace(rows, "origId");
+    const label ids = rows.place("id"), origIds = rows.place("origId");
     labelList order(identity(n));
     std::sort(
         order.begin(), order.end(),
