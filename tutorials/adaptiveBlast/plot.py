@@ -13,7 +13,7 @@ for name, run in runs.items():
     mass, momentum = run.rest()
     theta = run.case.numbers("^Theta: min N, max N")
     cells = run.case.numbers("^Adaptive mesh: N cells").ravel()
-    last = run.case.times("lagrangian") or run.times()
+    last = run.times() if run.case.processors() else run.case.times("lagrangian")
     points = [run.case.points(last[-1], phase) for phase in ("blocks", "mortar")]
     print(f"{name}: arrival [us] " + ", ".join(f"{1e6*t:.1f}" for t in run.arrivals())
           + "; largest overpressure [bar] " + ", ".join(f"{1e-5*p:.2f}" for p in run.p.max(axis=0)))
