@@ -60,14 +60,14 @@ def run(k):
                     (*MPI, "redistributeCase", "-parallel")):
         seconds, memory, _ = program(case, *command)
         print(f"    {[c for c in command if not c.startswith('-')][-1]}: {seconds:.1f} s,"
-              f" {memory:.2f} GB a process", flush=True)
+              f" {memory:.3f} GB a process", flush=True)
     for n in (1, 2):
         change(control, ("^endTime .*", f"endTime {n*dt*steps!r};"))
         seconds, memory, log = program(case, *MPI, "materialPointFoam", "-parallel")
         points = int(re.findall(r"^Material points: (\d+)", log, re.M)[0])
         wall = float(re.search(r"^Parts of the steps' (\S+) s", log, re.M)[1])
         print(f"    {points} points, {'goes on' if n == 2 else 'run'}: {seconds:.1f} s,"
-              f" {memory:.2f} GB a process, {1e9*wall/steps/points:.1f} ns per point and step of"
+              f" {memory:.3f} GB a process, {1e9*wall/steps/points:.1f} ns per point and step of"
               " both", flush=True)
     if k > 50:
         shutil.rmtree(case)
