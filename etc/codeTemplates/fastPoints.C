@@ -1,5 +1,5 @@
 // A criterion of a user for system/adaptiveMeshDict: cells with points that are
-// faster than  speed  [m/s]; half as fast cells stay as they are.
+// faster than  speed  [m/s]; those with more than a third of it stay fine.
 
 #include "refinementCriterion.H"
 #include "materialPointSystem.H"
