@@ -4,6 +4,7 @@
 #include "pointEnergy.H"
 #include "aboveReference.H"
 #include "bookedLosses.H"
+#include "lanes.H"
 #include "noTraps.H"
 #include "Time.H"
 
@@ -55,6 +56,57 @@ void Foam::mpm::materialPointSystem::finishForce(const scalar dt)
         field.addLoad();
     }
     parts_.within(&stepPart::summedForce, time);
+}
+
+const Foam::scalar* Foam::mpm::materialPointSystem::filteredPressure(
+    materialPointPhase& phase, velocityField& field, const scalar dt)
+{
+    if (pressureFilter_ <= 0)
+    {
+        return nullptr;
+    }
+    materialPointCloud& cloud = phase.cloud();
+    const label n = cloud.size();
+    const column& s = cloud.stress();
+    const column* damage = cloud.damage();
+
+    // As pressure and with their volumes; groups of lanes may go beyond the end
+    scalarList& weight = filterWeight_;
+    scalarList& p = filtered_;
+    weight.setSize(n + laneWidth<3>);
+    p.setSize(n + laneWidth<3>);
+    const int nDiagonal = grid_.nDim() + (grid_.radial() >= 0 ? 1 : 0);
+    for (label i = 0; i < n; ++i)
+    {
+        weight[i] = damage && (*damage)[0][i] > 0 ? 0 : cloud.volume()[0][i];
+        scalar trace = grid_.radial() >= 0 ? s[2][i] : 0;
+        for (int d = 0; d < grid_.nDim(); ++d)
+        {
+            trace += s[symmSlot(d, d)][i];
+        }
+        p[i] = -trace / nDiagonal;
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+        scalar* sums = field.zeroProduct();
+        gridTransfer_->sumAtNodes(cloud, weight.cdata(), p.cdata(), sums);
+        field.sumWithMass(sums);
+        for (const label node : field.active())
+        {
+            scalar* q = sums + field.stride() * node;
+            q[0] = q[1] > 0 ? q[0] / q[1] : 0;
+        }
+        gridTransfer_->lessAtPoints(cloud, sums, p.data());
+    }
+
+    // The share of a step
+    const scalar share = 1 - std::pow(1 - pressureFilter_, dt * waveRate_ / 0.4);
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar rho = cloud.mass()[0][i] / cloud.volume()[0][i];
+        p[i] *= weight[i] > 0 ? share / (rho * sqr(phase.waveSpeed())) : 0;
+    }
+    return p.cdata();
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -173,7 +225,8 @@ void Foam::mpm::materialPointSystem::correctStress(
         const pointGridTransfer::stressResult result(gridTransfer_->correctStress(
             phase.cloud(), phase.law(), failure, dt, meanMove() ? 0 : stressUpdate_->square(),
             fields_[fieldOf_[phasei]].Ustrain(),
-            makesForce ? fields_[fieldOf_[phasei]].force() : nullptr));
+            makesForce ? fields_[fieldOf_[phasei]].force() : nullptr,
+            filteredPressure(phase, fields_[fieldOf_[phasei]], dt)));
         if (result.badPoint >= 0)
         {
             stopForStress(phase, result.badPoint, dt);

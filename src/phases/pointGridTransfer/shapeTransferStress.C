@@ -131,7 +131,8 @@ void shapeTransfer<Shape, DIM, HOOP>::force(materialPointCloud& cloud, scalar* f
 template<template<int> class Shape, int DIM, bool HOOP>
 pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress(
     materialPointCloud& cloud, const constitutiveModel& law, const failureModel* failure,
-    const scalar dt, const scalar square, const scalar* u, scalar* f) const
+    const scalar dt, const scalar square, const scalar* u, scalar* f,
+    const scalar* dilatation) const
 {
     static thread_local typename stressPass::buffers room;
     stressPass pass(*this, cloud, room, dt, square);
@@ -152,6 +153,10 @@ pointGridTransfer::stressResult shapeTransfer<Shape, DIM, HOOP>::correctStress(
             for (label k = pass.k0; k < pass.k1; ++k)
             {
                 pass.velocityGradient(cells[k], pass.part(k), u);
+            }
+            if (dilatation)
+            {
+                pass.addToTraces(dilatation);
             }
             bool allFinite = pass.changeVolumes();
 

@@ -188,6 +188,19 @@ struct shapeTransfer<Shape, DIM, HOOP>::stressPass
         }
     }
 
+    //- Of the points of the block
+    MPM_INLINE void addToTraces(const scalar* dilatation) const
+    {
+        for (int d = 0; d < nDiagonal; ++d)
+        {
+            scalar* to = room.dL[d < DIM ? d * (DIM + 1) : N - 1];
+            for (label p = begin; p < end; ++p)
+            {
+                to[p - begin] += dilatation[p] / nDiagonal;
+            }
+        }
+    }
+
     MPM_INLINE T trace(const label i) const
     {
         T tr = load<W>(room.dL[0] + i);

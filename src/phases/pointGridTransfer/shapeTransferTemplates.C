@@ -217,4 +217,36 @@ void shapeTransfer<Shape, DIM, HOOP>::massTimes(
         });
 }
 
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::sumAtNodes(
+    materialPointCloud& cloud, const scalar* w, const scalar* q, scalar* sums) const
+{
+    scatterPoints<2>(
+        cloud, false, {}, sums,
+        [&](const stencil&, const weightsType&, const label p, T(&of)[2])
+        {
+            of[1] = load<W>(w + p);
+            of[0] = of[1] * load<W>(q + p);
+        });
+}
+
+template<template<int> class Shape, int DIM, bool HOOP>
+void shapeTransfer<Shape, DIM, HOOP>::lessAtPoints(
+    materialPointCloud& cloud, const scalar* u, scalar* q) const
+{
+    geometry geo(cloud, false);
+    forGroups(
+        cloud, [&](const stencil&) {},
+        [&](const stencil& s, label, const label p, const int n)
+        {
+            T X[DIM], L[DIM], of[1];
+            geo.load(p, n, X, L);
+            weightsType S;
+            shape_.evaluate(s, X, L, S);
+            shapeType::template gather<1, P>(S, s.nodes, u, of);
+            storePart<W>(q + p, load<W>(q + p) - of[0], n);
+        },
+        [&](const stencil&) {});
+}
+
 } // End namespace Foam::mpm

@@ -49,7 +49,6 @@ void Foam::mpm::velocityField::startFilter(const series s, const scalar scale)
 {
     filtered_ = s;
     need(increment_);
-    need(product_);
     const scalar* from = s == ofUL ? UL_.data()
         : s == ofU                 ? U_.data()
         : s == ofDU                ? dU_.data()
