@@ -268,7 +268,7 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(properties, name);
-        fluid f{name, gasThermo::New(dict), 0, nullptr, {0, 0}};
+        fluid f{name, gasThermo::New(dict), 0, nullptr, nullptr, {0, 0}};
         stiffened s;
         const gasThermo& thermo = *f.thermo;
         if (!thermo.hasEnergy())
@@ -289,17 +289,29 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
             f.rho0 = thermo.equation().rho0();
             thermo.equation().isStiffened(s.gamma, s.pInf);
         }
-        if (dict.found("detonation"))
+        for (const word burning : {"detonation", "afterburn"})
         {
-            const dictionary& law = requiredDict(dict, "detonation");
+            if (!dict.found(burning))
+            {
+                continue;
+            }
+            const dictionary& law = requiredDict(dict, burning);
             if (thermo.isGammaLaw())
             {
                 FatalIOErrorInFunction(law)
                     << "Fluid " << name << " is a gas of thermo " << thermo.type()
                     << ": only one with an equationOfState of"
-                    << " the products of an explosive (JWL) can detonate." << exit(FatalIOError);
+                    << " the products of an explosive (JWL) can detonate or burn on."
+                    << exit(FatalIOError);
             }
-            f.law = detonation::New(law, thermo.equation());
+            if (burning == "detonation")
+            {
+                f.law = detonation::New(law, thermo.equation());
+            }
+            else
+            {
+                f.on = afterburn::New(law, thermo.equation());
+            }
         }
         s.set();
         f.least = leastOf(f, s);
@@ -591,6 +603,10 @@ Foam::string Foam::mpm::fluidMixture::description(const label k) const
     if (f.law.valid())
     {
         words += ", " + f.law->description();
+    }
+    if (f.on.valid())
+    {
+        words += ", " + f.on->description();
     }
     return words;
 }
