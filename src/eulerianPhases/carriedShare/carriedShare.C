@@ -40,8 +40,7 @@ void Foam::mpm::carriedShare::start(
 }
 
 void Foam::mpm::carriedShare::add(
-    const fvMesh& mesh, const label k, const label f, const scalar m, const label c,
-    const label i)
+    const fvMesh& mesh, const label k, const label f, const scalar m, const label c, const label i)
 {
     forAll(of_, j)
     {
@@ -127,8 +126,8 @@ void Foam::mpm::carriedShare::filled(const labelUList& cells, const scalarList& 
     }
 }
 
-Foam::scalar Foam::mpm::carriedShare::total(
-    const label k, const scalarList& mass, const scalarField& V) const
+Foam::scalar
+Foam::mpm::carriedShare::total(const label k, const scalarList& mass, const scalarField& V) const
 {
     scalar all = 0, part = 0;
     forAll(V, c)

@@ -7,8 +7,7 @@
 
 void Foam::mpm::eulerianFluids::makeBurnt(const fieldStates* states)
 {
-    const auto make = [&](carriedShare& share, const word& name, const char* what,
-                          const auto& has)
+    const auto make = [&](carriedShare& share, const word& name, const char* what, const auto& has)
     {
         DynamicList<label> of;
         PtrList<volScalarField> fields;
