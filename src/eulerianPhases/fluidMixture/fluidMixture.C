@@ -289,29 +289,21 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
             f.rho0 = thermo.equation().rho0();
             thermo.equation().isStiffened(s.gamma, s.pInf);
         }
-        for (const word burning : {"detonation", "afterburn"})
+        const bool burns = dict.found("detonation"), on = dict.found("afterburn");
+        if ((burns || on) && thermo.isGammaLaw())
         {
-            if (!dict.found(burning))
-            {
-                continue;
-            }
-            const dictionary& law = requiredDict(dict, burning);
-            if (thermo.isGammaLaw())
-            {
-                FatalIOErrorInFunction(law)
-                    << "Fluid " << name << " is a gas of thermo " << thermo.type()
-                    << ": only one with an equationOfState of"
-                    << " the products of an explosive (JWL) can detonate or burn on."
-                    << exit(FatalIOError);
-            }
-            if (burning == "detonation")
-            {
-                f.law = detonation::New(law, thermo.equation());
-            }
-            else
-            {
-                f.on = afterburn::New(law, thermo.equation());
-            }
+            FatalIOErrorInFunction(dict)
+                << "Fluid " << name << " is a gas of thermo " << thermo.type()
+                << ": only one with an equationOfState of the products of an explosive (JWL)"
+                << " can detonate or burn on." << exit(FatalIOError);
+        }
+        if (burns)
+        {
+            f.law = detonation::New(requiredDict(dict, "detonation"), thermo.equation());
+        }
+        if (on)
+        {
+            f.on = afterburn::New(requiredDict(dict, "afterburn"), thermo.equation());
         }
         s.set();
         f.least = leastOf(f, s);
@@ -600,13 +592,7 @@ Foam::string Foam::mpm::fluidMixture::description(const label k) const
 {
     const fluid& f = fluids_[k];
     string words(f.thermo->description());
-    if (f.law.valid())
-    {
-        words += ", " + f.law->description();
-    }
-    if (f.on.valid())
-    {
-        words += ", " + f.on->description();
-    }
+    words += f.law.valid() ? std::string(", " + f.law->description()) : "";
+    words += f.on.valid() ? std::string(", " + f.on->description()) : "";
     return words;
 }
