@@ -17,8 +17,8 @@ Description
     mass, of all also impulse and energy, with those of gravity and the energy
     of fix-ups and of products that burn on. massRest, restx..., energyRest: sum less
     that, less the first row's. Without points they are rounding (of the energy: no
-    gravity, whose work in fluids is that of the faces); beside points momentum and energy have what the
-    points took. A gas without energy equation has neither I nor energyRest.
+    gravity, whose work in fluids is that of the faces); beside points momentum and
+    energy have what the points took. A gas without energy equation has neither I nor energyRest.
 
 Usage
     \verbatim
