@@ -352,3 +352,41 @@ TEST_CASE("explosive that burns: pressure, slopes, relaxation with a gas")
         CHECK(eps == doctest::Approx(s[0].e0 - P * (theta[0] - A)).epsilon(1e-9));
     }
 }
+
+TEST_CASE("products that burn on: exact over a step of constant pressure, in parts as at once")
+{
+    const auto law = [](const std::string& entries)
+    {
+        IStringStream is(
+            "tnt { type fluid; rho 1630; equationOfState { type JWL; A 371.2e9;"
+            " B 3.231e9; R1 4.15; R2 0.95; omega 0.3; E0 7e9; } afterburn { type"
+            " Miller; Q 1e7; "
+            + entries + " } }");
+        return autoPtr<fluidMixture>(new fluidMixture(dictionary(is), wordList({"tnt"})));
+    };
+    const scalar a = 95.4, p = 3e6;
+    for (const scalar m : {0.0, 0.5, 1.0, 1.7})
+    {
+        const auto f(law("a 95.4; m " + std::to_string(m) + ";"));
+        const afterburn& on = *f->burnsOn(0);
+        CHECK(on.Q() == 1e7);
+
+        // By its slope, with n = 1/6
+        const scalar x = 0.3, dt = 1e-9;
+        const scalar slope = a * std::pow(1 - x, m) * std::pow(p, 1.0 / 6);
+        CHECK((on.burn(x, p, dt) - x) / dt == doctest::Approx(slope).epsilon(1e-5));
+
+        scalar parts = x;
+        for (int i = 0; i < 100; ++i)
+        {
+            parts = on.burn(parts, p, 2e-6);
+        }
+        CHECK(parts == doctest::Approx(on.burn(x, p, 2e-4)).epsilon(1e-12));
+
+        // It ends, or never does; nothing burns without pressure
+        CHECK((on.burn(x, p, 0.01) == 1) == (m < 1));
+        CHECK(on.burn(1, p, 1) == 1);
+        CHECK(on.burn(x, -p, 1) == doctest::Approx(x).epsilon(1e-14));
+    }
+    CHECK(law("a 1;")->detonates(0) == nullptr);
+}

@@ -9,17 +9,18 @@ import kingery
 from mpm.pictures import plt, save
 from results import GAUGES, Run
 
-runs = {20: Run()}
-for n in (10, 40):
-    path = os.path.join("variants", str(n))
+runs = {"20 cells": Run()}
+for name, label in (("10", "10 cells"), ("40", "40 cells"), ("none", "20 cells, no afterburn"),
+                    ("all", "20 cells, all heat")):
+    path = os.path.join("variants", name)
     if os.path.exists(os.path.join(path, "log.materialPointFoam")):
-        runs[n] = Run(path)
+        runs[label] = Run(path)
 
 kinds = (("largest overpressure [kPa]", "peaks", kingery.pressure),
          ("arrival [ms]", "arrivals", kingery.arrival),
          ("impulse [kPa ms]", "impulses", kingery.impulse))
-for n, run in sorted(runs.items()):
-    print(f"{n} cells over the radius of the charge")
+for label, run in runs.items():
+    print(f"{label} over the radius of the charge")
     for title, values, fit in kinds:
         found = getattr(run, values)
         print(f"    {title}: " + ", ".join(
@@ -30,16 +31,16 @@ figure, axes = plt.subplots(1, 4, figsize=(15, 3.6))
 Z = np.geomspace(0.4, 6, 100)
 for ax, (title, values, fit) in zip(axes, kinds):
     ax.loglog(Z, fit(Z), "k-", lw=1, label="Kingery & Bulmash")
-    for n, run in sorted(runs.items()):
-        ax.loglog(GAUGES, getattr(run, values), "o", ms=4, mfc="none", label=f"{n} cells")
+    for (label, run), mark in zip(runs.items(), "o+xsv"):
+        ax.loglog(GAUGES, getattr(run, values), mark, ms=4, mfc="none", label=label)
     ax.set_xlabel("distance [m]")
     ax.set_title(title)
     ax.grid(alpha=0.3, which="both")
 axes[0].legend(fontsize=8)
 ax = axes[3]
 at = list(GAUGES).index(2)
-for n, run in sorted(runs.items()):
-    ax.plot(run.t, run.p[:, at], lw=1, label=f"{n} cells")
+for label, run in runs.items():
+    ax.plot(run.t, run.p[:, at], lw=1, label=label)
 ax.axvline(kingery.arrival(2.0), color="k", lw=0.5)
 ax.axhline(kingery.pressure(2.0), color="k", lw=0.5)
 ax.set_xlim(1.5, 8)

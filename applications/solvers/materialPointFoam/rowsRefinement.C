@@ -82,6 +82,10 @@ void Foam::mpm::rowsRefinement::addList(const word& name, const dictionary& fiel
     const Field<Type> v(key, field, V_.size());
     Field<Type> behind;
     syncTools::swapBoundaryCellList(mesh_, v, behind);
+    if (IOobject::member(name) == "thetaRho")
+    {
+        masses_.set(IOobject::group(name), values_.size());
+    }
     for (direction i = 0; i < pTraits<Type>::nComponents; ++i)
     {
         values_.append(new scalarField(v.component(i)));
@@ -126,7 +130,7 @@ void Foam::mpm::rowsRefinement::makeGradients(const treeLeaves& to)
 }
 
 template<class Type>
-void Foam::mpm::rowsRefinement::moveList(dictionary& field, const word& key)
+void Foam::mpm::rowsRefinement::moveList(const word& name, dictionary& field, const word& key)
 {
     Field<Type> before(V_.size());
     for (direction i = 0; i < pTraits<Type>::nComponents; ++i)
@@ -134,6 +138,10 @@ void Foam::mpm::rowsRefinement::moveList(dictionary& field, const word& key)
         before.replace(i, values_[next_ + i]);
     }
     const bool sum = isSum(field), density = key == internalValues && !sum;
+    const word group(IOobject::group(name));
+    const bool ofMass = IOobject::member(name) == "lambda" && masses_.found(group);
+    const label mass = ofMass ? masses_[group] : -1;
+    const auto weight = [&](const label o) { return ofMass ? V_[o] * values_[mass][o] : V_[o]; };
     const scalarField& V = mesh_.V();
     const vectorField& C = mesh_.cellCentres();
     Field<Type> now(from_.size());
@@ -146,14 +154,14 @@ void Foam::mpm::rowsRefinement::moveList(dictionary& field, const word& key)
             Type q(Zero);
             for (label o = old; o < from_[c][1]; ++o)
             {
-                q += (sum ? 1 : V_[o]) * before[o];
+                q += (sum ? 1 : weight(o)) * before[o];
             }
             scalar all = 0;
             for (label o = old; o < from_[c][1]; ++o)
             {
-                all += V_[o];
+                all += weight(o);
             }
-            now[c] = sum ? q : q / (density ? V[c] : all);
+            now[c] = sum ? q : q / (density ? V[c] : max(all, VSMALL));
             continue;
         }
         label last = c;
@@ -172,7 +180,7 @@ void Foam::mpm::rowsRefinement::moveList(dictionary& field, const word& key)
         for (label n = c; n <= last; ++n)
         {
             now[n] = before[old];
-            for (direction i = 0; last > c && i < pTraits<Type>::nComponents; ++i)
+            for (direction i = 0; !ofMass && last > c && i < pTraits<Type>::nComponents; ++i)
             {
                 setComponent(now[n], i) += (*gradients_)(next_ + i, old) & (C[n] - x);
             }
@@ -457,8 +465,8 @@ void Foam::mpm::rowsRefinement::move(simulation::rows& rows, fieldStates& others
 {
     mapFaces();
     next_ = 0;
-    const auto moveCells = [&](const word&, dictionary& field, const word& key, const auto& as)
-    { moveList<typename std::decay<decltype(as)>::type>(field, key); };
+    const auto moveCells = [&](const word& name, dictionary& field, const word& key, const auto& as)
+    { moveList<typename std::decay<decltype(as)>::type>(name, field, key); };
     for (fieldStates* fields : {&rows.gas, &rows.points.cellFields, &others})
     {
         forLists(*fields, moveCells);

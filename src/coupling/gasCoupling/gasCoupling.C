@@ -311,6 +311,7 @@ Foam::mpm::gasBudget Foam::mpm::gasCoupling::balance() const
     b.boundary += gained.energy;
     b.external += gained.gravityWork;
     b.fixups += gained.fixups;
+    b.afterburn += gained.afterburn;
     b.reduceAll();
     return b;
 }

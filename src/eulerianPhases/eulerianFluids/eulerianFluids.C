@@ -43,7 +43,7 @@ void Foam::mpm::eulerianFluids::oneFluid(const label k, const labelUList& cells)
             w.rho = m / theta_[c];
             rho[i] = w.rho;
             e[i] = (rhoE_[c] - 0.5 * (rhoU_[c] & w.u)) / m;
-            F[i] = burns ? burnt_[n_ * c + k] : 1;
+            F[i] = burntOf(c, k);
         }
         mixture_.pressures(k, n, rho, e, p, c2, strength, burns ? F : nullptr);
         for (label i = 0; i < n; ++i)
@@ -133,13 +133,13 @@ void Foam::mpm::eulerianFluids::primitives()
             // What is torn may close
             rate = max(rate, mixture_.least(only(c)).c * faceRates_.all[c]);
         }
-        for (const label k : burning_)
+        for (const label k : burnt_.of())
         {
             // The step must see a front that has not come yet
             const scalar D = mixture_.detonates(k)->speed();
             forAll(W_, c)
             {
-                if (mass_[n_ * c + k] > 0 && burnt_[n_ * c + k] < 1)
+                if (mass_[n_ * c + k] > 0 && burntOf(c, k) < 1)
                 {
                     rate = max(rate, D * faceRates_.all[c]);
                 }
@@ -274,7 +274,7 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     {
         const dictionary& dict = requiredDict(properties, name);
         wordList valid(gasThermo::New(dict)->keywords());
-        valid.append(wordList({"type", "detonation", "nuclei", "mu", "kappa"}));
+        valid.append(wordList({"type", "detonation", "afterburn", "nuclei", "mu", "kappa"}));
         checkKeywords(dict, valid);
     }
     checkKeywords(

@@ -175,7 +175,8 @@ void Foam::mpm::eulerianFluids::keepOld(const solidOnFaces* pores)
     {
         thetaOld_ = theta_;
     }
-    burntOld_ = burnt_;
+    burnt_.keep();
+    lambda_.keep();
     old_.done = fixups_;
     if (flows_)
     {
@@ -229,7 +230,8 @@ void Foam::mpm::eulerianFluids::restore(const scalar dt)
         rhoE_[c] = *from++;
         relaxedP_[c] = *from++;
     }
-    burnt_ = burntOld_;
+    burnt_.restore();
+    lambda_.restore();
     fixups_ = old_.done;
     if (flows_)
     {
@@ -362,9 +364,10 @@ void Foam::mpm::eulerianFluids::addBounded(
         const scalar m = out * L.m[k] + in * R.m[k];
         const scalar e = out * L.e[k] + in * R.e[k];
         faceMass_[k] = m;
-        if (mixture_.detonates(k))
+        if (carries_)
         {
-            addBurnt(k, f, out * L.m[k] * L.F[k] + in * R.m[k] * R.F[k]);
+            carry(k, f, out * L.m[k], P, -1);
+            carry(k, f, in * R.m[k], N, i);
         }
         s.rho += m;
         const auto add = [&](const label slot, const label c, const scalar sign)

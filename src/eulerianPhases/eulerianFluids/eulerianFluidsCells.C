@@ -151,9 +151,9 @@ void Foam::mpm::eulerianFluids::addFluids(const label f, const label P, const la
             ? volume * t_[D].rhoE
             : volume * mixture_.energy(k, rho, large ? w.p : w0.p, F);
         faceMass_[k] = m;
-        if (burning_.size() && mixture_.detonates(k))
+        if (carries_)
         {
-            addBurnt(k, f, m * F);
+            carry(k, f, m, c, given ? i : -1);
         }
         s.rho += m;
         s.rhoE += e;
@@ -267,9 +267,9 @@ void Foam::mpm::eulerianFluids::sumInside(const scalar dt, const solidOnFaces* p
                         : out           ? terms[f].own.rhoE
                                         : terms[f].nei.rhoE);
             }
-            if (burning_.size() && mixture_.detonates(k))
+            if (carries_)
             {
-                addBurnt(k, f, face_.rho * burnt_[n_ * D + k]);
+                carry(k, f, face_.rho, D, -1);
             }
         }
         addFace<Plain>(P, 1, f, dt, pores);
@@ -305,11 +305,12 @@ void Foam::mpm::eulerianFluids::sumBoundary(const scalar dt, const solidOnFaces*
                     : first || !coupled                 ? Wb_[i]
                                                         : sides[f].nei;
                 const label k = interfaces_->single()[P];
-                const scalar F = phiLimited()[f] > 0 ? burntOf(P, k) : burntBehind(i, k);
+                const bool out = phiLimited()[f] > 0;
+                const scalar F = out ? burntOf(P, k) : burntBehind(i, k);
                 addAlone(f, w, rhoEOf(k, w, F));
-                if (mixture_.detonates(k))
+                if (carries_)
                 {
-                    addBurnt(k, f, face_.rho * F);
+                    carry(k, f, face_.rho, P, out ? -1 : i);
                 }
             }
             addFace<false>(P, 1, f, dt, pores);
@@ -433,6 +434,7 @@ bool Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* por
         }
         sumBoundary(dt, pores);
         burn(dt);
+        burnOn(dt);
         if (newStates(dt, pores) || lastTry_)
         {
             break;

@@ -39,13 +39,15 @@ void Foam::mpm::eulerianFluids::updateFields()
         alpha_[k].correctBoundaryConditions();
         state_[k].correctBoundaryConditions();
     }
-    updateBurntFields();
+    burnt_.updateFields();
+    lambda_.updateFields();
 }
 
 void Foam::mpm::eulerianFluids::updateBoundaryStates()
 {
     const noTraps guard;
-    updateBurntBehind();
+    burnt_.updateBehind(coupled_);
+    lambda_.updateBehind(coupled_);
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
@@ -194,7 +196,7 @@ void Foam::mpm::eulerianFluids::sideTerms()
         {
             rho[i] = r.w[i]->rho;
             p[i] = r.w[i]->p;
-            F[i] = burns ? burnt_[n_ * r.cell[i] + k] : 1;
+            F[i] = burntOf(r.cell[i], k);
         }
         mixture_.states(k, r.n, rho, p, K, rhoE, strength, burns ? F : nullptr);
         for (label i = 0; i < r.n; ++i)

@@ -20,7 +20,7 @@ Foam::string Foam::mpm::eulerianFluids::stateOf(const label celli) const
     }
     os << ")." << nl << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.*, 0/rho.* and"
        << " constant/phaseProperties. After a restart: into theta,"
-       << " thetaRho.*, thetaRhoU, thetaRhoE, alpha.*, F.* of its time. Later:"
+       << " thetaRho.*, thetaRhoU, thetaRhoE, alpha.*, F.*, lambda.* of its time. Later:"
        << " a smaller maxCoGas in system/controlDict or upwind for"
        << " reconstruct(...) in system/fvSchemes often helps.";
     if (w.p < 0 && !canTear())
@@ -47,9 +47,12 @@ void Foam::mpm::eulerianFluids::forState(const fieldAction& f)
             header("thetaRho", IOobject::NO_READ, mixture_.name(k)), mesh_, dimDensity, m);
         f(mass);
     }
-    for (volScalarField& F : F_)
+    for (carriedShare* s : {&burnt_, &lambda_})
     {
-        f(F);
+        for (volScalarField& field : s->fields())
+        {
+            f(field);
+        }
     }
 }
 
@@ -212,9 +215,15 @@ void Foam::mpm::eulerianFluids::report() const
         Info << "    faces with bounded fluxes " << bounded << ", steps halved " << fixups_.halved
              << endl;
     }
-    for (const label k : burning_)
+    for (const label k : burnt_.of())
     {
-        Info << "    burnt of " << mixture_.name(k) << ": " << burntShare(k) << endl;
+        Info << "    burnt of " << mixture_.name(k) << ": " << burnt_.total(k, mass_, V) << endl;
+    }
+    for (const label k : lambda_.of())
+    {
+        const scalar share = lambda_.total(k, mass_, V);
+        Info << "    burned on of " << mixture_.name(k) << ": " << share << ", energy "
+             << mixture_.burnsOn(k)->Q() * share * total(mass[k]) << endl;
     }
     reportFilled();
     checkSoftened();

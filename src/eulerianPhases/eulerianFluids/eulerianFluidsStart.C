@@ -57,6 +57,10 @@ bool Foam::mpm::eulerianFluids::hasState(const fieldStates* states) const
         {
             look("F", mixture_.name(k));
         }
+        if (mixture_.burnsOn(k))
+        {
+            look("lambda", mixture_.name(k));
+        }
     }
     if (tells(missing.size()))
     {

@@ -268,7 +268,7 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
     for (const word& name : names)
     {
         const dictionary& dict = requiredDict(properties, name);
-        fluid f{name, gasThermo::New(dict), 0, nullptr, {0, 0}};
+        fluid f{name, gasThermo::New(dict), 0, nullptr, nullptr, {0, 0}};
         stiffened s;
         const gasThermo& thermo = *f.thermo;
         if (!thermo.hasEnergy())
@@ -289,17 +289,21 @@ Foam::mpm::fluidMixture::fluidMixture(const dictionary& properties, const wordLi
             f.rho0 = thermo.equation().rho0();
             thermo.equation().isStiffened(s.gamma, s.pInf);
         }
-        if (dict.found("detonation"))
+        const bool burns = dict.found("detonation"), on = dict.found("afterburn");
+        if ((burns || on) && thermo.isGammaLaw())
         {
-            const dictionary& law = requiredDict(dict, "detonation");
-            if (thermo.isGammaLaw())
-            {
-                FatalIOErrorInFunction(law)
-                    << "Fluid " << name << " is a gas of thermo " << thermo.type()
-                    << ": only one with an equationOfState of"
-                    << " the products of an explosive (JWL) can detonate." << exit(FatalIOError);
-            }
-            f.law = detonation::New(law, thermo.equation());
+            FatalIOErrorInFunction(dict)
+                << "Fluid " << name << " is a gas of thermo " << thermo.type()
+                << ": only one with an equationOfState of the products of an explosive (JWL)"
+                << " can detonate or burn on." << exit(FatalIOError);
+        }
+        if (burns)
+        {
+            f.law = detonation::New(requiredDict(dict, "detonation"), thermo.equation());
+        }
+        if (on)
+        {
+            f.on = afterburn::New(requiredDict(dict, "afterburn"), thermo.equation());
         }
         s.set();
         f.least = leastOf(f, s);
@@ -588,9 +592,7 @@ Foam::string Foam::mpm::fluidMixture::description(const label k) const
 {
     const fluid& f = fluids_[k];
     string words(f.thermo->description());
-    if (f.law.valid())
-    {
-        words += ", " + f.law->description();
-    }
+    words += f.law.valid() ? std::string(", " + f.law->description()) : "";
+    words += f.on.valid() ? std::string(", " + f.on->description()) : "";
     return words;
 }

@@ -15,10 +15,10 @@ Description
 
     and what has come through the boundaries since the first row: of each the
     mass, of all also impulse and energy, with those of gravity and the energy
-    of fix-ups. massRest, restx..., energyRest: sum less that, less the first
-    row's. Without points they are rounding (of the energy: no gravity, whose work in
-    fluids is that of the faces); beside points momentum and energy have what the
-    points took. A gas without energy equation has neither I nor energyRest.
+    of fix-ups and of products that burn on. massRest, restx..., energyRest: sum less
+    that, less the first row's. Without points they are rounding (of the energy: no
+    gravity, whose work in fluids is that of the faces); beside points momentum and
+    energy have what the points took. A gas without energy equation has neither I nor energyRest.
 
 Usage
     \verbatim
@@ -192,7 +192,7 @@ class fluidBalance : public flowOutput
         {
             s[n + d] = J[d];
         }
-        s[n + 3] = in.energy + in.gravityWork + in.fixups;
+        s[n + 3] = in.energy + in.gravityWork + in.fixups + in.afterburn;
         Pstream::listCombineGather(s, plusEqOp<scalar>());
         Pstream::listCombineScatter(s);
         if (before_.size())

@@ -36,6 +36,7 @@ void forLaterSums(Budget& b, const Function& f)
 {
     f("heat", b.heat);
     f("granular", b.granular);
+    f("afterburn", b.afterburn);
 }
 
 //- Add those of all processors

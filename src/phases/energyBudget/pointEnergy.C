@@ -425,6 +425,10 @@ void Foam::mpm::pointEnergy::report() const
             {
                 Info << ", granular " << g.granular;
             }
+            if (g.afterburn > 0)
+            {
+                Info << ", afterburn " << g.afterburn;
+            }
             Info << nl << "    to points: pressure " << b->pressure() << ", drag " << b->work.drag
                  << nl << "    last step " << b->lastStep << ", laws " << b->laws() << ", exchange "
                  << b->exchange();

@@ -374,31 +374,50 @@ def restart(table):
 
 # --- the tutorial ------------------------------------------------------------
 
-def blast(table):
-    """tutorials/tntInAir: fits of measured bursts, whose products burn on in the air; here
-    they do not; seven tenths of its cells. Peak within 20 %, arrival within 5 %, and the impulse lacks up to a third."""
-    case = FoamCase("detonation", "blast", template=os.path.join(
-        PROJECT, "tutorials", "tntInAir"))
+def blastCase(name, n, burnsOn):
+    """The tutorial with n cells over the radius of the charge: its run, the case."""
+    case = FoamCase("detonation", name, template=os.path.join(PROJECT, "tutorials", "tntInAir"))
     shutil.copytree(case.file("0.orig"), case.file("0"), dirs_exist_ok=True)
-    for part, n in (("charge", 14), ("near", 14), ("far", 784)):
-        case.change("system/blockMeshDict", rf"^{part} .*;", f"{part} {n};")
+    for part, cells in (("charge", n), ("near", n), ("far", 56*n)):
+        case.change("system/blockMeshDict", rf"^{part} .*;", f"{part} {cells};")
+    if not burnsOn:
+        case.change("constant/phaseProperties", "^ *afterburn .*", "")
     for application in ("blockMesh", "setFields", "materialPointFoam"):
         case.run(application, limit=300)
-    sys.path.insert(0, case.path)
-    import kingery
-    from results import GAUGES, Run
-    run = Run(case.path)
-    for z, peak, time in zip(GAUGES, run.peaks, run.arrivals):
-        table.row(f"1 kg of TNT in air, {z:g} m: peak [kPa]", kingery.pressure(z), peak, 0.2,
-                  "relative")
-        table.row(f"1 kg of TNT in air, {z:g} m: arrival [ms]", kingery.arrival(z), time, 0.05,
-                  "relative")
-    E = [float(v) for v in re.findall(r"^Fluids: .* energy (\S+)$", case.log(), re.M)]
-    table.row("1 kg of TNT in air: energy, late over early", 1, E[-1]/E[1], 1e-12)
-    # A pyramid has 4 tan^2 x^3/3
-    m = [float(v) for v in re.findall(r"^Fluids: mass tnt (\S+)", case.log(), re.M)]
-    table.row("1 kg of TNT in air: charge [kg]", 1 - (0.001/0.05271181)**3,
-              m[-1]*np.pi/0.02**2, 1e-6, "relative")
+    if case.path not in sys.path:
+        sys.path.insert(0, case.path)
+    from results import Run
+    return Run(case.path), case
+
+
+def blast(table):
+    """tutorials/tntInAir: fits of measured bursts, whose products burn on in the air.
+    Without that, on seven tenths of its cells: peak within 20 %, arrival within 5 %. With it,
+    on its cells: the impulse within 10 % but at 0.75 m, where the second shock comes into the
+    first phase; the peak within 5 % from 1.5 m on."""
+    for burnsOn, label in ((False, ", no afterburn"), (True, "")):
+        run, case = blastCase("blast" if burnsOn else "blastAlone", 20 if burnsOn else 14,
+                              burnsOn)
+        import kingery
+        from results import GAUGES
+        for z, peak, time, impulse in zip(GAUGES, run.peaks, run.arrivals, run.impulses):
+            at = f"1 kg of TNT in air{label}, {z:g} m"
+            table.row(f"{at}: peak [kPa]", kingery.pressure(z), peak,
+                      0.2 if not burnsOn else 0.1 if z < 1.5 else 0.05, "relative")
+            table.row(f"{at}: arrival [ms]", kingery.arrival(z), time, 0.06 if burnsOn else 0.05,
+                      "relative")
+            if burnsOn:
+                table.row(f"{at}: impulse [kPa ms]", kingery.impulse(z), impulse,
+                          0.32 if z == 0.75 else 0.1, "relative")
+        E, came = ([float(v) for v in re.findall(pattern, case.log(), re.M)] for pattern in (
+            r"^Fluids: .* energy (\S+)$", r"^    burned on of .* energy (\S+)$"))
+        came = came or [0]*len(E)
+        table.row(f"1 kg of TNT in air{label}: energy, late over early", 1,
+                  (E[-1] - came[-1])/(E[1] - came[1]), 1e-12)
+        # A pyramid has 4 tan^2 x^3/3
+        m = [float(v) for v in re.findall(r"^Fluids: mass tnt (\S+)", case.log(), re.M)]
+        table.row(f"1 kg of TNT in air{label}: charge [kg]", 1 - (0.001/0.05271181)**3,
+                  m[-1]*np.pi/0.02**2, 1e-6, "relative")
 
 
 # --- wrong input -------------------------------------------------------------
