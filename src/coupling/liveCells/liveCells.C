@@ -22,6 +22,10 @@ void Foam::mpm::liveCells::add(const label celli, const label step)
 
 void Foam::mpm::liveCells::reach(const label place)
 {
+    if (isShared_.size() && isShared_[place])
+    {
+        mark_[place] = 1;
+    }
     const label c = cellAt(place);
     if (c >= 0)
     {
@@ -36,6 +40,33 @@ void Foam::mpm::liveCells::reach(const label place)
             {
                 add(at, now_);
             }
+        }
+    }
+}
+
+void Foam::mpm::liveCells::reachByOthers()
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    lattice_.sum(mark_.data(), 1);
+    for (const label place : lattice_.shared())
+    {
+        if (mark_[place] > 0)
+        {
+            reach(place);
+        }
+    }
+    for (const label place : lattice_.shared())
+    {
+        mark_[place] = 0;
+    }
+    for (const labelList& places : lattice_.same())
+    {
+        for (const label place : places)
+        {
+            mark_[place] = 0;
         }
     }
 }
@@ -168,17 +199,13 @@ Foam::mpm::liveCells::liveCells(materialPointSystem& points, const fractionLatti
         }
     }
 
-    // Points of others reach, unseen from here, the cells around these places
-    const labelHashSet shared(lattice_.shared());
-    forAll(reached_, c)
+    if (Pstream::parRun())
     {
-        for (const label step : around_)
+        mark_.setSize(lattice.nPlaces(), scalar(0));
+        isShared_.setSize(lattice.nPlaces(), false);
+        for (const label place : lattice_.shared())
         {
-            if (shared.found(lattice_.place(c) + step))
-            {
-                add(c, always_);
-                break;
-            }
+            isShared_[place] = true;
         }
     }
 }
@@ -198,13 +225,15 @@ void Foam::mpm::liveCells::update(const bool moved)
             for (const label step : around_)
             {
                 const label at = cellOf[place + step];
-                if (at < 0 || at >= nCells || reached_[at] != now_)
+                if (at < 0 || at >= nCells || reached_[at] != now_
+                    || (isShared_.size() && isShared_[place + step]))
                 {
                     reach(place + step);
                 }
             }
         }
     }
+    reachByOthers();
     listPlaces();
     if (!moved)
     {
