@@ -277,7 +277,7 @@ void explicitSums(
     cloud.needHistory("leftStretch", column::stresses);
     cloud.history()[0].reserve(cloud.capacity(), 0);
     const scalar dt = 1e-4;
-    pass->correctStress(cloud, *law, nullptr, dt, 0, v.data(), fNew.data());
+    pass->correctStress(cloud, *law, nullptr, dt, 0, v.data(), fNew.data(), nullptr);
     scalar dilation = 0;
     for (label p = 0; p < cloud.size(); ++p)
     {

@@ -192,7 +192,7 @@ TEST_CASE("P2G and G2P: mass, momentum, force, adjoint operators")
                 cloud.stress()[s][p] = 0;
             cloud.mass()[0][p] = cloud.volume()[0][p] = 1;
         }
-        pass.correctStress(cloud, *law, nullptr, 1e-4, 0, q.data(), f.data());
+        pass.correctStress(cloud, *law, nullptr, 1e-4, 0, q.data(), f.data(), nullptr);
         scalar least = GREAT, most = -GREAT, trace = 0;
         for (int a = 0; a < D; ++a)
             trace += 1e-7 * (1 + 3 * a);
