@@ -99,5 +99,16 @@ def besidePoints(case, fluids, phases, regions, settings=None, **options):
                      "fluids": settings or {}}, phases, regions, **options)
 
 
+def shareFile(case, name, values):
+    """0/<name>, a share in each cell, with the conditions of 0/p."""
+    with open(case.file("0/p")) as f:
+        head, rest = f.read().split("(", 1)
+    rows = "\n".join(f"{v:g}" for v in values)
+    text = head + "(\n" + rows + "\n)" + rest[rest.index(")") + 1:]
+    with open(case.file("0", name), "w") as f:
+        f.write(text.replace("[1 -1 -2 0 0 0 0]", "[0 0 0 0 0 0 0]").replace(
+            "object p;", f"object {name};"))
+
+
 def fluidField(case, end, name):
     return volField(case, case.timeName(end), name)

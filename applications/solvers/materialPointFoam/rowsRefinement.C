@@ -139,7 +139,8 @@ void Foam::mpm::rowsRefinement::moveList(const word& name, dictionary& field, co
     }
     const bool sum = isSum(field), density = key == internalValues && !sum;
     const word group(IOobject::group(name));
-    const bool ofMass = IOobject::member(name) == "lambda" && masses_.found(group);
+    const word member(IOobject::member(name));
+    const bool ofMass = (member == "F" || member == "lambda") && masses_.found(group);
     const label mass = ofMass ? masses_[group] : -1;
     const auto weight = [&](const label o) { return ofMass ? V_[o] * values_[mass][o] : V_[o]; };
     const scalarField& V = mesh_.V();

@@ -22,7 +22,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "../../lib"), os.path.join(HERE, "../adaptiveMesh")]
 from changing import changes, comeAndGo
 from detonations import TNT
-from fluidCases import AIR, WATER, besidePoints, fluidCase, fluidField
+from fluidCases import AIR, WATER, besidePoints, fluidCase, fluidField, shareFile
 from foamCase import RunFailed, runParts, testModule
 from gasCases import WALL, volField
 from gasOnCells import cyclicSides
@@ -104,21 +104,10 @@ def heat(table):
 def carried(table):
     n, end = 100, 1e-3
     fluid = on(Q=1e-3, a=1e-9)
-
-    def prepare(case):
-        with open(case.file("0/p")) as f:
-            text = f.read()
-        head, rest = text.split("(", 1)
-        x = (np.arange(n) + 0.5)/n
-        rows = "\n".join(f"{v:g}" for v in 0.5*(abs(x - 0.5) < 0.2))
-        text = head + "(\n" + rows + "\n)" + rest[rest.index(")") + 1:]
-        with open(case.file("0/lambda.charge"), "w") as f:
-            f.write(text.replace("[1 -1 -2 0 0 0 0]", "[0 0 0 0 0 0 0]").replace(
-                "object p;", "object lambda.charge;"))
     case = fluidCase("afterburn", "carried", (n, 1, 1), (1, 0.01, 0.01), {"charge": fluid},
                      lambda x, y, z: ([1.0], [1.0], 1000.0, 1e6), end,
                      patches=cyclicSides("x")[0])
-    prepare(case)
+    shareFile(case, "lambda.charge", 0.5*(abs((np.arange(n) + 0.5)/n - 0.5) < 0.2))
     case.run("materialPointFoam")
     share, rho = (fluidField(case, end, f + ".charge") for f in ("lambda", "thetaRho"))
     table.row("moving products: what has burned on", 0.2, np.mean(share*rho), 1e-9, "relative")
