@@ -352,6 +352,26 @@ void Foam::mpm::materialPointSystem::startAffine()
     }
 }
 
+void Foam::mpm::materialPointSystem::makeOffsets()
+{
+    const auto* passes = dynamic_cast<const twoLevelShares*>(&*gridTransfer_);
+    if (!passes || grid_.nDim() == 1)
+    {
+        return;
+    }
+    for (velocityField& field : fields_)
+    {
+        offsets_.append(new massOffsets(field, *passes, grid_.nNodes()));
+    }
+    forAll(phases_, phasei)
+    {
+        if (!phases_[phasei].motion())
+        {
+            offsets_[fieldOf_[phasei]].append(phases_[phasei].cloud());
+        }
+    }
+}
+
 void Foam::mpm::materialPointSystem::reportBalance() const
 {
     if (!Pstream::parRun())
@@ -448,6 +468,8 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh, rows* fr
     energy_ = &parts_.own(new pointEnergy(*this));
     erosion_ = &parts_.own(new pointErosion(*this));
     rigid_ = &parts_.own(new rigidBodies(*this));
+
+    makeOffsets();
 
     // Before the points are read: parts may ask for columns
     makeParts();

@@ -99,6 +99,10 @@ void Foam::mpm::materialPointSystem::projectAll(const pointGridTransfer::states 
         }
     }
     sharesHold_ = coupling_;
+    for (massOffsets& offsets : offsets_)
+    {
+        offsets.change();
+    }
     parts_.within(&stepPart::projected, state);
     for (velocityField& field : fields_)
     {
@@ -144,6 +148,7 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
 
     // Share of the points' velocity that comes from the nodes
     List<moveCoefficients> take(fields_.size());
+    List<pointGridTransfer::nodeVelocities> velocities(fields_.size());
     forAll(fields_, fieldi)
     {
         take[fieldi] = coefficients(fieldi, dt);
@@ -151,6 +156,14 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
         fields_[fieldi].addProjected(projectedShare_[fieldi]);
     }
     parts_.within(&stepPart::moving, dt);
+    forAll(fields_, fieldi)
+    {
+        velocities[fieldi] = fields_[fieldi].velocities();
+        if (massOffsets* offsets = this->offsets(fieldi))
+        {
+            offsets->turnOn(take[fieldi], velocities[fieldi]);
+        }
+    }
 
     scalar travel = 0, rate = 0, work = 0, body = 0;
     vector momentum(Zero);
@@ -167,9 +180,10 @@ Foam::scalar Foam::mpm::materialPointSystem::move(const scalar dt)
             gridTransfer_->affine(phase.cloud(), moment, moment ? field.UL() : field.U(), dt);
         }
         const pointGridTransfer::moveResult result(
-            phase.motion() ? phase.motion()->move(phase.cloud(), cellChanges_[phasei])
-                           : gridTransfer_->move(
-                               phase.cloud(), rule, field.velocities(), cellChanges_[phasei]));
+            phase.motion()
+                ? phase.motion()->move(phase.cloud(), cellChanges_[phasei])
+                : gridTransfer_->move(
+                    phase.cloud(), rule, velocities[fieldOf_[phasei]], cellChanges_[phasei]));
 
         travel = max(travel, result.travel);
         rate = max(rate, result.rate);
@@ -302,6 +316,10 @@ void Foam::mpm::materialPointSystem::reject()
         gridTransfer_->cellsChange();
         updateWaveRate();
         sharesHold_ = false;
+        for (massOffsets& offsets : offsets_)
+        {
+            offsets.change();
+        }
     }
     if (stressUpdate_->early())
     {

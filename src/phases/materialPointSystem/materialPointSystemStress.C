@@ -53,9 +53,30 @@ void Foam::mpm::materialPointSystem::finishForce(const scalar dt)
     for (velocityField& field : fields_)
     {
         field.sumForce();
+        field.sumLoad();
+    }
+    forAll(offsets_, fieldi)
+    {
+        if (massOffsets* offsets = this->offsets(fieldi))
+        {
+            offsets->addCouples(fields_[fieldi].force());
+            if (fields_[fieldi].hasLoad())
+            {
+                offsets->addCouples(fields_[fieldi].load());
+            }
+        }
+    }
+    for (velocityField& field : fields_)
+    {
         field.addLoad();
     }
     parts_.within(&stepPart::summedForce, time);
+}
+
+Foam::mpm::massOffsets* Foam::mpm::materialPointSystem::offsets(const label fieldi)
+{
+    return offsets_.size() && transfer_->affine() == transferScheme::none ? &offsets_[fieldi]
+                                                                          : nullptr;
 }
 
 const Foam::scalar* Foam::mpm::materialPointSystem::filteredPressure(
@@ -203,6 +224,13 @@ void Foam::mpm::materialPointSystem::correctStress(
             field.clearForce();
         }
     }
+    List<const scalar*> u(fields_.size());
+    forAll(fields_, fieldi)
+    {
+        massOffsets* offsets = this->offsets(fieldi);
+        u[fieldi] =
+            offsets ? offsets->velocity(fields_[fieldi].Ustrain()) : fields_[fieldi].Ustrain();
+    }
     forAll(phases_, phasei)
     {
         materialPointPhase& phase = phases_[phasei];
@@ -225,8 +253,7 @@ void Foam::mpm::materialPointSystem::correctStress(
         }
         const pointGridTransfer::stressResult result(gridTransfer_->correctStress(
             phase.cloud(), phase.law(), failure, dt, meanMove() ? 0 : stressUpdate_->square(),
-            fields_[fieldOf_[phasei]].Ustrain(),
-            makesForce ? fields_[fieldOf_[phasei]].force() : nullptr,
+            u[fieldOf_[phasei]], makesForce ? fields_[fieldOf_[phasei]].force() : nullptr,
             filteredPressure(phase, fields_[fieldOf_[phasei]], dt)));
         if (result.badPoint >= 0)
         {

@@ -74,14 +74,20 @@ void Foam::mpm::velocityField::activate(const UList<const labelList*>& cells, co
     activeNew_.transfer(nodes);
 }
 
+void Foam::mpm::velocityField::sumLoad()
+{
+    if (load_.data())
+    {
+        sumColumn(load_.data());
+    }
+}
+
 void Foam::mpm::velocityField::addLoad()
 {
-    if (!load_.data())
+    if (load_.data())
     {
-        return;
+        forComponents([&](const label i) { f_.data()[i] += load_.data()[i]; });
     }
-    sumColumn(load_.data());
-    forComponents([&](const label i) { f_.data()[i] += load_.data()[i]; });
 }
 
 Foam::scalar Foam::mpm::velocityField::loadWork(const scalar dt) const

@@ -2,6 +2,7 @@
 
 #include "dualNodes.H"
 #include "largestOfAll.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -72,6 +73,16 @@ bool Foam::mpm::dualNodes::addWall(const label m)
     walls_.append(m);
     wallStart_.append(start);
     return true;
+}
+
+Foam::label Foam::mpm::dualNodes::wall(const label m) const
+{
+    if (!dual_.reduced(m))
+    {
+        return -1;
+    }
+    const auto at = std::lower_bound(walls_.begin(), walls_.end(), m);
+    return at != walls_.end() && *at == m ? label(at - walls_.begin()) : -1;
 }
 
 void Foam::mpm::dualNodes::findRanges()

@@ -195,12 +195,10 @@ void dualNodes::gradientAtWall(const label i, const scalar* u, scalar* L) const
 }
 
 template<int DIM>
-void dualNodes::forceAtWall(const label i, const scalar* F, scalar* f) const
+void dualNodes::forceAtWall(const label i, const scalar* column, scalar* f) const
 {
     constexpr int P = nodeStride<DIM>;
     const label m = walls_[i];
-    alignas(64) scalar column[DIM * P];
-    columnsOf<DIM>(F, column, 1);
     lanes<P> rest = {};
     const char* mass = hasMass_.cdata() + wallStart_[i];
     for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
@@ -321,12 +319,51 @@ void dualNodes::force(const scalar* F, const bool beside, scalar* f) const
         });
     forAll(walls_, i)
     {
-        forceAtWall<DIM>(i, F + C * walls_[i], f);
+        alignas(64) scalar columns[DIM * P];
+        columnsOf<DIM>(F + C * walls_[i], columns, 1);
+        forceAtWall<DIM>(i, columns, f);
     }
     if (beside)
     {
         spread<P>(F + layout::symmetric, C, f);
     }
+}
+
+template<int DIM>
+void dualNodes::gradientOf(const label m, const scalar* u, scalar* L) const
+{
+    constexpr int P = nodeStride<DIM>;
+    const label i = wall(m);
+    if (i >= 0)
+    {
+        gradientAtWall<DIM>(i, u, L);
+        return;
+    }
+    lanes<P> sum[DIM] = {};
+    for (label e = dual_.begin(m); e < dual_.begin(m + 1); ++e)
+    {
+        const lanes<P> ul = load<P>(u + P * dual_.node(e));
+        for (int j = 0; j < DIM; ++j)
+        {
+            sum[j] += dual_.G(e)[j] * ul;
+        }
+    }
+    for (int j = 0; j < DIM; ++j)
+    {
+        store<P>(L + DIM * j, sum[j]);
+    }
+}
+
+template<int DIM>
+void dualNodes::forceOf(const label m, const scalar* column, scalar* f) const
+{
+    const label i = wall(m);
+    if (i >= 0)
+    {
+        forceAtWall<DIM>(i, column, f);
+        return;
+    }
+    dual_.force<DIM, nodeStride<DIM>>(m, column, f);
 }
 
 } // End namespace Foam::mpm
