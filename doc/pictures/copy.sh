@@ -16,8 +16,8 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     sphereOnSphere/spheres \
     cylinderInChannel/cylinder connectingRod/rod hourglass/hourglass damBreak/damBreak \
     tntInAir/blast fluidShockTubes/tubes underwaterPlate/clamped shockOnHelium/helium \
-    wedgeEntry/wedgeEntry damBreakGate/damBreakGate submergedSand/submergedSand \
-    blastOnWall/wall adaptiveBlast/blast explosiveRing/ring waterFilledTube/tube
+    wedgeEntry/wedgeEntry damBreakGate/damBreakGate damBreakObstacle/damBreakObstacle \
+    submergedSand/submergedSand blastOnWall/wall adaptiveBlast/blast explosiveRing/ring waterFilledTube/tube
 do
     [ ! -e "$tutorials/$pair.png" ] || cp "$tutorials/$pair.png" "${pair%/*}.png"
 done
