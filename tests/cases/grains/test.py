@@ -18,8 +18,9 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (PROJECT, VERIFY, FoamCase, boxMesh, controlDict, foamText, noSchemes, runParts,
-                      velocityFile)
+from foamCase import (PROJECT, VERIFY, FoamCase, boxMesh, controlDict, foamText,
+                      noSchemes, runParts, velocityFile)
+
 
 G = 9.81
 
