@@ -209,7 +209,7 @@ def immersedRun(name, packing, height, end, dilatancy=True, h=6e-3):
     case.change("system/controlDict", r"^writeInterval .*?;", f"writeInterval {end/20:g};")
     for command in ("blockMesh", "setMaterialPoints", "setFluids"):
         case.run(command)
-    case.run("materialPointFoam", limit=1200 if VERIFY else 300)
+    case.run("materialPointFoam", limit=3000 if VERIFY else 300)
     return case
 
 

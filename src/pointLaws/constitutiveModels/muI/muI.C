@@ -96,7 +96,9 @@ public:
     List<historyColumn> history() const override
     {
         List<historyColumn> h(frictionalLaw<muI>::history());
-        h.append(historyColumn{"openStrain", historyColumn::scalars});
+        const label n = h.size();
+        h.resize(n + 1);
+        h[n] = historyColumn{"openStrain", historyColumn::scalars};
         return h;
     }
 
