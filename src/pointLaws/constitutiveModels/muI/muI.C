@@ -14,7 +14,8 @@ Description
     with the pressure p of the skeleton and the rate of plastic shear g =
     sqrt(2 De:De) of its deviator [1/s]; t < muS p: elastic. With viscosity eta
     of a liquid in the pores I is the viscous number eta g/(packing p). The
-    step is implicit, t = t' - G dt g: any step is stable, a slow one is exact.
+    step is implicit, t = t' - G dt g from the trial t': it ends on the surface
+    of its own g whatever dt is.
 
     Grains do not pull: where the volume strain would be that of a tension,
     the stress is zero and the strain goes to the column openStrain, which has
