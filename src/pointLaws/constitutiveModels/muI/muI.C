@@ -19,7 +19,8 @@ Description
 
     Grains do not pull: where the volume strain would be that of a tension,
     the stress is zero and the strain goes to the column openStrain, which has
-    to close before there is a pressure again.
+    to close before there is a pressure again. Take dilatation cellMean:
+    volumes of single points else drift, and part them.
 
     dilatancy, after Pailha and Pouliquen: with the volume fraction
     phi = packing m/(rho v) of a point
