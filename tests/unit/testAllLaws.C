@@ -58,6 +58,8 @@ TEST_CASE("laws of small elastic strain: a superposed rotation turns the stress"
               " bulkViscosity { linear 0.06; quadratic 1.5; }",
         "type DruckerPrager; match inner; dilationAngle 10;" + soil,
         "type MohrCoulomb; dilationAngle 10; tensionCutoff 8e3;" + soil,
+        grains(""),
+        grains("dilatancy { phiC 0.58; K2 0.2; K3 4; }"),
         "type MooneyRivlin; rho 1000; c10 1e6; c01 3e5; K 1e8;",
         "type NewtonianFluid; rho 1000; mu 0.1; K 2e9;"};
     for (const std::string& text : laws)
@@ -125,10 +127,12 @@ TEST_CASE("hoop strain of an axisymmetric block: as the same path in 3D")
               " bulkViscosity { linear 0.06; quadratic 1.5; }",
         "type DruckerPrager; match inner; dilationAngle 10;" + soil,
         "type MohrCoulomb; dilationAngle 10; tensionCutoff 8e3;" + soil,
+        grains(""),
+        grains("dilatancy { phiC 0.58; K2 0.2; K3 4; }"),
         "type MooneyRivlin; rho 1000; c10 1e6; c01 3e5; K 1e8;",
         "type NewtonianFluid; rho 1000; mu 0.1; K 2e9;"};
     for (const std::string& text : laws)
-        for (const scalar size : {1e-4, 0.05})
+        for (const scalar size : {-1e-4, -0.05})
         {
             const auto law(lawOf(text));
             points plane(2, 7, law->rho()), full(3, 7, law->rho());
@@ -227,6 +231,7 @@ TEST_CASE("points of a block do not see each other")
           "type JohnsonCook; C 0.025; m 1.09; beta 0.9; " + copper
               + "equationOfState { type MieGrueneisen; C0 3940; S 1.489; Gamma0 2.02; }",
           "type MohrCoulomb; dilationAngle 10;" + soil,
+          grains("dilatancy { phiC 0.58; K2 0.2; K3 4; }"),
           std::string("type NewtonianFluid; rho 1000; mu 1; K 2e9;")})
         for (int D = 1; D <= 3; ++D)
         {
@@ -282,6 +287,14 @@ TEST_CASE("input errors of plastic laws and fluids")
           "type MohrCoulomb; dilationAngle 0; match outer;" + soil,
           std::string("type MohrCoulomb; rho 1; E 1; nu 0.3; cohesion -1; frictionAngle 0; "
                       "dilationAngle 0;"),
+          grains("viscosity 0;"),
+          grains("cohesion 1;"),
+          grains("dilatancy { phiC 0.58; K2 0.2; }"),
+          grains("dilatancy { phiC 0.58; K2 0.2; K3 4; K1 1; }"),
+          std::string("type muI; rho 1; E 1; nu 0; muS 0.4; mu2 0.3; I0 1; d 1; packing 0.6;"),
+          std::string("type muI; rho 1; E 1; nu 0; muS 0.4; mu2 0.6; I0 0; d 1; packing 0.6;"),
+          std::string("type muI; rho 1; E 1; nu 0; muS 0.4; mu2 0.6; I0 1; packing 0.6;"),
+          std::string("type muI; rho 1; E 1; nu 0; muS 0.4; mu2 0.6; I0 1; d 1; packing 2;"),
           std::string("type MooneyRivlin; rho 1; c10 -1; c01 0; K 1;"),
           std::string("type MooneyRivlin; rho 1; c10 1; c01 0; K 1; E 2;"),
           std::string("type NewtonianFluid; rho 1; mu -1; K 1;"),

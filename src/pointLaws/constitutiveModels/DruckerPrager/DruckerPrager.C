@@ -5,7 +5,7 @@ Class
     Foam::mpm::DruckerPrager
 
 Description
-    Drucker and Prager's cone; elasticity and entries: frictionalLaw.
+    Drucker and Prager's cone; elasticity: frictionalLaw, entries: soilStrength.
 
         f = t + a s - k <= 0,       potential t + b s
         t = sqrt(J2), s = tr(sigma)/3, tension positive                  [Pa]
@@ -29,7 +29,7 @@ Usage
         type          | DruckerPrager                        | yes      |
         match         | outer, inner or planeStrain          | yes      |
         tensionCutoff | largest mean stress                  | no       | apex
-        rho, E, nu, cohesion, frictionAngle, dilationAngle | see frictionalLaw | |
+        rho, E, nu, cohesion, frictionAngle, dilationAngle | see soilStrength | |
     \endtable
 
     References: D. C. Drucker, W. Prager, Quart. Appl. Math. 10 (1952) 157;
@@ -39,11 +39,12 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "frictionalLaw.H"
+#include "soilStrength.H"
 
 namespace Foam::mpm
 {
 
-class DruckerPrager : public frictionalLaw<DruckerPrager>
+class DruckerPrager : public frictionalLaw<DruckerPrager>, soilStrength
 {
     //- Slopes of cone and potential [-], strength [Pa], largest mean
     //  stress [Pa]
@@ -53,7 +54,7 @@ public:
     TypeName("DruckerPrager");
 
     explicit DruckerPrager(const dictionary& dict) :
-        frictionalLaw<DruckerPrager>(dict, wordList({"match"}))
+        frictionalLaw<DruckerPrager>(dict, keywords({"match"})), soilStrength(dict)
     {
         const word match(oneOf(dict, "match", {"outer", "inner", "planeStrain"}));
         const auto slope = [&](const scalar angle)
@@ -74,8 +75,8 @@ public:
     //- See frictionalLaw
     template<int DIM>
     MPM_INLINE void flow(
-        elasticStrainStep<DIM>& step, lanes<laneWidth<DIM>>& theta, lanes<laneWidth<DIM>>& dEps,
-        const int) const
+        const pointBlock&, const laneGroup<laneWidth<DIM>>&, elasticStrainStep<DIM>& step,
+        lanes<laneWidth<DIM>>& theta, lanes<laneWidth<DIM>>& dEps) const
     {
         constexpr int W = laneWidth<DIM>;
         typedef lanes<W> T;

@@ -5,7 +5,8 @@ Class
     Foam::mpm::MohrCoulomb
 
 Description
-    Mohr and Coulomb's pyramid; elasticity and entries: frictionalLaw.
+    Mohr and Coulomb's pyramid; elasticity: frictionalLaw, entries:
+    soilStrength.
 
         f = (s1 - s3) + (s1 + s3) sin(phi) - 2 c cos(phi) <= 0
 
@@ -20,7 +21,7 @@ Usage
         Property      | Description                          | Required | Unit
         type          | MohrCoulomb                          | yes      |
         tensionCutoff | largest principal stress             | no       | none
-        rho, E, nu, cohesion, frictionAngle, dilationAngle | see frictionalLaw | |
+        rho, E, nu, cohesion, frictionAngle, dilationAngle | see soilStrength | |
     \endtable
 
     Reference: E. de Souza Neto, D. Peric, D. Owen, Computational methods for
@@ -29,12 +30,13 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "frictionalLaw.H"
+#include "soilStrength.H"
 #include "principalAxes.H"
 
 namespace Foam::mpm
 {
 
-class MohrCoulomb : public frictionalLaw<MohrCoulomb>
+class MohrCoulomb : public frictionalLaw<MohrCoulomb>, soilStrength
 {
     scalar sinPhi_, sinPsi_, cCosPhi_;
 
@@ -49,7 +51,8 @@ public:
     TypeName("MohrCoulomb");
 
     explicit MohrCoulomb(const dictionary& dict) :
-        frictionalLaw<MohrCoulomb>(dict, wordList()),
+        frictionalLaw<MohrCoulomb>(dict, keywords()),
+        soilStrength(dict),
         sinPhi_(std::sin(phi_)),
         sinPsi_(std::sin(psi_)),
         cCosPhi_(c_ * std::cos(phi_))
@@ -59,8 +62,8 @@ public:
     //- See frictionalLaw
     template<int DIM>
     void flow(
-        elasticStrainStep<DIM>& step, lanes<laneWidth<DIM>>& theta, lanes<laneWidth<DIM>>& dEps,
-        const int nLanes) const
+        const pointBlock&, const laneGroup<laneWidth<DIM>>& g, elasticStrainStep<DIM>& step,
+        lanes<laneWidth<DIM>>& theta, lanes<laneWidth<DIM>>& dEps) const
     {
         constexpr int W = laneWidth<DIM>;
         typedef lanes<W> T;
@@ -75,7 +78,7 @@ public:
         {
             return;
         }
-        for (int l = 0; l < nLanes; ++l)
+        for (int l = 0; l < g.n; ++l)
         {
             if (!near[l])
             {
