@@ -214,6 +214,78 @@ void Foam::mpm::eulerianFlow::farFaces(const solidOnFaces* pores, const boolList
     }
 }
 
+void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* pores)
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    farLayer& layer = far_->layer();
+    layer.clear();
+    forAll(layer.cells(), i)
+    {
+        const farLayer::cell& a = layer.cells()[i];
+        const label c = a.c;
+        if (magSqr(layer.strain()[c]) > 0)
+        {
+            region_.touch(c);
+        }
+        if (!region_.has(c))
+        {
+            continue;
+        }
+        const bool beside = pores && near_[c];
+        vector gradients(Zero);
+        for (const label f : mesh_.cells()[c])
+        {
+            // The cell's own velocity on the sides of a wedge; on others the mean, and along the
+            // normal what flows
+            const label other = f >= nInternal ? -1
+                : own[f] == c                  ? mesh_.faceNeighbour()[f]
+                                               : own[f];
+            const vector S(own[f] == c ? S_[f] : -S_[f]);
+            const label patchi = other < 0 ? mesh_.boundaryMesh().whichPatch(f) : -1;
+            vector u(W_[c].u);
+            if (patchi < 0
+                || !(
+                    isA<emptyPolyPatch>(mesh_.boundaryMesh()[patchi])
+                    || isA<wedgePolyPatch>(mesh_.boundaryMesh()[patchi])))
+            {
+                u = 0.5 * (u + (other < 0 ? Wb_[f - nInternal].u : W_[other].u));
+                const scalar flow = own[f] == c ? phi_[f] : -phi_[f];
+                u += beside ? vector(Zero) : vector((flow - (u & S)) / magSqr(S) * S);
+            }
+            for (direction k = 0; k < 3; ++k)
+            {
+                gradients[k] += (u & a.n[k]) * (S & a.n[k]) / V_[c];
+            }
+        }
+        layer.add(i, dt, std::sqrt(max(wave(c).K, scalar(0)) / W_[c].rho), W_[c].u, gradients);
+    }
+    region_.join();
+}
+
+Foam::mpm::flowGains Foam::mpm::eulerianFlow::addLayers(const scalar dt)
+{
+    flows gained;
+    for (const farLayer::source& s : far_->layer().sources())
+    {
+        const label c = s.c;
+        const scalar h = 1 / dt, mass = V_[c] * s.strain * rho_[c];
+        const vector impulse(V_[c] * (s.strain * rhoU_[c] + rho_[c] * s.du));
+        sums_[c].rho -= h * mass;
+        sums_[c].rhoU -= h * impulse;
+        gained.mass += mass;
+        gained.impulse += impulse;
+        if (energy_)
+        {
+            const scalar work = s.du & (rhoU_[c] + 0.5 * rho_[c] * s.du);
+            const scalar energy = V_[c] * (s.strain * (rhoE_[c] + theta_[c] * W_[c].p) + work);
+            sums_[c].rhoE -= h * energy;
+            gained.energy += energy;
+        }
+    }
+    return gained;
+}
+
 void Foam::mpm::eulerianFlow::addWedgeSides(const boolList* first)
 {
     for (const polyPatch& pp : mesh_.boundaryMesh())
