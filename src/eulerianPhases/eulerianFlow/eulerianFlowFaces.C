@@ -224,7 +224,7 @@ void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* p
     {
         const farLayer::cell& a = layer.cells()[i];
         const label c = a.c;
-        if (magSqr(layer.strain()[c]) > 0)
+        if (magSqr(layer.w()[c]) > 0)
         {
             region_.touch(c);
         }
@@ -233,7 +233,7 @@ void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* p
             continue;
         }
         const bool beside = pores && near_[c];
-        vector gradients(Zero);
+        vector gradients(Zero), slope(-W_[c].rho * g_);
         for (const label f : mesh_.cells()[c])
         {
             // The cell's own velocity on the sides of a wedge; on others the mean, and along the
@@ -257,8 +257,17 @@ void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* p
             {
                 gradients[k] += (u & a.n[k]) * (S & a.n[k]) / V_[c];
             }
+            slope += (patchi < 0 || pStar_[f] != 0 ? pStar_[f] : W_[c].p) / V_[c] * S;
         }
-        layer.add(i, dt, std::sqrt(max(wave(c).K, scalar(0)) / W_[c].rho), W_[c].u, gradients);
+        const scalar K = wave(c).K;
+        if (!beside && K > 0)
+        {
+            for (direction k = 0; k < 3; ++k)
+            {
+                gradients[k] += (W_[c].u & a.n[k]) * (slope & a.n[k]) / K;
+            }
+        }
+        layer.add(i, dt, std::sqrt(max(K, scalar(0)) / W_[c].rho), W_[c].u, gradients);
     }
     region_.join();
 }

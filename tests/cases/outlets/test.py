@@ -189,12 +189,12 @@ def plane(name, n, high, initial, end, dt, out, rest, cyclic):
     sides = ({"left": ("cyclic", ("x-",), "right"), "right": ("cyclic", ("x+",), "left"),
               "rest": ("patch", ("y-",)), "outlet": ("patch", ("y+",))} if cyclic else
              {"rest": ("patch", ("x-", "y-")), "outlet": ("patch", ("x+", "y+"))})
-    case = gasCase("outlets", name, (int(n*high[0]), int(n*high[1]), 1), (*high, 0.01), initial,
+    case = gasCase("outlets", name, (round(n*high[0]), round(n*high[1]), 1), (*high, 0.01), initial,
                    end, patches=sides, control=steps(end, dt, 20),
                    conditions={"rest": rest, "outlet": out, "left": ("cyclic",)*3,
                                "right": ("cyclic",)*3})
     case.run("materialPointFoam")
-    return {t: p.reshape(-1, int(n*high[0])) for t, p in history(case).items()}
+    return {t: p.reshape(-1, round(n*high[0])) for t, p in history(case).items()}
 
 
 def oblique(table):
