@@ -40,7 +40,7 @@ Foam::IOobject Foam::mpm::eulerianFlow::header(
 Foam::dimensionSet Foam::mpm::eulerianFlow::dimensionsOf(const word& name)
 {
     return name == "p" || name == "thetaRhoE" ? dimPressure
-        : name == "U" || name == "layerU"     ? dimVelocity
+        : name == "U"                         ? dimVelocity
         : name == "T"                         ? dimTemperature
         : name == "rho" || name == "thetaRho" ? dimDensity
         : name == "thetaRhoU"                 ? dimDensity * dimVelocity
@@ -94,9 +94,10 @@ void Foam::mpm::eulerianFlow::readState(const fieldStates* states)
     {
         rhoE_ = startField<scalars>("thetaRhoE", states, group_).field();
     }
-    if (far_->hasLayers() && (states || isThere(header("layerU", IOobject::MUST_READ, group_))))
+    if (far_->hasLayers()
+        && (states || isThere(header("layerStrain", IOobject::MUST_READ, group_))))
     {
-        far_->layer().w() = startField<vectors>("layerU", states, group_).field();
+        far_->layer().strain() = startField<vectors>("layerStrain", states, group_).field();
     }
     porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
 }
@@ -116,9 +117,10 @@ void Foam::mpm::eulerianFlow::forState(const fieldAction& f)
     f(rhoU);
     if (far_->hasLayers())
     {
-        volVectorField::Internal w(
-            header("layerU", IOobject::NO_READ, group_), mesh_, dimVelocity, far_->layer().w());
-        f(w);
+        volVectorField::Internal strain(
+            header("layerStrain", IOobject::NO_READ, group_), mesh_, dimless,
+            far_->layer().strain());
+        f(strain);
     }
     if (energy_)
     {

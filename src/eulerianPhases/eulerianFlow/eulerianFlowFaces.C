@@ -224,7 +224,7 @@ void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* p
     {
         const farLayer::cell& a = layer.cells()[i];
         const label c = a.c;
-        if (magSqr(layer.w()[c]) > 0)
+        if (magSqr(layer.strain()[c]) > 0)
         {
             region_.touch(c);
         }
@@ -233,7 +233,7 @@ void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* p
             continue;
         }
         const bool beside = pores && near_[c];
-        vector gradients(Zero), slope(-W_[c].rho * g_);
+        vector gradients(Zero), middle(Zero), slope(-W_[c].rho * g_);
         for (const label f : mesh_.cells()[c])
         {
             // The cell's own velocity on the sides of a wedge; on others the mean, and along the
@@ -257,6 +257,8 @@ void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* p
             {
                 gradients[k] += (u & a.n[k]) * (S & a.n[k]) / V_[c];
             }
+            middle += (own[f] == c ? phi_[f] : -phi_[f]) / V_[c]
+                * (mesh_.faceCentres()[f] - mesh_.cellCentres()[c]);
             slope += (patchi < 0 || pStar_[f] != 0 ? pStar_[f] : W_[c].p) / V_[c] * S;
         }
         const scalar K = wave(c).K;
@@ -264,7 +266,7 @@ void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* p
         {
             for (direction k = 0; k < 3; ++k)
             {
-                gradients[k] += (W_[c].u & a.n[k]) * (slope & a.n[k]) / K;
+                gradients[k] += (middle & a.n[k]) * (slope & a.n[k]) / K;
             }
         }
         layer.add(i, dt, std::sqrt(max(K, scalar(0)) / W_[c].rho), W_[c].u, gradients);

@@ -127,7 +127,7 @@ void Foam::mpm::farLayer::set(const UList<panel>& here)
     {
         return;
     }
-    w_.setSize(mesh_.nCells(), Zero);
+    strain_.setSize(mesh_.nCells(), Zero);
 
     // By the six directions
     typedef indexedOctree<treeDataPoint> tree;
@@ -187,10 +187,10 @@ void Foam::mpm::farLayer::add(
     {
         if (a.rate[k] > 0)
         {
-            const scalar w = w_[a.c][k], damped = -std::expm1(-dt * c * a.rate[k]);
-            s.strain += damped * w / c;
+            const scalar phi = strain_[a.c][k], damped = -std::expm1(-dt * c * a.rate[k]);
+            s.strain += damped * phi;
             s.du -= damped * ((u & a.n[k]) - a.u[k]) * a.n[k];
-            next_[i][k] = (1 - damped) * w + dt * c * gradients[k];
+            next_[i][k] = (1 - damped) * phi + dt * gradients[k];
         }
     }
     sources_.append(s);
@@ -206,7 +206,7 @@ void Foam::mpm::farLayer::keep()
         {
             ++i;
         }
-        w_[s.c] = next_[i];
+        strain_[s.c] = next_[i];
     }
     sources_.clear();
 }
