@@ -216,10 +216,23 @@ void Foam::mpm::eulerianFlow::farFaces(const solidOnFaces* pores, const boolList
 
 void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* pores)
 {
-    const label nInternal = mesh_.nInternalFaces();
-    const labelUList& own = mesh_.faceOwner();
     farLayer& layer = far_->layer();
     layer.clear();
+    if (layer.cells().empty())
+    {
+        return;
+    }
+
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const labelList& patchOf = mesh_.boundaryMesh().patchID();
+    boolList empty(mesh_.boundaryMesh().size()), wedge(empty.size());
+    forAll(empty, i)
+    {
+        empty[i] = isA<emptyPolyPatch>(mesh_.boundaryMesh()[i]);
+        wedge[i] = isA<wedgePolyPatch>(mesh_.boundaryMesh()[i]);
+    }
     forAll(layer.cells(), i)
     {
         const farLayer::cell& a = layer.cells()[i];
@@ -232,44 +245,46 @@ void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* p
         {
             continue;
         }
+        const gasState& w = W_[c];
         const bool beside = pores && near_[c];
-        vector gradients(Zero), middle(Zero), slope(-W_[c].rho * g_);
+        vector gradients(Zero), middle(Zero), slope(Zero);
         for (const label f : mesh_.cells()[c])
         {
-            // The cell's own velocity on the sides of a wedge; on others the mean, and along the
-            // normal what flows
-            const label other = f >= nInternal ? -1
-                : own[f] == c                  ? mesh_.faceNeighbour()[f]
-                                               : own[f];
-            const vector S(own[f] == c ? S_[f] : -S_[f]);
-            const label patchi = other < 0 ? mesh_.boundaryMesh().whichPatch(f) : -1;
-            vector u(W_[c].u);
-            if (patchi < 0
-                || !(
-                    isA<emptyPolyPatch>(mesh_.boundaryMesh()[patchi])
-                    || isA<wedgePolyPatch>(mesh_.boundaryMesh()[patchi])))
+            const label b = f - nInternal;
+            if (b >= 0 && empty[patchOf[b]])
             {
-                u = 0.5 * (u + (other < 0 ? Wb_[f - nInternal].u : W_[other].u));
-                const scalar flow = own[f] == c ? phi_[f] : -phi_[f];
-                u += beside ? vector(Zero) : vector((flow - (u & S)) / magSqr(S) * S);
+                continue;
             }
+            // The cell's own velocity and pressure on the sides of a wedge; on others the mean,
+            // and along the normal what flows
+            const scalar sign = own[f] == c ? 1 : -1;
+            const vector& S = S_[f];
+            vector u(w.u);
+            scalar p = w.p;
+            if (b < 0 || !wedge[patchOf[b]])
+            {
+                u = 0.5 * (u + (b >= 0 ? Wb_[b].u : W_[sign > 0 ? nei[f] : own[f]].u));
+                u += beside ? Zero : (phi_[f] - (u & S)) * sqr(faces_.invMagS[f]) * S;
+                p = pStar_[f];
+                middle += sign * phi_[f] * (mesh_.faceCentres()[f] - mesh_.cellCentres()[c]);
+            }
+            slope += sign * (p - w.p) * S;
             for (direction k = 0; k < 3; ++k)
             {
-                gradients[k] += (u & a.n[k]) * (S & a.n[k]) / V_[c];
+                if (a.rate[k] > 0)
+                {
+                    gradients[k] += sign * (u & a.n[k]) * (S & a.n[k]);
+                }
             }
-            middle += (own[f] == c ? phi_[f] : -phi_[f]) / V_[c]
-                * (mesh_.faceCentres()[f] - mesh_.cellCentres()[c]);
-            slope += (patchi < 0 || pStar_[f] != 0 ? pStar_[f] : W_[c].p) / V_[c] * S;
         }
-        const scalar K = wave(c).K;
-        if (!beside && K > 0)
+        const scalar V = V_[c], K = max(wave(c).K, SMALL);
+        slope = slope / V - w.rho * g_;
+        for (direction k = 0; k < 3; ++k)
         {
-            for (direction k = 0; k < 3; ++k)
-            {
-                gradients[k] += (middle & a.n[k]) * (slope & a.n[k]) / K;
-            }
+            const scalar flown = beside ? 0 : (middle & a.n[k]) * (slope & a.n[k]) / K;
+            gradients[k] = (gradients[k] + flown) / V;
         }
-        layer.add(i, dt, std::sqrt(max(K, scalar(0)) / W_[c].rho), W_[c].u, gradients);
+        layer.add(i, dt, std::sqrt(K / w.rho), w.u, gradients);
     }
     region_.join();
 }
