@@ -56,6 +56,14 @@ void Foam::mpm::carriedShare::add(
     }
 }
 
+void Foam::mpm::carriedShare::gain(const label k, const label c, const scalar m)
+{
+    forAll(of_, j)
+    {
+        out_[j][c] -= of_[j] == k ? m * of(c, k) : 0;
+    }
+}
+
 void Foam::mpm::carriedShare::updateFields()
 {
     forAll(of_, j)

@@ -94,6 +94,11 @@ void Foam::mpm::eulerianFlow::readState(const fieldStates* states)
     {
         rhoE_ = startField<scalars>("thetaRhoE", states, group_).field();
     }
+    if (far_->hasLayers()
+        && (states || isThere(header("layerStrain", IOobject::MUST_READ, group_))))
+    {
+        far_->layer().strain() = startField<vectors>("layerStrain", states, group_).field();
+    }
     porous_ = returnReduce(min(theta_) < 1 || max(theta_) > 1, orOp<bool>());
 }
 
@@ -110,6 +115,13 @@ void Foam::mpm::eulerianFlow::forState(const fieldAction& f)
     volVectorField::Internal rhoU(
         header("thetaRhoU", IOobject::NO_READ, group_), mesh_, dimensionsOf("thetaRhoU"), rhoU_);
     f(rhoU);
+    if (far_->hasLayers())
+    {
+        volVectorField::Internal strain(
+            header("layerStrain", IOobject::NO_READ, group_), mesh_, dimless,
+            far_->layer().strain());
+        f(strain);
+    }
     if (energy_)
     {
         volScalarField::Internal rhoE(
@@ -360,8 +372,10 @@ void Foam::mpm::eulerianFlow::step(
 {
     share_ = share;
     faceFlux(dt, pores);
+    startLayers(dt, pores);
     if (advance(dt, pores, halves == mostHalves))
     {
+        far_->layer().keep();
         if (halves && pores)
         {
             forAll(pressureOfHalves_, c)

@@ -214,6 +214,104 @@ void Foam::mpm::eulerianFlow::farFaces(const solidOnFaces* pores, const boolList
     }
 }
 
+void Foam::mpm::eulerianFlow::startLayers(const scalar dt, const solidOnFaces* pores)
+{
+    farLayer& layer = far_->layer();
+    layer.clear();
+    if (layer.cells().empty())
+    {
+        return;
+    }
+
+    const label nInternal = mesh_.nInternalFaces();
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const labelList& patchOf = mesh_.boundaryMesh().patchID();
+    boolList empty(mesh_.boundaryMesh().size()), wedge(empty.size());
+    forAll(empty, i)
+    {
+        empty[i] = isA<emptyPolyPatch>(mesh_.boundaryMesh()[i]);
+        wedge[i] = isA<wedgePolyPatch>(mesh_.boundaryMesh()[i]);
+    }
+    forAll(layer.cells(), i)
+    {
+        const farLayer::cell& a = layer.cells()[i];
+        const label c = a.c;
+        if (magSqr(layer.strain()[c]) > 0)
+        {
+            region_.touch(c);
+        }
+        if (!region_.has(c))
+        {
+            continue;
+        }
+        const gasState& w = W_[c];
+        const bool beside = pores && near_[c];
+        vector gradients(Zero), middle(Zero), slope(Zero);
+        for (const label f : mesh_.cells()[c])
+        {
+            const label b = f - nInternal;
+            if (b >= 0 && empty[patchOf[b]])
+            {
+                continue;
+            }
+            // The cell's own velocity and pressure on the sides of a wedge; on others the mean,
+            // and along the normal what flows
+            const scalar sign = own[f] == c ? 1 : -1;
+            const vector& S = S_[f];
+            vector u(w.u);
+            scalar p = w.p;
+            if (b < 0 || !wedge[patchOf[b]])
+            {
+                u = 0.5 * (u + (b >= 0 ? Wb_[b].u : W_[sign > 0 ? nei[f] : own[f]].u));
+                u += beside ? Zero : (phi_[f] - (u & S)) * sqr(faces_.invMagS[f]) * S;
+                p = pStar_[f];
+                middle += sign * phi_[f] * (mesh_.faceCentres()[f] - mesh_.cellCentres()[c]);
+            }
+            slope += sign * (p - w.p) * S;
+            for (direction k = 0; k < 3; ++k)
+            {
+                if (a.rate[k] > 0)
+                {
+                    gradients[k] += sign * (u & a.n[k]) * (S & a.n[k]);
+                }
+            }
+        }
+        const scalar V = V_[c], K = max(wave(c).K, SMALL);
+        slope = slope / V - w.rho * g_;
+        for (direction k = 0; k < 3; ++k)
+        {
+            const scalar flown = beside ? 0 : (middle & a.n[k]) * (slope & a.n[k]) / K;
+            gradients[k] = (gradients[k] + flown) / V;
+        }
+        layer.add(i, dt, std::sqrt(K / w.rho), w.u, gradients);
+    }
+    region_.join();
+}
+
+Foam::mpm::flowGains Foam::mpm::eulerianFlow::addLayers(const scalar dt)
+{
+    flows gained;
+    for (const farLayer::source& s : far_->layer().sources())
+    {
+        const label c = s.c;
+        const scalar h = 1 / dt, mass = V_[c] * s.strain * rho_[c];
+        const vector impulse(V_[c] * (s.strain * rhoU_[c] + rho_[c] * s.du));
+        sums_[c].rho -= h * mass;
+        sums_[c].rhoU -= h * impulse;
+        gained.mass += mass;
+        gained.impulse += impulse;
+        if (energy_)
+        {
+            const scalar work = s.du & (rhoU_[c] + 0.5 * rho_[c] * s.du);
+            const scalar energy = V_[c] * (s.strain * (rhoE_[c] + theta_[c] * W_[c].p) + work);
+            sums_[c].rhoE -= h * energy;
+            gained.energy += energy;
+        }
+    }
+    return gained;
+}
+
 void Foam::mpm::eulerianFlow::addWedgeSides(const boolList* first)
 {
     for (const polyPatch& pp : mesh_.boundaryMesh())

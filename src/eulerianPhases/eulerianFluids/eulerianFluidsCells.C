@@ -334,6 +334,41 @@ void Foam::mpm::eulerianFluids::sumBoundary(const scalar dt, const solidOnFaces*
     addWedgeSides(&first_);
 }
 
+Foam::mpm::flowGains Foam::mpm::eulerianFluids::layersOfFluids(const scalar dt)
+{
+    flows gained(addLayers(dt));
+    gained.fluids.setSize(n_, 0);
+    for (const farLayer::source& s : far_->layer().sources())
+    {
+        const label c = s.c, slot = interfaces_->slot()[c];
+        for (label k = 0; k < n_; ++k)
+        {
+            const scalar m = mass_[n_ * c + k], theta = part_[n_ * c + k];
+            if (!(m > 0))
+            {
+                continue;
+            }
+            gained.fluids[k] += V_[c] * s.strain * m;
+            if (carries_)
+            {
+                burnt_.gain(k, c, V_[c] / dt * s.strain * m);
+                lambda_.gain(k, c, V_[c] / dt * s.strain * m);
+            }
+            if (slot >= 0)
+            {
+                fluidMixture::share& to = shares_[n_ * slot + k];
+                const scalar e = isTorn(c, k)
+                    ? t_[c].rhoE
+                    : mixture_.energy(k, m / theta, W_[c].p, burntOf(c, k));
+                to.A += s.strain * theta;
+                to.m += s.strain * m;
+                to.e0 += s.strain * theta * e;
+            }
+        }
+    }
+    return gained;
+}
+
 void Foam::mpm::eulerianFluids::keepIsentrope(
     const label c, const label k, const scalar rho, const scalar p)
 {
@@ -415,6 +450,7 @@ bool Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* por
     lastTry_ = false;
     keepOld(pores);
     setComposition(dt);
+    flows gained;
     for (;;)
     {
         startShares(dt);
@@ -433,6 +469,7 @@ bool Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* por
             sumInside<true>(dt, pores);
         }
         sumBoundary(dt, pores);
+        gained = layersOfFluids(dt);
         burn(dt);
         burnOn(dt);
         if (newStates(dt, pores) || lastTry_)
@@ -449,6 +486,10 @@ bool Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* por
             }
             lastTry_ = true;
         }
+    }
+    if (flows_)
+    {
+        *flows_ += gained;
     }
     addViscosity(dt);
     return true;

@@ -184,6 +184,11 @@ template<bool Porous, bool Energy, bool General>
 void Foam::mpm::eulerianGas::cells(const scalar dt, const solidOnFaces* pores)
 {
     sumFaces<Porous, Energy, General>(dt, pores);
+    const flows gained(addLayers(dt));
+    if (flows_)
+    {
+        *flows_ += gained;
+    }
     bool positive = newStates<Porous, Energy>(dt, pores);
     if (General && Energy)
     {

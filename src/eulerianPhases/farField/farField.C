@@ -87,7 +87,8 @@ Foam::scalar Foam::mpm::farField::medium::impedance(const scalar pFar, const sca
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::mpm::farField::farField(const volVectorField& U, const volScalarField& p) : mesh_(p.mesh())
+Foam::mpm::farField::farField(const volVectorField& U, const volScalarField& p) :
+    mesh_(p.mesh()), layer_(mesh_), hasLayers_(false)
 {
     DynamicList<face> faces;
     forAll(p.boundaryField(), patchi)
@@ -107,6 +108,7 @@ Foam::mpm::farField::farField(const volVectorField& U, const volScalarField& p) 
             continue;
         }
         const auto& pf = refCast<const farFieldFvPatchField<scalar>>(p.boundaryField()[patchi]);
+        hasLayers_ = hasLayers_ || pf.layer() > 0;
         forAll(patch, i)
         {
             const label f = patch.start() + i;
@@ -166,6 +168,25 @@ void Foam::mpm::farField::setValues(
         p_[i] = refCast<const farFieldFvPatchField<scalar>>(p.boundaryField()[a.patch]).far()[a.i];
         u_[i] = refCast<const farFieldFvPatchField<vector>>(U.boundaryField()[a.patch]).far()[a.i];
     }
+
+    DynamicList<farLayer::panel> panels;
+    forAll(faces_, i)
+    {
+        const face& a = faces_[i];
+        const scalar layer =
+            refCast<const farFieldFvPatchField<scalar>>(p.boundaryField()[a.patch]).layer();
+        if (layer > 0)
+        {
+            const point& centre = mesh_.faceCentres()[a.f];
+            scalar radius = 0;
+            for (const label v : mesh_.faces()[a.f])
+            {
+                radius = max(radius, mag(mesh_.points()[v] - centre));
+            }
+            panels.append({centre, a.n, radius, layer, u_[i] & a.n});
+        }
+    }
+    layer_.set(panels);
 }
 
 void Foam::mpm::farField::warnOfPressure(const UList<gasState>& W, const volScalarField& p) const

@@ -8,7 +8,7 @@
 template<class Type>
 Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
     const fvPatch& p, const DimensionedField<Type, volMesh>& iF) :
-    fvPatchField<Type>(p, iF), hasSource_(false), source_(Zero)
+    fvPatchField<Type>(p, iF), hasSource_(false), source_(Zero), layer_(0)
 {
 }
 
@@ -17,7 +17,8 @@ Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
     const fvPatch& p, const DimensionedField<Type, volMesh>& iF, const dictionary& dict) :
     fvPatchField<Type>(p, iF, dict, false),
     hasSource_(dict.found("source")),
-    source_(dict.getOrDefault<point>("source", Zero))
+    source_(dict.getOrDefault<point>("source", Zero)),
+    layer_(dict.found("layer") ? mpm::positive(dict, "layer") : 0)
 {
     const bool ofP = pTraits<Type>::rank == 0;
     const word member(IOobject::member(iF.name()));
@@ -30,7 +31,7 @@ Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
     }
     mpm::checkKeywords(
         dict,
-        ofP ? wordList({"type", "farValue", "source", "value"})
+        ofP ? wordList({"type", "farValue", "source", "layer", "value"})
             : wordList({"type", "farValue", "value"}));
     if (dict.found("farValue"))
     {
@@ -53,20 +54,29 @@ Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
     fvPatchField<Type>(of, p, iF, mapper),
     far_(of.far_.empty() ? Field<Type>() : Field<Type>(of.far_, mapper)),
     hasSource_(of.hasSource_),
-    source_(of.source_)
+    source_(of.source_),
+    layer_(of.layer_)
 {
 }
 
 template<class Type>
 Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(const farFieldFvPatchField<Type>& of) :
-    fvPatchField<Type>(of), far_(of.far_), hasSource_(of.hasSource_), source_(of.source_)
+    fvPatchField<Type>(of),
+    far_(of.far_),
+    hasSource_(of.hasSource_),
+    source_(of.source_),
+    layer_(of.layer_)
 {
 }
 
 template<class Type>
 Foam::farFieldFvPatchField<Type>::farFieldFvPatchField(
     const farFieldFvPatchField<Type>& of, const DimensionedField<Type, volMesh>& iF) :
-    fvPatchField<Type>(of, iF), far_(of.far_), hasSource_(of.hasSource_), source_(of.source_)
+    fvPatchField<Type>(of, iF),
+    far_(of.far_),
+    hasSource_(of.hasSource_),
+    source_(of.source_),
+    layer_(of.layer_)
 {
 }
 
@@ -106,6 +116,10 @@ void Foam::farFieldFvPatchField<Type>::write(Ostream& os) const
     if (hasSource_)
     {
         os.writeEntry("source", source_);
+    }
+    if (layer_ > 0)
+    {
+        os.writeEntry("layer", layer_);
     }
     this->writeEntry("value", os);
 }
