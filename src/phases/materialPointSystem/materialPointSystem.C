@@ -148,14 +148,15 @@ void Foam::mpm::materialPointSystem::readLimits(const dictionary& dict)
     maxTravel_ = boundedOrDefault(dict, "maxTravel", 0.5, 1e-3, 0.9);
     maxStrain_ = boundedOrDefault(dict, "maxStrain", 0.2, 1e-4, 1);
     pressureFilter_ = boundedOrDefault(dict, "pressureFilter", 0, 0, 1);
+    turnSides_ = dict.getOrDefault<bool>("turnSides", false);
 }
 
 void Foam::mpm::materialPointSystem::checkNumerics(const dictionary& dict)
 {
     wordList valid(transferScheme::keywordsOfAll(dict));
     valid.append(wordList(
-        {"shapeFunction", "dilatation", "pressureFilter", "stressUpdate", "energyBudget",
-         "maxTravel", "maxStrain"}));
+        {"shapeFunction", "dilatation", "pressureFilter", "turnSides", "stressUpdate",
+         "energyBudget", "maxTravel", "maxStrain"}));
     checkKeywords(dict, valid);
 }
 

@@ -354,14 +354,16 @@ void Foam::mpm::materialPointSystem::startAffine()
 
 void Foam::mpm::materialPointSystem::makeOffsets()
 {
-    const auto* passes = dynamic_cast<const twoLevelShares*>(&*gridTransfer_);
-    if (!passes || grid_.nDim() == 1)
+    if (!dynamic_cast<const twoLevelShares*>(&*gridTransfer_) || grid_.nDim() == 1)
     {
-        return;
+        FatalIOErrorInFunction(numerics_)
+            << "turnSides is for shapeFunction nodeDual in 2D and 3D, here it is "
+            << numerics_.get<word>("shapeFunction") << " in " << grid_.nDim() << "D" << nl
+            << "Leave the entry out" << exit(FatalIOError);
     }
     for (velocityField& field : fields_)
     {
-        offsets_.append(new massOffsets(field, *passes, grid_.nNodes()));
+        offsets_.append(new massOffsets(field, *gridTransfer_, grid_.nNodes()));
     }
     forAll(phases_, phasei)
     {
@@ -468,8 +470,6 @@ Foam::mpm::materialPointSystem::materialPointSystem(const fvMesh& mesh, rows* fr
     energy_ = &parts_.own(new pointEnergy(*this));
     erosion_ = &parts_.own(new pointErosion(*this));
     rigid_ = &parts_.own(new rigidBodies(*this));
-
-    makeOffsets();
 
     // Before the points are read: parts may ask for columns
     makeParts();

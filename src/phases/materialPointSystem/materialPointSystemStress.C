@@ -55,7 +55,7 @@ void Foam::mpm::materialPointSystem::finishForce(const scalar dt)
         field.sumForce();
         field.sumLoad();
     }
-    forAll(offsets_, fieldi)
+    forAll(fields_, fieldi)
     {
         if (massOffsets* offsets = this->offsets(fieldi))
         {
@@ -75,8 +75,15 @@ void Foam::mpm::materialPointSystem::finishForce(const scalar dt)
 
 Foam::mpm::massOffsets* Foam::mpm::materialPointSystem::offsets(const label fieldi)
 {
-    return offsets_.size() && transfer_->affine() == transferScheme::none ? &offsets_[fieldi]
-                                                                          : nullptr;
+    if (!turnSides_ || transfer_->affine() != transferScheme::none)
+    {
+        return nullptr;
+    }
+    if (offsets_.empty())
+    {
+        makeOffsets();
+    }
+    return &offsets_[fieldi];
 }
 
 const Foam::scalar* Foam::mpm::materialPointSystem::filteredPressure(

@@ -23,28 +23,19 @@ void Foam::mpm::massOffsets::update()
     hold_ = true;
     const int P = field_.stride(), D = field_.nDim();
     scalar* d = zero(d_);
+    scalar* volume = zero(part_);
     for (materialPointCloud& cloud : clouds_)
     {
-        passes_.addOffsets(cloud, d);
+        passes_.addOffsets(cloud, d, volume);
     }
     field_.sumWithMass(d);
-
-    // Other processors do not know the widths at ghost nodes
-    scalar* size = zero(part_);
-    for (const label l : field_.active())
-    {
-        scalar* dl = d + P * l;
-        for (int i = 0; i < D; ++i)
-        {
-            dl[i] = dl[D] > 0 ? dl[i] / dl[D] : 0;
-        }
-        size[P * l] = passes_.overWidth(l, dl);
-    }
-    field_.largestOfShared(size, P, 1);
+    field_.sumShared(volume, P, 1);
+    const scalarList& whole = field_.nodeVolume(transfer_);
     turning_.clear();
     for (const label l : field_.active())
     {
-        const scalar share = min(max((size[P * l] - 0.15) / 0.15, scalar(0)), scalar(1));
+        const scalar full = volume[P * l] / whole[l], m = d[P * l + D];
+        const scalar share = m > 0 ? min(max(4 * (0.9 - full), scalar(0)), scalar(1)) / m : 0;
         for (int i = 0; i < D; ++i)
         {
             d[P * l + i] *= share;
@@ -122,9 +113,10 @@ void Foam::mpm::massOffsets::couple(scalar* f)
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::massOffsets::massOffsets(
-    velocityField& field, const twoLevelShares& passes, const label nNodes) :
+    velocityField& field, const pointGridTransfer& transfer, const label nNodes) :
     field_(field),
-    passes_(passes),
+    transfer_(transfer),
+    passes_(dynamic_cast<const twoLevelShares&>(transfer)),
     nNodes_(nNodes),
     hold_(false),
     d_(field.stride() * nNodes),

@@ -488,6 +488,8 @@ ROWS = [
      [line("phaseProperties"), "bang", VALID, "maxPrincipalStress"]),
     ("unknown shapeFunction", SOLVE, replace(NUMERICS, "GIMP", "spline9"),
      inNumerics + ["spline9", VALID, "GIMP", "cubicBSpline", "linear", "quadraticBSpline"]),
+    ("turnSides with GIMP", SOLVE, replace(NUMERICS, "transfer", "turnSides true; transfer"),
+     inNumerics + ["turnSides is for shapeFunction nodeDual in 2D and 3D, here it is GIMP"]),
     ("unknown transfer", SOLVE, replace(NUMERICS, "FLIP", "PIC9"),
      inNumerics + ["PIC9", VALID, "FLIP", "FMPM", "XPIC", "APIC"]),
     ("unknown stressUpdate", SOLVE,

@@ -167,7 +167,8 @@ def again(table):
 
 
 #: Rondon et al. (2011): columns of glass beads in a viscous liquid, 60 mm wide, loose (48 mm
-#: high) and dense (42 mm). Constants of friction and dilatancy after Pailha & Pouliquen
+#: high) and dense (42 mm), sizes from memory. Constants of friction and dilatancy after
+#: Pailha & Pouliquen, from memory
 LIQUID, RHOS, ETA = 1010, 2500, 12e-3
 IMMERSED = {"muS": 0.415, "mu2": 0.868, "I0": 0.005, "viscosity": ETA}
 DILATANCY = {"phiC": 0.582, "K2": 25, "K3": 4.09}
