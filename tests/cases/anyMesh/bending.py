@@ -50,7 +50,8 @@ def _halfPeriod(kind, nu, cells, between, length=1.0, turned=True):
     exact = np.pi*np.sqrt(bending**-2 + shear**-2)
     low = height + 0.5*h*between
     n = (round(length/h) + 2, 3*cells, *depth(kind))
-    case = scene(f"beam {nu} {cells} {between} {length} {turned}", kind, n, {"beam": _law(E, nu)}, {"beam": {
+    name = f"beam {nu} {cells} {between} {length} {turned}"
+    case = scene(name, kind, n, {"beam": _law(E, nu)}, {"beam": {
         "min": (0, low, -1), "max": (length, low + height, 1)}}, (1.4 if VERIFY else 1.15)*exact,
         sides={"wall": (("x-",), HELD), **across(kind)}, size=h, run=False,
         numerics={"shapeFunction": "nodeDual", "transfer": "FLIP", "PICfraction": 0,
