@@ -57,13 +57,13 @@ SCHEMES = {
                                         "PICfraction": 0}}}}
 
 #: Resolutions by mesh, without and with air
-CELLS = {"spall": {"boxes": ((40, 80, 160), (40, 80)), "triangles": ((40, 80), (40, 80))},
+CELLS = {"spall": {"boxes": ((20, 40, 80), (20, 40)), "triangles": ((20, 40, 80), (20, 40))},
          "halfCylinder": {"boxes": ((10, 20, 40), (10, 20)),
                           "triangles": ((10, 20), (10, 20))},
          "projectile": {"boxes": ((10, 20), ()), "triangles": ((10,), ())}}
 
 #: What errors of halfCylinder are taken from; one run on triangles that is long
-FINEST = ("halfCylinder", "boxes", "no", "GIMP FLIP + 0.5 % PIC", 80)
+FINEST = ("halfCylinder", "boxes", "no", "GIMP FLIP + 0.5 % PIC", 60)
 LONG = ("projectile", "triangles", "no", "nodeDual APIC", 20)
 
 ERRORS = {"spall": "failure at the mid-plane, after the exact instant [ns]",
