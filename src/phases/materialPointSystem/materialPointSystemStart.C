@@ -369,7 +369,7 @@ void Foam::mpm::materialPointSystem::makeOffsets()
     {
         if (!phases_[phasei].motion())
         {
-            offsets_[fieldOf_[phasei]].append(phases_[phasei].cloud());
+            offsets_[fieldOf_[phasei]].append(phases_[phasei].cloud(), phases_[phasei].law().rho());
         }
     }
 }

@@ -24,9 +24,9 @@ void Foam::mpm::massOffsets::update()
     const int P = field_.stride(), D = field_.nDim();
     scalar* d = zero(d_);
     scalar* volume = zero(part_);
-    for (materialPointCloud& cloud : clouds_)
+    forAll(clouds_, i)
     {
-        passes_.addOffsets(cloud, d, volume);
+        passes_.addOffsets(clouds_[i], rho_[i], d, volume);
     }
     field_.sumWithMass(d);
     field_.sumShared(volume, P, 1);
@@ -35,7 +35,7 @@ void Foam::mpm::massOffsets::update()
     for (const label l : field_.active())
     {
         const scalar full = volume[P * l] / whole[l], m = d[P * l + D];
-        const scalar share = m > 0 ? min(max(4 * (0.9 - full), scalar(0)), scalar(1)) / m : 0;
+        const scalar share = m > 0 ? min(max(10 * (0.95 - full), scalar(0)), scalar(1)) / m : 0;
         for (int i = 0; i < D; ++i)
         {
             d[P * l + i] *= share;
