@@ -400,7 +400,7 @@ COOK = ("type JohnsonCook; G 4e5; A 1e4; B 1e4; n 0.3; C 0.02; m 1; referenceRat
 GRUENEISEN = "equationOfState { type MieGrueneisen; C0 30; S 1.5; Gamma0 2; } "
 SOIL = ("type DruckerPrager; E 1e6; nu 0.2; cohesion 1e3; frictionAngle 30;"
         " dilationAngle 0; ")
-GRAINS = "type muI; E 1e6; nu 0.2; muS 0.4; mu2 0.6; I0 0.3; packing 0.6; "
+BEADS = "type muI; E 1e6; nu 0.2; muS 0.4; mu2 0.6; I0 0.3; packing 0.6; "
 DAMAGE = ("type JohnsonCookDamage; D1 0.5; D2 4; D3 -3; D4 0.01; D5 1; referenceRate 1;"
           " referenceTemperature 300; meltTemperature 1000; ")
 
@@ -568,10 +568,10 @@ ROWS = [
     ("dilationAngle above frictionAngle", SOLVE,
      law(SOIL + "match inner; dilationAngle 40;"), inLaw + ["dilationAngle is 40"]),
     ("DruckerPrager without match", SOLVE, law(SOIL), inLaw + ["match"]),
-    ("mu2 below muS", SOLVE, law(GRAINS + "d 1e-3; mu2 0.3;"), inLaw + ["mu2 is 0.3"]),
-    ("muI without d", SOLVE, law(GRAINS), inLaw + ["d"]),
+    ("mu2 below muS", SOLVE, law(BEADS + "d 1e-3; mu2 0.3;"), inLaw + ["mu2 is 0.3"]),
+    ("muI without d", SOLVE, law(BEADS), inLaw + ["d"]),
     ("keyword of dilatancy", SOLVE,
-     law(GRAINS + "d 1e-3; dilatancy { phiC 0.58; K2 0; K3 4; K1 1; }"),
+     law(BEADS + "d 1e-3; dilatancy { phiC 0.58; K2 0; K3 4; K1 1; }"),
      inLaw + ["dilatancy", "K1", VALID]),
     ("unknown failed", SOLVE,
      replace(PHASES, "strength", "failed glue; strength"),
