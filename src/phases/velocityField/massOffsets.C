@@ -2,6 +2,21 @@
 
 #include "massOffsets.H"
 
+namespace
+{
+
+//- a x b/m of three components
+void crossOver(const Foam::scalar* a, const Foam::scalar* b, const Foam::scalar m, Foam::scalar* to)
+{
+    for (int i = 0; i < 3; ++i)
+    {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        to[i] = (a[j] * b[k] - a[k] * b[j]) / m;
+    }
+}
+
+}
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar* Foam::mpm::massOffsets::zero(alignedArray& q) const
@@ -72,11 +87,7 @@ void Foam::mpm::massOffsets::turn(const scalar* u)
             t[1] = w[0] * d[0] / d[D];
             continue;
         }
-        for (int i = 0; i < D; ++i)
-        {
-            const int j = (i + 1) % D, k = (i + 2) % D;
-            t[i] = (w[j] * d[k] - w[k] * d[j]) / d[D];
-        }
+        crossOver(w, d, d[D], t);
     }
     field_.constrain(to, P, true, false);
 }
@@ -96,11 +107,7 @@ void Foam::mpm::massOffsets::couple(scalar* f)
             c[0] = (d[0] * fl[1] - d[1] * fl[0]) / d[D];
             continue;
         }
-        for (int i = 0; i < D; ++i)
-        {
-            const int j = (i + 1) % D, k = (i + 2) % D;
-            c[i] = (d[j] * fl[k] - d[k] * fl[j]) / d[D];
-        }
+        crossOver(d, fl, d[D], c);
     }
     scalar* to = zero(part_);
     for (const materialPointCloud& cloud : clouds_)
