@@ -6,6 +6,8 @@ beam       a cantilever, 10 by 1, four cells high, with Poisson's ratio 0.49 swi
            (Dunkerley: 1/w^2 = 1/w_bending^2 + 1/w_shear^2). The same with
            dilatation point is printed
 split      the same on two processors, and stopped and gone on, bit by bit
+punch      ground of von Mises under a strip: Prandtl's limit load (punch.py). With
+           MPM_VERIFY=1 on three meshes, and FLIP, which creeps
 energy     the swinging beam, USAVG, FLIP: its energy is kept as with dilatation point
 """
 
@@ -16,8 +18,9 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile,
-                      writeField)
+from foamCase import (VERIFY, FoamCase, boxMesh, controlDict, noSchemes, runParts,
+                      velocityFile, writeField)
+from punch import longPunch, punch
 
 L, H, RHO, NU, CELLS = 1.0, 0.1, 2.0, 0.49, 4
 E = 48000*(1 - NU**2)
@@ -109,7 +112,7 @@ def split(table):
 
 
 def main():
-    return runParts("locking", beam, split, energy)
+    return runParts("locking", beam, split, energy, punch, *((longPunch,) if VERIFY else ()))
 
 
 if __name__ == "__main__":
