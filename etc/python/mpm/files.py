@@ -37,12 +37,17 @@ def fileHeader(objectName, kind="dictionary"):
 
 
 class Points:
-    """Columns of a cloud, read when asked for: points["sigma"]."""
+    """Columns of a cloud, read when asked for: points["sigma"]. place: named in errors."""
 
-    def __init__(self, paths):
-        self.paths = paths
+    def __init__(self, paths, place=""):
+        self.paths, self.place = paths, place
 
     def __getitem__(self, name):
+        if name not in self:
+            around = os.path.dirname(self.place)
+            there = ("columns: " + " ".join(self.keys()) if self.paths else "clouds: " + " ".join(
+                os.listdir(around)) if os.path.isdir(around) else "no clouds at this time")
+            raise FileNotFoundError(f"{os.path.join(self.place, name)} is not there; {there}")
         return np.concatenate([readField(os.path.join(p, name)) for p in self.paths])
 
     def __contains__(self, name):
