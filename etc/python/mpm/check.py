@@ -58,8 +58,11 @@ class Check:
 
     def _check(self):
         self._copy()
-        self._make()
-        self._program("materialPointFoam", "-dry-run")
+        try:
+            self._make()
+            self._program("materialPointFoam", "-dry-run")
+        finally:
+            self._allrun()
         facts = Facts(self.case)
         self._tell(facts)
         if self.withTrial:
@@ -126,6 +129,23 @@ class Check:
         if os.path.exists(case.file("system/setFieldsDict")):
             self._program("setFields")
 
+    def _allrun(self):
+        """Its own commands are not known here."""
+        path = os.path.join(self.path, "Allrun")
+        if not os.path.exists(path):
+            path = os.path.join(self.path, "..", "Allrun")
+        if self.hasPoints or not os.path.exists(path):
+            return
+        with open(path, errors="replace") as f:
+            text = f.read()
+        own = [w for w in ("makeMesh", "startValues") if re.search(rf"^ *{w} *\(\)", text, re.M)
+               and not (w == "makeMesh" and self.hasMesh)]
+        own += re.findall(r"^\"\$MPM_PYTHON\" (\w+\.py)", text.split("runCase")[0], re.M)
+        if own:
+            self._find("note", "Allrun", "", f"it has steps of its own before the run "
+                       f"({', '.join(own)}), which mpmCheck does not know: what it tells may be "
+                       "of another mesh or start", "run mpmCheck when mesh and points are made")
+
     # --- programs -------------------------------------------------------------
 
     def _program(self, name, *options):
@@ -154,8 +174,8 @@ class Check:
         place = re.match(r'\s*Reading "([^"]*?)"[^\n]*\n', text)
         file, entry = _place(place[1]) if place else ("", "")
         text = " ".join((text[place.end():] if place else text).split())
-        if not any(f.text == text for f in self.findings):
-            self._find("warning", file, entry, text, "", f"troubleshooting.md (warning of {name})")
+        if not any(f.text.startswith(text) for f in self.findings):
+            self._find("warning", file, entry, f"{text} ({name})", *_remedy(text))
 
     def _fatal(self, name, command):
         """The error of a program in its own words."""
@@ -164,7 +184,8 @@ class Check:
         message = found[1].strip() if found else text[-400:].strip()
         place = re.search(r"^file: (\S+)", message, re.M)
         file, entry = _place(place[1]) if place else ("", "")
-        self._find("error", file, entry, f"{command} stops: {message}", "", "troubleshooting.md")
+        message = re.sub(r"\n*^file: .*", "", message, flags=re.M).strip()
+        self._find("error", file, entry, f"{command} stops: {message}", *_remedy(message))
 
     def _find(self, kind, file, entry, text, remedy, page=""):
         self.findings.append(Finding(kind, file, entry, text, remedy, page))
@@ -228,6 +249,25 @@ def _place(path):
         return path.replace(".boundaryField", ""), ""
     file, _, entry = name.partition(".")
     return os.path.join(folder, file), entry
+
+
+def _remedy(message):
+    """What doc/guide/troubleshooting.md says of a message, and the place there."""
+    page = "troubleshooting.md"
+    path = os.path.join(os.path.dirname(__file__), "../../../doc/guide", page)
+    if not os.path.exists(path):
+        return "", page
+    with open(path) as f:
+        heading = ""
+        for line in f:
+            if line.startswith("## "):
+                heading = "#" + re.sub(r"[^\w -]", "", line[3:].strip().lower()).replace(" ", "-")
+            row = re.fullmatch(r"\| `(.*)` \| (.*) \|\n", line)
+            pieces = [p.strip() for p in row[1].split("...") if p.strip()] if row else []
+            if pieces and all(" ".join(p.split()) in message for p in pieces):
+                text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", row[2]).replace("`", "")
+                return text, page + heading
+    return "", page
 
 
 def _duration(seconds):

@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from mpm.dictionaries import DictionaryError, readDictionary
-from mpm.files import readField
+from mpm.files import readField, readLists
 
 #: Lowest and highest of what is no mistake
 BOUNDS = {"rho": (0.1, 25000), "speed": (10, 20000), "length": (1e-6, 1e3), "g": (0.1, 1000)}
@@ -28,8 +28,8 @@ PHASES, REGIONS = "constant/phaseProperties", "system/setMaterialPointsDict"
 SOLUTION, CONTROL = "system/fvSolution", "system/controlDict"
 PLASTIC = ("J2Plasticity", "JohnsonCook")
 LIQUIDS = ("NewtonianFluid",)
-#: Conditions of p that let waves out
-OPEN = ("farField", "waveTransmissive", "advective")
+#: Conditions of p that let most of a wave out (doc/guide/fluids.md), or have it at a wall
+OPEN = ("farField", "waveTransmissive", "advective", "zeroGradient")
 
 
 @dataclass
@@ -101,10 +101,12 @@ class Facts:
         self.size = (self.high - self.low)[self.axes]
         self.nDim = len(self.axes)
         self.mesh = ""
-        said = re.search(r"^Material points: .*, (\d)D, \d+ nodes, (.*)$", self.log, re.M)
+        said = re.search(r"^Material points: .*, ((?:axisymmetric )?)(\d)D, \d+ nodes, (.*)$",
+                         self.log, re.M)
+        self.lattice = bool(said) and said[3] == "lattice"
         if said:
-            self.nDim, self.mesh = int(said[1]), said[2]
-        self.lattice = self.mesh == "lattice"
+            self.nDim = int(said[2])
+            self.mesh = said[1] + ("boxes" if self.lattice else said[3])
         #: Width of a cell by volume [m]
         volume = float(np.prod(self.size))
         self.width = (volume/self.nCells)**(1/max(self.nDim, 1))
@@ -119,7 +121,7 @@ class Facts:
                 self._readPoints(name, phase)
             self.phases[name] = phase
         self.points = sum(p.n for p in self.phases.values())
-        shape = re.search(r"shape function (\w+), stress update (\w+)", self.log)
+        shape = re.search(r"shape function (\w+),.*? stress update (\w+)", self.log)
         transfer = re.search(r"^ *transfer (\w+)( of order \d+)?", self.log, re.M)
         self.shape, self.update = shape.groups() if shape else ("", "")
         self.transfer = transfer[1] if transfer else ""
@@ -149,8 +151,8 @@ class Facts:
             text, c = f"{of['type']}, {kind}", 0.0
             if kind == "perfectGas":
                 c = self._soundOfGas(name, of)
-            elif isinstance(state, dict) and "C0" in state:
-                c = float(state["C0"])
+            elif isinstance(state, dict):
+                c = self._soundOfLiquid(of, state)
             self.media[name] = text + (f", sound {c:.4g} m/s" if c else "")
             self.sound = max(self.sound, c)
         start = os.path.join("0", "p")
@@ -170,6 +172,18 @@ class Facts:
             return 0.0
         T = np.max(self.case.field("0", "T." + name))
         return float(np.sqrt(gamma*R*T)) if T > 0 else 0.0
+
+    def _soundOfLiquid(self, of, state):
+        """At rest: C0, soundSpeed, or sqrt(gamma (p0 + pInf)/rho)."""
+        c = state.get("C0", state.get("soundSpeed"))
+        if isinstance(c, (int, float)):
+            return float(c)
+        needed = [state.get("gamma"), state.get("pInf"), of.get("rho")]
+        if state.get("type") != "stiffenedGas" or not all(
+                isinstance(v, (int, float)) for v in needed):
+            return 0.0
+        gamma, pInf, rho = needed
+        return math.sqrt(gamma*(pInf + (state.get("p0") or 0))/rho)
 
     @property
     def end(self):
@@ -262,23 +276,21 @@ def gravity(facts):
         isinstance(v, (int, float)) for v in g) else 0
     if g and _outside(g, "g"):
         yield Finding("warning", path, "value", f"{g:g} m/s2; the earth has 9.81",
-                      "m/s2: 9.81 for 9810 mm/s2", "materials.md#body-forces")
+                      "m/s2: 9.81 for 9810 mm/s2", "materials.md#body-forces",
+                      "whatever the unit of the mesh")
 
 
-def start(facts):
-    """Pressure and temperature of gases."""
-    for name, of in ((n, facts.of(n)) for n in facts.media):
-        if of.get("thermo") != "perfectGas" or not facts.p \
-                or not os.path.exists(facts.case.file("0/T." + name)):
+def pressure(facts):
+    """Of the start, in bar. Temperatures in degrees Celsius the programs find themselves."""
+    for name in facts.media:
+        temperature = facts.case.file("0/T." + name)
+        if not facts.p or not os.path.exists(temperature):
             continue
-        p = np.min(facts.case.field("0", "p"))
-        T = np.min(facts.case.field("0", "T." + name))
+        p, T = np.min(facts.case.field("0", "p")), np.min(facts.case.field("0", "T." + name))
         if 0 < p < 100 and T > 100:
             yield Finding("warning", "0/p", "internalField", f"{p:g} Pa at {T:g} K",
-                          "in Pa: 1e5 for 1 bar", "fluids.md")
-        if p > 1000 and 0 < T < 60:
-            yield Finding("warning", "0/T." + name, "internalField", f"{T:g} K at {p:g} Pa",
-                          "in K: 293 for 20 degrees Celsius", "fluids.md")
+                          "in Pa: 1e5 for 1 bar", "fluids.md#gas")
+            return
 
 
 def duration(facts):
@@ -311,8 +323,7 @@ def wavesLeave(facts):
     for patch, corners in _patchPoints(facts.case, x).items():
         kind = conditions.get(patch, {}).get("type")
         if facts.patches.get(patch) in ("empty", "wedge", "cyclic", "symmetry", "symmetryPlane",
-                                        "wall") or kind in (None, *OPEN) \
-                or kind == "zeroGradient" and _wall(facts, patch):
+                                        "wall") or kind in (None, *OPEN):
             continue
         gap = np.maximum(0, np.maximum(low - corners, corners - high))[:, facts.axes]
         way = float(np.sqrt((gap**2).sum(axis=1)).min())
@@ -325,22 +336,8 @@ def wavesLeave(facts):
                           "fluids.md#open-boundaries")
 
 
-def _wall(facts, patch):
-    """Do the velocities of the gas or fluids stay at a patch?"""
-    for name in ("U", *("U." + n for n in facts.media)):
-        path = facts.case.file("0", name)
-        if os.path.exists(path):
-            try:
-                kind = readDictionary(path, facts.case.path)["boundaryField"][patch]["type"]
-            except (DictionaryError, KeyError, TypeError):
-                return True
-            return kind in ("slip", "noSlip", "fixedValue", "symmetry")
-    return True
-
-
 def _patchPoints(case, x):
     """Corners of the faces of each patch."""
-    from mpm.files import readLists
     faces = readLists(case.file("constant/polyMesh/faces"))
     with open(case.file("constant/polyMesh/boundary"), "rb") as f:
         rows = re.findall(r"(\S+)\s*\{[^}]*?nFaces\s+(\d+);\s*startFace\s+(\d+);",
@@ -368,17 +365,16 @@ def locking(facts):
     if facts.nDim < 2 or facts.shape == "nodeDual" \
             or facts.solution.get("dilatation", "point") == "cellMean":
         return
+    plastic = [n for n, phase in facts.phases.items() if phase.law in PLASTIC and phase.n]
+    if plastic:
+        yield Finding("note", SOLUTION, "materialPoints.dilatation", f"plastic flow of "
+                      f"{', '.join(plastic)} keeps its volume: with {facts.shape} and dilatation "
+                      "point bending is too stiff, and pressures scatter",
+                      "dilatation cellMean; after impact also pressureFilter 0.02",
+                      "schemes.md#locking")
     for name, phase in facts.phases.items():
         nu = _poisson(facts.lawOf(name))
-        if phase.law in LIQUIDS:
-            continue
-        if phase.law in PLASTIC:
-            yield Finding("note", SOLUTION, "materialPoints.dilatation", f"{name} may flow "
-                          f"plastically, which keeps its volume: with {facts.shape} it is too "
-                          "stiff in bending, and its pressure scatters",
-                          "dilatation cellMean; after impact also pressureFilter 0.02",
-                          "schemes.md#locking")
-        elif nu is not None and nu >= LOCKS:
+        if nu is not None and nu >= LOCKS and phase.law not in (*LIQUIDS, *PLASTIC):
             yield Finding("warning", SOLUTION, "materialPoints.dilatation", f"{name} is nearly "
                           f"incompressible (Poisson number {nu:.4g}): with {facts.shape} and "
                           "dilatation point its cells lock", "dilatation cellMean",
@@ -461,13 +457,13 @@ def pointsInCells(facts):
 
 
 def damage(facts):
-    for name in facts.phases:
-        failure = facts.of(name).get("failureModel", {})
-        if isinstance(failure, dict) and failure.get("type", "").startswith("maxPrincipal") \
-                and "Gf" not in failure:
-            yield Finding("note", PHASES, f"{name}.failureModel.Gf", "without Gf the energy of "
-                          "cracks follows the width of the cells", "Gf [J/m2] of the material",
-                          "materials.md#energy-of-failure")
+    names = [n for n in facts.phases for failure in [facts.of(n).get("failureModel", {})]
+             if isinstance(failure, dict) and "Gf" not in failure
+             and str(failure.get("type")).startswith("maxPrincipal")]
+    if names:
+        yield Finding("note", PHASES, f"failureModel of {', '.join(names)}", "without Gf the energy "
+                      "of cracks follows the width of the cells", "Gf [J/m2] of the material",
+                      "materials.md#energy-of-failure")
 
 
 def writing(facts):
@@ -475,10 +471,10 @@ def writing(facts):
     inTime = facts.control.get("writeControl") in ("adjustableRunTime", "adjustable", "runTime")
     if isinstance(interval, (int, float)) and inTime and interval > facts.end*(1 + 1e-9):
         yield Finding("note", CONTROL, "writeInterval", f"{interval:g} s is longer than the run: "
-                      "only its end is written", "a part of endTime", "output.md")
+                      "only its end is written", "a part of endTime", "output.md", "beyond endTime")
 
 
-RULES = (densities, waveSpeeds, strengths, meshSize, gravity, start, duration, wavesLeave, locking,
+RULES = (densities, waveSpeeds, strengths, meshSize, gravity, pressure, duration, wavesLeave, locking,
          courant, transfers, shapes, shocks, pointsInCells, damage, writing)
 
 
