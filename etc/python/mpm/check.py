@@ -138,9 +138,12 @@ class Check:
             return
         with open(path, errors="replace") as f:
             text = f.read()
-        own = [w for w in ("makeMesh", "startValues") if re.search(rf"^ *{w} *\(\)", text, re.M)
+        own = [w for w in ("startValues", "makeMesh") if re.search(rf"^ *{w} *\(\)", text, re.M)
                and not (w == "makeMesh" and self.hasMesh)]
-        own += re.findall(r"^\"\$MPM_PYTHON\" (\w+\.py)", text.split("runCase")[0], re.M)
+        if re.search(r"startValues\(\) \{ runApplication setFields; \}", text):
+            own.remove("startValues")       # mpmCheck runs it
+        if "\nrunCase" in text:
+            own += re.findall(r"^\"\$MPM_PYTHON\" (\w+\.py)", text.split("\nrunCase")[0], re.M)
         if own:
             self._find("note", "Allrun", "", f"it has steps of its own before the run "
                        f"({', '.join(own)}), which mpmCheck does not know: what it tells may be "
@@ -172,8 +175,10 @@ class Check:
     def _warning(self, name, text):
         text = re.sub(r"^ *(From .*|in file .*)\n", "", text, flags=re.M)
         place = re.match(r'\s*Reading "([^"]*?)"[^\n]*\n', text)
-        file, entry = _place(place[1]) if place else ("", "")
+        file, entry = _place(place[1]) if place else _named(text)
         text = " ".join((text[place.end():] if place else text).split())
+        if "Increased the timePrecision" in text:       # of the trial's own times
+            return
         if not any(f.text.startswith(text) for f in self.findings):
             self._find("warning", file, entry, f"{text} ({name})", *_remedy(text))
 
@@ -222,18 +227,20 @@ class Check:
         self._readLog("materialPointFoam")
         t = self.trial
         where = "1 core" if self.ranks == 1 else f"{self.ranks} ranks"
-        self._line("trial", f"{t.nTrial} steps, {1e3*t.perStep:.3g} ms of CPU for a step on {where}")
+        self._line("trial", f"{t.nTrial} steps, {1e3*t.perStep:.3g} ms of CPU for a step on "
+                   + where)
         self._line("time step", f"{t.deltaT:.4g} s at least, set by {t.setBy}")
-        self._line("run", f"about {t.steps} steps to endTime {t.end:g} s, {_duration(t.seconds)} on "
-                   f"{where}, if the time step stays")
+        self._line("run", f"about {t.steps} steps to endTime {t.end:g} s, {_duration(t.seconds)} "
+                   f"on {where}, if the time step stays")
         self._line("output", f"{t.writes} times of {_bytes(t.written)} each, together "
                    f"{_bytes(t.writes*t.written)}, beside tables")
         self._line("memory", _bytes(t.memory*2**20) + (
             "" if self.ranks == 1 else " of the largest rank") + ", as in the trial")
         cores = len(os.sched_getaffinity(0))
         if self.ranks > cores:
-            self._find("note", "", "", f"{self.ranks} ranks on {cores} cores: the times above are "
-                       "those of ranks that wait for each other", "", "running.md#several-processors")
+            self._find("note", "", "", f"{self.ranks} ranks on {cores} cores: the times above "
+                       "are those of ranks that wait for each other", "",
+                       "running.md#several-processors")
 
     def _log(self, name):
         return self.case.log(name) if os.path.exists(self.case.file("log." + name)) else ""
@@ -249,6 +256,15 @@ def _place(path):
         return path.replace(".boundaryField", ""), ""
     file, _, entry = name.partition(".")
     return os.path.join(folder, file), entry
+
+
+def _named(text):
+    """File and entry that a message without a place names."""
+    file = re.search(r'"((?:constant|system|0)/[^"]*)"', text)
+    region = re.match(r"\s*Region (\w+)\b", text)
+    if region and not file:
+        return checkRules.REGIONS, "regions." + region[1]
+    return (file[1] if file else ""), ""
 
 
 def _remedy(message):
@@ -271,7 +287,8 @@ def _remedy(message):
 
 
 def _duration(seconds):
-    for unit, length, least in (("days", 86400, 172800), ("hours", 3600, 5400), ("minutes", 60, 120)):
+    for unit, length, least in (("days", 86400, 172800), ("hours", 3600, 5400),
+                                ("minutes", 60, 120)):
         if seconds >= least:
             return f"{seconds/length:.2g} {unit}"
     return f"{seconds:.2g} s"
@@ -303,11 +320,10 @@ def write(check, out):
     print("\n" + (", ".join(words) if words else "Nothing found."), file=out)
 
 
-def _ranks(text):
-    n = int(text)
-    if n < 1:
-        raise ValueError
-    return n
+def _count(text):
+    if not re.fullmatch(r"0*[1-9]\d*", text):
+        raise argparse.ArgumentTypeError(f"{text}: a whole number, 1 or more")
+    return int(text)
 
 
 def main(arguments=None):
@@ -317,11 +333,11 @@ def main(arguments=None):
         description="What a case will be, and what is probably wrong with it, before it runs.",
         epilog="Exit code: 0 nothing found, 1 warnings, 2 the case does not start.")
     parser.add_argument("case", nargs="?", default=".", help="folder of the case (this one)")
-    parser.add_argument("-n", type=_ranks, default=1, metavar="ranks",
+    parser.add_argument("-n", type=_count, default=1, metavar="ranks",
                         help="try on so many ranks (1)")
     parser.add_argument("-noTrial", action="store_true",
                         help="no steps: dictionaries, mesh, points and the solver's start alone")
-    parser.add_argument("-steps", type=_ranks, metavar="N",
+    parser.add_argument("-steps", type=_count, metavar="N",
                         help="steps of the trial (40, of small cases more)")
     given = parser.parse_args(arguments)
     check = Check(given.case, given.n, not given.noTrial, given.steps)

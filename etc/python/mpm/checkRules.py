@@ -425,8 +425,8 @@ def shapes(facts):
         return
     if facts.shape == "linear":
         better = "GIMP" if facts.lattice else "nodeDual"
-        yield Finding("note", SOLUTION, "materialPoints.shapeFunction", "linear is noisy as soon as "
-                      "points cross cells", better, "schemes.md#shape-functions")
+        yield Finding("note", SOLUTION, "materialPoints.shapeFunction",
+                      "linear is noisy as soon as points cross cells", better, "schemes.md#shape-functions")
     if facts.shape == "nodeDual" and facts.lattice:
         yield Finding("note", SOLUTION, "materialPoints.shapeFunction", "nodeDual on boxes is less "
                       "accurate than GIMP", "GIMP", "schemes.md#shape-functions")
@@ -441,9 +441,9 @@ def shocks(facts):
         law = facts.lawOf(name)
         if "equationOfState" in law and "bulkViscosity" not in law and phase.speed \
                 and fastest > 0.05*phase.speed:
-            yield Finding("note", PHASES, f"{name}.constitutiveModel.bulkViscosity", f"{fastest:g} "
-                          f"m/s is a strong shock in {name} ({phase.speed:.4g} m/s), and FLIP rings "
-                          "there", "bulkViscosity in the law", "materials.md")
+            yield Finding("note", PHASES, f"{name}.constitutiveModel.bulkViscosity",
+                          f"{fastest:g} m/s is a strong shock in {name} ({phase.speed:.4g} m/s), "
+                          "and FLIP rings there", "bulkViscosity in the law", "materials.md")
 
 
 def pointsInCells(facts):
@@ -451,8 +451,8 @@ def pointsInCells(facts):
         per = [r.get("pointsPerCell") for r in facts.regions.values()
                if isinstance(r, dict) and r.get("phase") == name]
         if facts.nDim > 1 and 1 in per and phase.law != "a rigid body":
-            yield Finding("note", REGIONS, f"regions of {name}, pointsPerCell", "1 point in a cell: "
-                          "bodies that stretch come apart early", "pointsPerCell 2",
+            yield Finding("note", REGIONS, f"regions of {name}, pointsPerCell",
+                          "1 point in a cell: bodies that stretch come apart early", "pointsPerCell 2",
                           "bodies.md")
 
 
@@ -461,8 +461,8 @@ def damage(facts):
              if isinstance(failure, dict) and "Gf" not in failure
              and str(failure.get("type")).startswith("maxPrincipal")]
     if names:
-        yield Finding("note", PHASES, f"failureModel of {', '.join(names)}", "without Gf the energy "
-                      "of cracks follows the width of the cells", "Gf [J/m2] of the material",
+        yield Finding("note", PHASES, f"failureModel of {', '.join(names)}",
+                      "without Gf the energy of cracks follows the width of the cells", "Gf [J/m2] of the material",
                       "materials.md#energy-of-failure")
 
 
@@ -474,8 +474,8 @@ def writing(facts):
                       "only its end is written", "a part of endTime", "output.md", "beyond endTime")
 
 
-RULES = (densities, waveSpeeds, strengths, meshSize, gravity, pressure, duration, wavesLeave, locking,
-         courant, transfers, shapes, shocks, pointsInCells, damage, writing)
+RULES = (densities, waveSpeeds, strengths, meshSize, gravity, pressure, duration, wavesLeave,
+         locking, courant, transfers, shapes, shocks, pointsInCells, damage, writing)
 
 
 def findings(facts):

@@ -116,7 +116,9 @@ class Trial:
         self.seconds = self.steps*self.perStep + self.writes*self.perWrite
 
     def _stepsTo(self, time, deltaT):
-        left = max(0.0, self.end - time)
+        left = self.end - time
+        if left <= 0:       # the trial was longer than the run
+            return math.ceil((self.end - self.startTime)/deltaT*(1 - 1e-9))
         if self.adjustable and self.interval and self.interval > deltaT:
             each = math.ceil(self.interval/deltaT*(1 - 1e-9))
             return self.nTrial + math.ceil(left/self.interval*each)
