@@ -97,7 +97,7 @@ class Case:
     def set(self, path, entry, value, add=False):
         """Another value of an entry: "target.constitutiveModel.E" or, if there is only one in
         the target, "target.E". Text as it is, numbers, True and False, lists, dict. add: it may
-        be new. Comments and layout stay."""
+        be new, and the path is the whole one. Comments and layout stay."""
         try:
             text = setEntry(self._text(path), entry, value, add)
         except DictionaryError as error:

@@ -153,6 +153,7 @@ class Check:
 
     def _program(self, name, *options):
         """Run a program; what it warns of and its error are findings."""
+        self._say(" ".join((name, *options)))
         try:
             self.case.run(name, *options)
         except RunFailed:
@@ -164,6 +165,11 @@ class Check:
                        "source etc/bashrc, build with Allwmake", "README.md#install-and-build")
             raise RunFailed from None
         self._readLog(name)
+
+    def _say(self, text):
+        """Who waits sees at what."""
+        if sys.stderr.isatty():
+            print(f"mpmCheck: {text} ...", file=sys.stderr, flush=True)
 
     def _own(self, text):
         return text.replace(self.case.path + "/", "")
@@ -213,34 +219,44 @@ class Check:
             self._line(name, facts.media[name])
 
     def _try(self):
-        """Some steps of the copy."""
-        self.trial = Trial(self.case, self.ranks)
-        try:
-            self.trial.run(self.nSteps)
-        except RunFailed:
-            name = "materialPointFoam"
-            if self.ranks > 1 and "FATAL" in self._log("decomposePar"):
-                name = "decomposePar"
-            self._readLog(name)
-            self._fatal(name, "materialPointFoam" if name != "decomposePar" else name)
-            raise
-        self._readLog("materialPointFoam")
+        """Some steps of the copy: on one processor, then on the ranks."""
+        own = self.case.file("system/controlDict")
+        shutil.copy(own, own + ".own")
+        for ranks in {1: 1, self.ranks: self.ranks}:
+            shutil.copy(own + ".own", own)
+            trial = Trial(self.case, ranks)
+            self._say(f"a few steps on {_cores(ranks)}")
+            try:
+                trial.run(self.nSteps)
+            except RunFailed:
+                name = "materialPointFoam"
+                if ranks > 1 and "FATAL" in self._log("decomposePar"):
+                    name = "decomposePar"
+                self._readLog(name)
+                self._fatal(name, f"{name} on {_cores(ranks)}")
+                raise
+            self._readLog("materialPointFoam")
+            self._tellTrial(trial)
+            self.trial = self.trial or trial
         t = self.trial
-        where = "1 core" if self.ranks == 1 else f"{self.ranks} ranks"
-        self._line("trial", f"{t.nTrial} steps, {1e3*t.perStep:.3g} ms of CPU for a step on "
-                   + where)
-        self._line("time step", f"{t.deltaT:.4g} s at least, set by {t.setBy}")
-        self._line("run", f"about {t.steps} steps to endTime {t.end:g} s, {_duration(t.seconds)} "
-                   f"on {where}, if the time step stays")
         self._line("output", f"{t.writes} times of {_bytes(t.written)} each, together "
                    f"{_bytes(t.writes*t.written)}, beside tables")
-        self._line("memory", _bytes(t.memory*2**20) + (
-            "" if self.ranks == 1 else " of the largest rank") + ", as in the trial")
         cores = len(os.sched_getaffinity(0))
         if self.ranks > cores:
-            self._find("note", "", "", f"{self.ranks} ranks on {cores} cores: the times above "
+            self._find("note", "", "", f"{self.ranks} ranks on {cores} cores: their times above "
                        "are those of ranks that wait for each other", "",
                        "running.md#several-processors")
+
+    def _tellTrial(self, t):
+        where = _cores(t.ranks)
+        self._line("trial", f"{t.nTrial} steps, {1e3*t.perStep:.3g} ms of CPU for a step on "
+                   + where)
+        if t.ranks == 1:
+            self._line("time step", f"{t.deltaT:.4g} s at least, set by {t.setBy}")
+        self._line("run", f"about {t.steps} steps to endTime {t.end:g} s, {_duration(t.seconds)} "
+                   f"on {where}, if the time step stays")
+        self._line("memory", _bytes(t.memory*2**20) + (
+            "" if t.ranks == 1 else f" of the largest of {t.ranks} ranks") + ", as in the trial")
 
     def _log(self, name):
         return self.case.log(name) if os.path.exists(self.case.file("log." + name)) else ""
@@ -284,6 +300,10 @@ def _remedy(message):
                 text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", row[2]).replace("`", "")
                 return text, page + heading
     return "", page
+
+
+def _cores(ranks):
+    return "1 core" if ranks == 1 else f"{ranks} ranks"
 
 
 def _duration(seconds):
@@ -334,14 +354,17 @@ def main(arguments=None):
         epilog="Exit code: 0 nothing found, 1 warnings, 2 the case does not start.")
     parser.add_argument("case", nargs="?", default=".", help="folder of the case (this one)")
     parser.add_argument("-n", type=_count, default=1, metavar="ranks",
-                        help="try on so many ranks (1)")
+                        help="try on so many ranks, too")
     parser.add_argument("-noTrial", action="store_true",
                         help="no steps: dictionaries, mesh, points and the solver's start alone")
     parser.add_argument("-steps", type=_count, metavar="N",
                         help="steps of the trial (40, of small cases more)")
     given = parser.parse_args(arguments)
     check = Check(given.case, given.n, not given.noTrial, given.steps)
-    code = check.run()
+    try:
+        code = check.run()
+    except KeyboardInterrupt:
+        return 130
     write(check, sys.stdout)
     return code
 

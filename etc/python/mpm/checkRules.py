@@ -426,7 +426,8 @@ def shapes(facts):
     if facts.shape == "linear":
         better = "GIMP" if facts.lattice else "nodeDual"
         yield Finding("note", SOLUTION, "materialPoints.shapeFunction",
-                      "linear is noisy as soon as points cross cells", better, "schemes.md#shape-functions")
+                      "linear is noisy as soon as points cross cells", better,
+                      "schemes.md#shape-functions")
     if facts.shape == "nodeDual" and facts.lattice:
         yield Finding("note", SOLUTION, "materialPoints.shapeFunction", "nodeDual on boxes is less "
                       "accurate than GIMP", "GIMP", "schemes.md#shape-functions")
@@ -452,8 +453,8 @@ def pointsInCells(facts):
                if isinstance(r, dict) and r.get("phase") == name]
         if facts.nDim > 1 and 1 in per and phase.law != "a rigid body":
             yield Finding("note", REGIONS, f"regions of {name}, pointsPerCell",
-                          "1 point in a cell: bodies that stretch come apart early", "pointsPerCell 2",
-                          "bodies.md")
+                          "1 point in a cell: bodies that stretch come apart early",
+                          "pointsPerCell 2", "bodies.md")
 
 
 def damage(facts):
@@ -462,8 +463,8 @@ def damage(facts):
              and str(failure.get("type")).startswith("maxPrincipal")]
     if names:
         yield Finding("note", PHASES, f"failureModel of {', '.join(names)}",
-                      "without Gf the energy of cracks follows the width of the cells", "Gf [J/m2] of the material",
-                      "materials.md#energy-of-failure")
+                      "without Gf the energy of cracks follows the width of the cells",
+                      "Gf [J/m2] of the material", "materials.md#energy-of-failure")
 
 
 def writing(facts):

@@ -2,7 +2,7 @@
 
     text = setEntry(text, "target.constitutiveModel.E", 7e10)   # where it is now
     text = setEntry(text, "target.E", 7e10)         # short: if there is only one of that name
-    text = setEntry(text, "materialPoints.order", 3, add=True)
+    text = setEntry(text, "materialPoints.order", 3, add=True)      # that very path
     value = getEntry(text, "target.E")              # number, yes and no, list, dict or text
     tree = readDictionary("system/fvSolution")      # all, with $, #include, #calc done
 
@@ -117,6 +117,8 @@ def _exactly(entry, path):
 def _within(entry, path, above=""):
     """(path, entry) of a short path: of the entries below whose last names these are."""
     for child in entry.entries or ():
+        if child.name == "FoamFile":
+            continue
         place = above + child.name
         if child.name == path:
             yield place, child
@@ -162,10 +164,10 @@ def getEntry(text, path):
 
 
 def setEntry(text, path, new, add=False):
-    """The text with another value of an entry. add: it may be missing, the dictionary in which
-    it belongs may not."""
+    """The text with another value of an entry. add: the path is no short one, and may be missing,
+    but not the dictionary in which it belongs."""
     tree = parse(text)
-    entry = findEntry(tree, path)
+    entry = _exactly(tree, path) if add else findEntry(tree, path)
     if entry:
         column = entry.start - text.rfind("\n", 0, entry.start) - 1
         written = _written(new, column if entry.entries is not None else 0)
@@ -176,7 +178,7 @@ def setEntry(text, path, new, add=False):
     if not add:
         raise DictionaryError(_lacking(tree, path) + " (add=True puts it there)")
     above, name = re.fullmatch(r"(?:(.*)[./])?([^./]+)", path).groups()
-    inside = findEntry(tree, above) if above else tree
+    inside = _exactly(tree, above) if above else tree
     if inside is None or inside.entries is None:
         raise DictionaryError(_lacking(tree, above) + ": nothing to put " + name + " into")
     if inside is tree:

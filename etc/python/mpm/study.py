@@ -69,6 +69,8 @@ class Study:
                              + ", ".join(f"{len(v)} of {n}" for n, v in zip(parameters, lists)))
         if combine not in ("grid", "list"):
             raise ValueError(f"combine {combine} is none of grid, list")
+        for parameter in self.parameters.values():
+            parameter.check(Case(self.base))
         rows = itertools.product(*lists) if combine == "grid" else zip(*lists)
         self.points = [dict(zip(parameters, row)) for row in rows]
         names = [self._name(point) for point in self.points]
@@ -174,16 +176,22 @@ class _Parameter:
     """Values of one name, and where they go."""
 
     def __init__(self, name, *spec):
+        self.entry = None
         if len(spec) == 2 and callable(spec[0]):
             self.function, values = spec
         elif len(spec) == 3:
-            self.function = lambda case, value: case.set(spec[0], spec[1], value)
-            values = spec[2]
+            *self.entry, values = spec
+            self.function = lambda case, value: case.set(*self.entry, value)
         else:
             raise ValueError(f"parameter {name}: (file, entry, values) or (function, values)")
         self.values = values if isinstance(values, dict) else {_key(v): v for v in values}
         if not self.values:
             raise ValueError(f"parameter {name} has no values")
+
+    def check(self, base):
+        """Before anything runs: an entry that is not there is an error (DictionaryError)."""
+        if self.entry:
+            base.get(*self.entry)
 
     def apply(self, case, shown):
         self.function(case, self.values[shown])

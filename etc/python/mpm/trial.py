@@ -31,7 +31,8 @@ class Trial:
         self.end = float(control.get("endTime", math.nan))
         self.startTime = float(control.get("startTime", 0)) \
             if control.get("startFrom") == "startTime" else 0.0
-        self.interval = control.get("writeInterval")
+        interval = control.get("writeInterval")
+        self.interval = interval if isinstance(interval, (int, float)) else None
         self.inSteps = control.get("writeControl", "timeStep") == "timeStep"
         self.adjustable = control.get("writeControl") in ("adjustableRunTime", "adjustable")
         self.steps = self.seconds = self.memory = self.written = math.nan
@@ -116,13 +117,13 @@ class Trial:
         self.seconds = self.steps*self.perStep + self.writes*self.perWrite
 
     def _stepsTo(self, time, deltaT):
-        left = self.end - time
+        done, left = self.nTrial, self.end - time
         if left <= 0:       # the trial was longer than the run
-            return math.ceil((self.end - self.startTime)/deltaT*(1 - 1e-9))
+            done, left = 0, self.end - self.startTime
         if self.adjustable and self.interval and self.interval > deltaT:
             each = math.ceil(self.interval/deltaT*(1 - 1e-9))
-            return self.nTrial + math.ceil(left/self.interval*each)
-        return self.nTrial + math.ceil(left/deltaT*(1 - 1e-9))
+            return done + math.ceil(left/self.interval*each)
+        return done + math.ceil(left/deltaT*(1 - 1e-9))
 
     def _writes(self):
         """How often the run writes: its end at least."""

@@ -37,6 +37,13 @@ def guide(table):
     case = FoamCase("python", "guide/myCase", os.path.join(PROJECT, "etc/caseTemplate"))
     for application in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
         case.run(application)
+    first = case.points("0", "target")
+    before = [first["id"], first["x"], case.nCells()]
+    for path in ("0/lagrangian/target/id", "0/lagrangian/target/x", "constant/polyMesh/owner"):
+        subprocess.run(["gzip", case.file(path)], check=True)
+    after = [first["id"], first["x"], case.nCells()]
+    table.check("guide: compressed files are the same", all(map(np.array_equal, before, after))
+                and "x" in first.keys() and not os.path.exists(first.paths[0] + "/x"), after[2])
     for name, block in zip(("read", "change", "study"), blocks):
         path = os.path.join(folder, name + ".py")
         with open(path, "w") as f:
@@ -114,6 +121,13 @@ def dictionaries(table):
     read = foamDictionary(case, "system/fvSolution", "materialPoints/maxStrain")
     table.check("dictionaries: a new entry is read", float(read) == 0.1, read.strip())
 
+    try:
+        case.points("0", "flyr")["x"]
+        said = ""
+    except FileNotFoundError as error:
+        said = str(error)
+    table.check("a cloud that is not there is an error", "no clouds at this time" in said,
+                said[-60:])
     text = "a { x 1; b { y 2; } }\nc { y 3; }\n"
     for path, words in (("y", "a.b.y, c.y"), ("a.z", "a has x, b"), ("q", "the file has a, c")):
         try:
@@ -173,6 +187,13 @@ def study(table):
                              "Co": ("system/controlDict", "maxCo", [0.1, 0.2])}, {},
                  combine="list")
     table.row("study: runs of combine list", 2, len(both.points), 0)
+    try:
+        Study(base.path, {"E": ("constant/phaseProperties", "bar.e", [1.0])}, {})
+        said = ""
+    except DictionaryError as error:
+        said = str(error)
+    table.check("study: an entry that is not there is an error before anything runs",
+                "no entry bar.e; bar has constitutiveModel" in said, said[-60:])
     try:
         last("balance/bar.dat", "Pq")(made.case(E=400.0))
         said = ""
