@@ -38,6 +38,10 @@ class Check:
 
     def run(self):
         """All of it; the exit code."""
+        if "WM_PROJECT_DIR" not in os.environ:
+            self._find("error", "", "", "the settings of OpenFOAM are missing in this shell",
+                       "source etc/bashrc of materialPointFoam", "README.md#install-and-build")
+            return 2
         lacking = [n for n in ("system/controlDict", "constant")
                    if not os.path.exists(os.path.join(self.path, n))]
         if lacking:
@@ -298,7 +302,7 @@ def _remedy(message):
             pieces = [p.strip() for p in row[1].split("...") if p.strip()] if row else []
             if pieces and all(" ".join(p.split()) in message for p in pieces):
                 text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", row[2]).replace("`", "")
-                return text, page + heading
+                return re.sub("^a warning[^:]*: ", "", text), page + heading
     return "", page
 
 
@@ -328,13 +332,15 @@ def write(check, out):
     for name, text in check.lines:
         print(f"{name:{width}}  {text}", file=out)
     order = ("error", "warning", "note")
+    lead = "\n" if check.lines else ""
     for f in sorted(check.findings, key=lambda f: order.index(f.kind)):
         place = ", ".join(p for p in (f.file, f.entry) if p)
-        print(f"\n{f.kind}: {place + ': ' if place else ''}{f.text}", file=out)
+        print(f"{lead}{f.kind}: {place + ': ' if place else ''}{f.text}", file=out)
         if f.remedy:
             print(f"    do: {f.remedy}", file=out)
         if f.page:
             print(f"    see doc/guide/{f.page}", file=out)
+        lead = "\n"
     count = {k: sum(f.kind == k for f in check.findings) for k in order}
     words = [f"{n} {k}{'s' if n > 1 else ''}" for k, n in count.items() if n]
     print("\n" + (", ".join(words) if words else "Nothing found."), file=out)

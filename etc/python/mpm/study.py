@@ -166,8 +166,10 @@ class Study:
         else:
             case.prepare()
             case.run("materialPointFoam")
-        if self._stopped.is_set():
-            raise RunFailed("interrupted")
+        log = case.file("log.materialPointFoam")
+        signal = os.path.exists(log) and re.search(r"^Signal .* was received", case.log(), re.M)
+        if self._stopped.is_set() or signal:
+            raise RunFailed(signal[0] if signal else "interrupted")
         with open(case.file(RECORD), "w") as f:
             json.dump(case.digest, f)
 

@@ -156,6 +156,12 @@ def series(base, folder, modulus=(100.0, 400.0, -1.0)):
                  steps=start)
 
 
+def stopped(case):
+    """As the log of a run that a signal has ended, which gives exit code 0."""
+    with open(case.file("log.materialPointFoam"), "w") as f:
+        f.write("\nSignal 15 (Terminated) was received.\n")
+
+
 def study(table):
     base = barRun("python", "bar", {"shapeFunction": "GIMP", "transfer": "FLIP"}, 32)[0]
     base.set("system/controlDict", "endTime", 2.5*T)
@@ -182,6 +188,11 @@ def study(table):
     changed = series(base.path, folder, (100.0,)).run(2)
     table.check("study: it is where the case has changed", changed["state"][0] == "ran"
                 and changed["steps"][0] < rows["steps"][0], changed["state"][0])
+
+    ended = [Study(base.path, {}, {}, folder=os.path.join(folder, "stopped"),
+                   steps=stopped).run()["state"][0] for _ in range(2)]
+    table.check("study: a run that a signal has ended has not run", all(
+        state.startswith("failed: Signal 15") for state in ended), ended)
 
     both = Study(base.path, {"E": ("constant/phaseProperties", "bar.E", [1.0, 2.0]),
                              "Co": ("system/controlDict", "maxCo", [0.1, 0.2])}, {},
