@@ -79,6 +79,9 @@ class Study:
         self._stopped = threading.Event()
 
     def _name(self, point):
+        """The folder of a run: its values; of one parameter with words the word."""
+        if len(point) == 1 and isinstance(next(iter(point.values())), str):
+            return next(iter(point.values()))
         return "-".join(re.sub(r"[^\w.+-]+", "_", f"{n}_{_text(v)}").rstrip("_")
                         for n, v in point.items()) or "base"
 
@@ -148,7 +151,10 @@ class Study:
         """Of all files of a case before it runs, and of its steps."""
         made = hashlib.sha256()
         if self.steps:
-            made.update(inspect.getsource(self.steps).encode())
+            try:
+                made.update(inspect.getsource(self.steps).encode())
+            except OSError:             # typed in, not in a file
+                pass
         for root, folders, names in os.walk(case.path):
             folders.sort()
             for name in sorted(n for n in names if not n.startswith("log.")):
