@@ -30,6 +30,8 @@ PLASTIC = ("J2Plasticity", "JohnsonCook")
 LIQUIDS = ("NewtonianFluid",)
 #: Conditions of p that let most of a wave out (doc/guide/fluids.md), or have it at a wall
 OPEN = ("farField", "waveTransmissive", "advective", "zeroGradient")
+#: Types of patches through which nothing shall go
+CLOSED = ("empty", "wedge", "cyclic", "symmetry", "symmetryPlane", "wall")
 
 
 @dataclass
@@ -313,18 +315,18 @@ def duration(facts):
 def wavesLeave(facts):
     """Open sides of a gas or fluids that send waves back before the end."""
     conditions = facts.p.get("boundaryField", {})
-    if not facts.sound or not conditions:
+    sends = [patch for patch, of in conditions.items() if isinstance(of, dict)
+             and facts.patches.get(patch) not in (None, *CLOSED)
+             and of.get("type") not in (None, *OPEN)]
+    if not facts.sound or not sends:
         return
     low = np.min([p.low for p in facts.phases.values() if p.n] or [facts.low], axis=0)
     high = np.max([p.high for p in facts.phases.values() if p.n] or [facts.high], axis=0)
     if not facts.points:
         low = high = (facts.low + facts.high)/2
     x = readField(facts.case.file("constant/polyMesh/points"))
-    for patch, corners in _patchPoints(facts.case, x).items():
-        kind = conditions.get(patch, {}).get("type")
-        if facts.patches.get(patch) in ("empty", "wedge", "cyclic", "symmetry", "symmetryPlane",
-                                        "wall") or kind in (None, *OPEN):
-            continue
+    for patch, corners in _patchPoints(facts.case, x, sends).items():
+        kind = conditions[patch]["type"]
         gap = np.maximum(0, np.maximum(low - corners, corners - high))[:, facts.axes]
         way = float(np.sqrt((gap**2).sum(axis=1)).min())
         time = 2*way/facts.sound
@@ -336,14 +338,14 @@ def wavesLeave(facts):
                           "fluids.md#open-boundaries")
 
 
-def _patchPoints(case, x):
-    """Corners of the faces of each patch."""
+def _patchPoints(case, x, patches):
+    """Corners of the faces of some patches."""
     faces = readLists(case.file("constant/polyMesh/faces"))
     with open(case.file("constant/polyMesh/boundary"), "rb") as f:
         rows = re.findall(r"(\S+)\s*\{[^}]*?nFaces\s+(\d+);\s*startFace\s+(\d+);",
                           f.read().decode("latin-1"))
     return {name: x[np.unique(np.concatenate(faces[int(s):int(s) + int(n)]))]
-            for name, n, s in rows if int(n)}
+            for name, n, s in rows if int(n) and name in patches}
 
 
 # --- schemes -------------------------------------------------------------------
@@ -354,6 +356,8 @@ def _poisson(law):
         value = law.get(name)
         return value if isinstance(value, (int, float)) and value > 0 else None
     nu, E, G, K = (number(n) for n in ("nu", "E", "G", "K"))
+    if number("c10"):                           # MooneyRivlin
+        G = 2*(law["c10"] + (number("c01") or 0))
     if nu is not None:
         return nu
     if K and G:

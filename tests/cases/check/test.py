@@ -47,6 +47,9 @@ MISTAKES = {
     "gravity in km/s2": ([("constant/g", "value", (0, -9.81e-3, 0))], "m/s2", "constant/g"),
     "velocity in mm/s": ([(REGIONS, "flyer.velocity", (0, -50e3, 0))], "wave speed", REGIONS),
     "nearly incompressible": ([(PHASES, "target.nu", 0.499)], "incompressible", SOLUTION),
+    "rubber": ([(PHASES, "flyer.constitutiveModel", {
+        "type": "MooneyRivlin", "rho": 1000.0, "c10": 1e6, "c01": 1e5, "K": 1e9})],
+        "incompressible", SOLUTION),
     "maxCo": ([(CONTROL, "maxCo", 0.8)], "0.8 with GIMP", CONTROL),
     "moment with linear": ([(SOLUTION, "materialPoints", {
         "shapeFunction": "linear", "transfer": "APIC", "affineMatrix": "moment"})], "blows up",
