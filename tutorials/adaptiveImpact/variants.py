@@ -15,4 +15,4 @@ def even(case, n):
 
 if __name__ == "__main__":
     fine = {"even128": (128,)} if os.environ.get("MPM_FINE") else {}
-    runVariants({**EVEN, **fine}, ("U.rod", "U.target"), even)
+    runVariants({**EVEN, **fine}, even)

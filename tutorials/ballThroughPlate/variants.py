@@ -73,5 +73,5 @@ SERIES = {"fine": (refine,), "aluminium": (soften,), "ductile": (ductile,),
 ALL = {**SERIES, "quarter": (quarter,)}
 
 if __name__ == "__main__":
-    runVariants({name: ALL[name] for name in sys.argv[1:] or SERIES}, ("U.ball", "U.plate"),
+    runVariants({name: ALL[name] for name in sys.argv[1:] or SERIES},
                 lambda case, change: change(case))

@@ -2,8 +2,6 @@
 same points in both; filled, with a charge that fills the ring. Arguments: the first part of
 names of those to run (all)."""
 
-import os
-import shutil
 import sys
 
 from mpm.variants import runVariants
@@ -17,8 +15,6 @@ VARIANTS = {
 
 
 def change(case, n, points, seed, what=None):
-    for name in os.listdir("0.orig"):
-        shutil.copy(os.path.join("0.orig", name), case.file("0"))
     case.change("system/blockMeshDict", r"^n  .*", f"n       {n};")
     case.change("system/setMaterialPointsDict", r"pointsPerCell .*;", f"pointsPerCell   {points};")
     case.change("constant/phaseProperties", r"seed .*;", f"seed            {seed};")
@@ -30,5 +26,4 @@ def change(case, n, points, seed, what=None):
 if __name__ == "__main__":
     names = [name for name in VARIANTS
              if not sys.argv[1:] or name.split("-")[0] in sys.argv[1:]]
-    runVariants({name: VARIANTS[name] for name in names}, (), change,
-                lambda case: case.run("setFluids"))
+    runVariants({name: VARIANTS[name] for name in names}, change)

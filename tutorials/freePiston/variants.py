@@ -33,4 +33,4 @@ def change(case, cells, drag, face, scheme, poreFloor=None):
                         f"reconstruct({field}) {scheme}{vector};")
 
 
-runVariants(VARIANTS, ("p", "T.air", "U.slab"), change, initialVelocity.start)
+runVariants(VARIANTS, change, initialVelocity.start)

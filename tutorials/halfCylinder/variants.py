@@ -74,7 +74,7 @@ def main():
     if unknown:
         sys.exit(f"variants.py: no variant {' '.join(sorted(unknown))}; there are "
                  + " ".join(VARIANTS))
-    runVariants({name: VARIANTS[name] for name in sys.argv[1:] or VARIANTS}, ("U.body",), change)
+    runVariants({name: VARIANTS[name] for name in sys.argv[1:] or VARIANTS}, change)
 
 
 if __name__ == "__main__":

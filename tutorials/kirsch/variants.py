@@ -28,4 +28,4 @@ def boxes(case):
 
 if __name__ == "__main__":
     os.chdir(os.path.dirname(os.path.abspath(__file__)))
-    runVariants({"boxes": ()}, ["U.plate"], boxes)
+    runVariants({"boxes": ()}, boxes)

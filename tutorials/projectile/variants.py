@@ -60,5 +60,4 @@ MORE = {"fine": {"fine": (refine,)},
 if __name__ == "__main__":
     for argument in sys.argv[1:]:
         VARIANTS.update(MORE[argument])
-    runVariants(VARIANTS, ("U.rod", "U.target", "U.debris"),
-                lambda case, change, *arguments: change(case, *arguments))
+    runVariants(VARIANTS, lambda case, change, *arguments: change(case, *arguments))

@@ -13,4 +13,4 @@ def even(case, n):
 
 if __name__ == "__main__":
     fine = {"even256": (256,)} if os.environ.get("MPM_FINE") else {}
-    runVariants({**EVEN, **fine}, ("U.solids",), even)
+    runVariants({**EVEN, **fine}, even)

@@ -24,4 +24,4 @@ def change(case, cells, length, along, speed):
 if __name__ == "__main__":
     if "fine" in sys.argv[1:]:
         VARIANTS.update(FINE)
-    runVariants(VARIANTS, ("U.bar",), change)
+    runVariants(VARIANTS, change)

@@ -2,10 +2,11 @@
 
     from mpm.case import Case           # runs a case, reads its times, tables, logs
     from mpm.files import readField     # one file: columns of points, fields, headers
-    from mpm.variants import runVariants    # copies of a case with changes, run
+    from mpm.study import Study         # a series of runs over parameters: table, plot
+    from mpm.variants import runVariants    # named copies of a tutorial with changes, run
     from mpm.pictures import plt        # matplotlib in the style of the pictures
     from mpm.views import readViews     # what is shown of a case: view.py beside it
     python3 -m mpm.animate              # view.py as an animation
 
-etc/bashrc puts it on PYTHONPATH.
+The guide has a page on it: doc/guide/python.md. etc/bashrc puts it on PYTHONPATH.
 """

@@ -6,6 +6,8 @@
     t, stress = case.series("gauge", "sigma_yy.dat").T
     x = case.points(case.times("lagrangian")[-1], "target")["x"]
     lowest, highest = case.numbers("^    p N to N,").T
+    case.set("constant/phaseProperties", "target.E", 7e10)      # comments stay
+    kinetic = case.table("balance/target.dat")["kinetic"]
 """
 
 import os
@@ -17,6 +19,7 @@ import time
 
 import numpy as np
 
+from mpm.dictionaries import DictionaryError, getEntry, readDictionary, setEntry
 from mpm.files import Points, fileHeader, foamText, readField, readInternal, readLists
 
 NUMBER = r"([-+\d.]+(?:e[-+]?\d+)?|-?nan|-?inf)"
@@ -24,6 +27,17 @@ NUMBER = r"([-+\d.]+(?:e[-+]?\d+)?|-?nan|-?inf)"
 
 class RunFailed(Exception):
     """An application ended with an error or did not end in time."""
+
+
+class Table(dict):
+    """Columns by name; another name is an error that lists them."""
+
+    def __init__(self, columns, path):
+        super().__init__(columns)
+        self.path = path
+
+    def __missing__(self, name):
+        raise RunFailed(f"no column {name} in {self.path}; there are: {', '.join(self)}")
 
 
 class Case:
@@ -36,16 +50,67 @@ class Case:
     def file(self, *parts):
         return os.path.join(self.path, *parts)
 
-    def copy(self, start=(), source="."):
+    def copy(self, start=None, source=".", mesh=False):
         """Make the folder anew from another case: constant without its mesh, system and
-        these files of 0."""
+        these files of 0; by default all that a user writes, of 0.orig if there is one."""
         shutil.rmtree(self.path, ignore_errors=True)
         for folder in ("constant", "system"):
             shutil.copytree(os.path.join(source, folder), self.file(folder),
-                            ignore=shutil.ignore_patterns("polyMesh"))
+                            ignore=None if mesh else shutil.ignore_patterns("polyMesh"))
         os.makedirs(self.file("0"))
+        zero = os.path.join(source, "0")
+        if start is None:
+            zero += ".orig" if os.path.isdir(zero + ".orig") else ""
+            start = [n for n in (os.listdir(zero) if os.path.isdir(zero) else ())
+                     if os.path.isfile(os.path.join(zero, n)) and n != "cellWeights"]
         for name in start:
-            shutil.copy(os.path.join(source, "0", name), self.file("0"))
+            shutil.copy(os.path.join(zero, name), self.file("0"))
+
+    def prepare(self):
+        """Mesh, fluids and points of the dictionaries that the case has. A mesh that is there
+        stays if no blockMeshDict is."""
+        for dictionary, application in (
+                ("blockMeshDict", "blockMesh"), ("adaptiveMeshDict", "adaptMesh"),
+                ("setFluidsDict", "setFluids"), ("setMaterialPointsDict", "setMaterialPoints"),
+                ("setFieldsDict", "setFields")):
+            if os.path.exists(self.file("system", dictionary)):
+                self.run(application)
+
+    def get(self, path, entry=None):
+        """The value of an entry of a dictionary, or all of it as dict: numbers, lists, text, as
+        OpenFOAM reads them ($, #include). Entries as in set."""
+        try:
+            text = self._text(path)
+            if entry is None:
+                return readDictionary(self.file(path), self.path)
+            try:
+                found = getEntry(text, entry)
+                if "$" not in str(found) and "#" not in str(found):
+                    return found
+            except DictionaryError:
+                if "$" not in text and "#" not in text:
+                    raise
+            return getEntry(foamText(readDictionary(self.file(path), self.path)), entry)
+        except DictionaryError as error:
+            raise DictionaryError(f"{self.file(path)}: {error}") from None
+
+    def set(self, path, entry, value, add=False):
+        """Another value of an entry: "target.constitutiveModel.E" or, if there is only one in
+        the target, "target.E". Text as it is, numbers, True and False, lists, dict. add: it may
+        be new, and the path is the whole one. Comments and layout stay."""
+        try:
+            text = setEntry(self._text(path), entry, value, add)
+        except DictionaryError as error:
+            raise DictionaryError(f"{self.file(path)}: {error}") from None
+        with open(self.file(path), "w") as f:
+            f.write(text)
+
+    def _text(self, path):
+        try:
+            with open(self.file(path), errors="replace") as f:
+                return f.read()
+        except OSError as error:
+            raise DictionaryError(error.strerror) from None
 
     def write(self, path, entries, kind="dictionary"):
         """A dictionary file in place of what was there."""
@@ -162,6 +227,36 @@ class Case:
                            ndmin=2)
         return table[np.unique(table[:, 0], return_index=True)[1]] if once else table
 
+    def table(self, path):
+        """Columns of a table of postProcessing by name, "balance/target.dat": those of all
+        starts of a run one after the other, each up to the next."""
+        name, file = os.path.split(path)
+        parts = [(float(t), os.path.join(self.file("postProcessing", name), t, file))
+                 for t in self._folders("postProcessing", name)]
+        parts = [(t, p) for t, p in sorted(parts) if os.path.exists(p)]
+        if not parts:
+            raise RunFailed(f"no table {path} in {self.file('postProcessing')}; there are: "
+                            + " ".join(self.tables()))
+        with open(parts[0][1]) as f:
+            head = [line for line in f if line.startswith("#")][-1].strip("# \n")
+        names = [re.sub(r"\[[^]]*\]$", "", w.strip()) for w in re.split(r"\t+|\s{2,}", head)]
+        rows = [np.loadtxt(p, ndmin=2) for _, p in parts]
+        ends = [t for t, _ in parts[1:]] + [np.inf]
+        rows = np.concatenate([r[r[:, 0] <= end] for r, end in zip(rows, ends) if r.size])
+        return Table({n: rows[:, i] for i, n in enumerate(names[:rows.shape[1]])}, path)
+
+    def tables(self):
+        """Names of the tables of postProcessing, as table takes them."""
+        top = self.file("postProcessing")
+        return sorted({os.path.join(os.path.relpath(os.path.dirname(root), top), n)
+                       for root, _, names in os.walk(top) for n in names if n.endswith(".dat")})
+
+    def _folders(self, *parts):
+        """Names of folders that are numbers."""
+        place = self.file(*parts)
+        return [n for n in (os.listdir(place) if os.path.isdir(place) else ())
+                if re.fullmatch(r"[\d.eE+-]+", n)]
+
     def field(self, time, name, *n):
         """Values on the cells; with numbers (nx, ny) of a mesh's cells
         [row along y, column along x(, component)], also if it is uniform."""
@@ -208,10 +303,10 @@ class Case:
         processors one after the other."""
         path = self.file(time, "lagrangian", phase)
         if os.path.exists(path):
-            return Points([path])
+            return Points([path], path)
         return Points([p for p in (
             os.path.join(d, time, "lagrangian", phase) for d in self.processors())
-            if os.path.exists(os.path.join(p, "id"))])
+            if os.path.exists(os.path.join(p, "id"))], self.file(time, "lagrangian", phase))
 
     def processors(self):
         """The processor folders in the order of their numbers."""

@@ -4,6 +4,7 @@ Values of dictionaries: text goes in as it is, numbers with all digits, True and
 False as yes and no, lists in parentheses, dictionaries in braces.
 """
 
+import gzip
 import os
 import re
 
@@ -37,25 +38,41 @@ def fileHeader(objectName, kind="dictionary"):
 
 
 class Points:
-    """Columns of a cloud, read when asked for: points["sigma"]."""
+    """Columns of a cloud, read when asked for: points["sigma"]. place: named in errors."""
 
-    def __init__(self, paths):
-        self.paths = paths
+    def __init__(self, paths, place=""):
+        self.paths, self.place = paths, place
 
     def __getitem__(self, name):
+        if name not in self:
+            around = os.path.dirname(self.place)
+            there = ("columns: " + " ".join(self.keys()) if self.paths else "clouds: " + " ".join(
+                os.listdir(around)) if os.path.isdir(around) else "no clouds at this time")
+            raise FileNotFoundError(f"{os.path.join(self.place, name)} is not there; {there}")
         return np.concatenate([readField(os.path.join(p, name)) for p in self.paths])
 
     def __contains__(self, name):
-        return bool(self.paths) and os.path.exists(os.path.join(self.paths[0], name))
+        return bool(self.paths) and any(
+            os.path.exists(os.path.join(self.paths[0], n)) for n in (name, name + ".gz"))
 
     def keys(self):
         """Names of the columns."""
         places = {"positions", "coordinates"}       # OpenFOAM's own files
-        return sorted(set(os.listdir(self.paths[0])) - places) if self.paths else []
+        return sorted({n.removesuffix(".gz") for n in os.listdir(self.paths[0])} - places) \
+            if self.paths else []
 
     def byId(self, name):
         """The column in the order of the points' ids."""
         return self[name][np.argsort(self["id"])]
+
+
+def readRaw(path):
+    """Bytes of a file, or of it compressed (writeCompression)."""
+    if not os.path.exists(path) and os.path.exists(path + ".gz"):
+        with gzip.open(path + ".gz") as f:
+            return f.read()
+    with open(path, "rb") as f:
+        return f.read()
 
 
 _KINDS = {"scalarField": ("f8", 1), "vectorField": ("f8", 3),
@@ -65,8 +82,7 @@ _KINDS = {"scalarField": ("f8", 1), "vectorField": ("f8", 3),
 
 def readField(path):
     """A field of a cloud, ascii or binary, as an array."""
-    with open(path, "rb") as f:
-        raw = f.read()
+    raw = readRaw(path)
     head = re.search(rb"FoamFile\s*\{(.*?)\}", raw, flags=re.S)
     kind, size = _KINDS[re.search(rb"class\s+(\w+)\s*;", head[1])[1].decode()]
     binary = re.search(rb"format\s+(\w+)\s*;", head[1])[1] == b"binary"
@@ -88,8 +104,7 @@ def readField(path):
 
 def readLists(path):
     """The lists of labels of a mesh's file, faces or owner, ascii or binary: arrays."""
-    with open(path, "rb") as f:
-        raw = f.read()
+    raw = readRaw(path)
     head = re.search(rb"FoamFile\s*\{(.*?)\}", raw, flags=re.S)
     kind = re.search(rb"class\s+(\w+)\s*;", head[1])[1]
     binary = re.search(rb"format\s+(\w+)\s*;", head[1])[1] == b"binary"
@@ -115,8 +130,7 @@ _TYPES = {"scalar": 1, "vector": 3, "symmTensor": 6, "tensor": 9}
 
 def readInternal(path):
     """Inner values of a field on cells or mesh points; one if it is uniform."""
-    with open(path, "rb") as f:
-        raw = f.read()
+    raw = readRaw(path)
     binary = re.search(rb"format\s+(\w+)\s*;", raw)[1] == b"binary"
     head = re.search(rb"(?:internalField|value)\s+(?:uniform\s+([^;]*);"
                      rb"|nonuniform\s+List<(\w+)>\s*(\d+)\s*\()", raw)

@@ -1,9 +1,10 @@
-"""Copies of a case with changes, run in variants/."""
+"""Copies of a tutorial with changes, run in variants/: a study over names."""
 
 import os
 import sys
 
-from mpm.case import Case, RunFailed
+from mpm.case import Case
+from mpm.study import Study
 
 
 def variant(name):
@@ -17,24 +18,22 @@ def changeFiles(case, *rows):
         case.change(*row)
 
 
-def runVariants(variants, start, change=changeFiles, startValues=None):
-    """Run variants, each with change(case, *arguments).
+def runVariants(variants, change=changeFiles, startValues=None):
+    """Run variants, {name: arguments}, each with change(case, *arguments); those that have
+    ended are kept.
 
-    variants       name: arguments
-    start          names of the files of 0 that a copy needs
-    startValues    called for the case when setMaterialPoints has made its points
+    startValues    called for the case when it has its mesh, fluids and points
 
-    The script ends where one fails."""
-    for name, arguments in variants.items():
-        case = variant(name)
-        try:
-            case.copy(start)
-            change(case, *arguments)
-            print(f"Running {case.path}", flush=True)
-            case.run("blockMesh")
-            case.run("setMaterialPoints")
-            if startValues:
-                startValues(case)
-            case.run("materialPointFoam")
-        except RunFailed as error:
-            sys.exit(f"{os.path.basename(sys.argv[0])}: {error}")
+    The script ends with the error of those that fail."""
+    def steps(case):
+        case.prepare()
+        if startValues:
+            startValues(case)
+        case.run("materialPointFoam")
+
+    rows = Study(".", {"variant": (lambda case, arguments: change(case, *arguments), variants)},
+                 {}, folder="variants", steps=steps).run(1).rows
+    failed = [f"{row['variant']}: {row['state']}" for row in rows
+              if row["state"].startswith("failed")]
+    if failed:
+        sys.exit("\n".join(f"{os.path.basename(sys.argv[0])}: {text}" for text in failed))

@@ -1,0 +1,379 @@
+"""mpmCheck: what a case will be, and what is probably wrong with it, before it runs.
+
+    mpmCheck [case] [-n ranks] [-noTrial] [-steps N]
+
+It works on a copy: mesh and points are made if the case has none that are newer than their
+dictionaries, the solver reads all (-dry-run), a few steps are run. What the programs warn of and
+what the rules of mpm.checkRules find is told with file, entry, remedy and page of the guide.
+
+Exit code: 0 nothing found (notes do not count), 1 warnings, 2 it does not start.
+"""
+
+import argparse
+import os
+import re
+import shutil
+import sys
+import tempfile
+
+from mpm import checkRules
+from mpm.case import Case, RunFailed
+from mpm.checkRules import Facts, Finding
+from mpm.dictionaries import DictionaryError
+from mpm.trial import Trial
+
+#: Files beside the dictionaries, which they may read, up to this size [bytes]
+LARGEST = 5e7
+
+_FATAL = re.compile(r"--> FOAM FATAL (?:IO )?ERROR[^\n]*\n(.*?)(?=\n\s*From |\nFOAM |\Z)", re.S)
+_WARNING = re.compile(r"--> FOAM (?:IO)?Warning[^\n]*\n((?:    [^\n]*\n?)+)")
+
+
+class Check:
+    """The check of one case. findings and lines (what the run will be) after run()."""
+
+    def __init__(self, path, ranks=1, trial=True, steps=None):
+        self.path, self.ranks, self.withTrial, self.nSteps = path, ranks, trial, steps
+        self.findings, self.lines, self.trial = [], [], None
+
+    def run(self):
+        """All of it; the exit code."""
+        if "WM_PROJECT_DIR" not in os.environ:
+            self._find("error", "", "", "the settings of OpenFOAM are missing in this shell",
+                       "source etc/bashrc of materialPointFoam", "README.md#install-and-build")
+            return 2
+        lacking = [n for n in ("system/controlDict", "constant")
+                   if not os.path.exists(os.path.join(self.path, n))]
+        if lacking:
+            self._find("error", "", "", f"{self.path} is no case: it has no {lacking[0]}",
+                       "run mpmCheck in a case, or name one: etc/caseTemplate is the smallest")
+            return 2
+        with tempfile.TemporaryDirectory(prefix="mpmCheck") as folder:
+            self.case = Case(os.path.join(os.path.realpath(folder),
+                                          os.path.basename(os.path.abspath(self.path))))
+            try:
+                self._check()
+            except RunFailed:
+                pass            # told where it failed
+            except DictionaryError as error:
+                self._find("error", "", "", self._own(str(error)), "")
+        kinds = {f.kind for f in self.findings}
+        return 2 if "error" in kinds else 1 if "warning" in kinds else 0
+
+    def _check(self):
+        self._copy()
+        try:
+            self._make()
+            self._program("materialPointFoam", "-dry-run")
+        finally:
+            self._allrun()
+        facts = Facts(self.case)
+        self._tell(facts)
+        if self.withTrial:
+            self._try()
+        facts.trial = self.trial
+        self.findings += [f for f in checkRules.findings(facts) if not self._known(f)]
+
+    def _known(self, finding):
+        """Has a program warned of the same entry's dictionary or phase already?"""
+        return bool(finding.unless) and any(
+            re.search(finding.unless, f.text) for f in self.findings)
+
+    # --- the copy -------------------------------------------------------------
+
+    def _newer(self, made, *dictionaries):
+        """Is what was made there, and newer than its dictionaries?"""
+        def age(name):
+            path = os.path.join(self.path, name)
+            return os.path.getmtime(path) if os.path.exists(path) else None
+        made = age(made)
+        return made is not None and all(
+            t is None or t <= made for t in map(age, dictionaries))
+
+    def _copy(self):
+        """The case without its results; mesh, points and fields as they are where they are
+        there and newer than their dictionaries."""
+        mesh = "constant/polyMesh/faces"
+        mesh += ".gz" if os.path.exists(os.path.join(self.path, mesh + ".gz")) else ""
+        dictionary = "system/blockMeshDict"
+        self.hasMesh = self._newer(mesh, dictionary)
+        self.case.copy(source=self.path, mesh=self.hasMesh)
+        fields = os.path.join(self.path, "0")
+        self.hasPoints = self.hasMesh and any(
+            self._newer(os.path.join("0/lagrangian", name, "id"), mesh,
+                        "system/setMaterialPointsDict", "constant/phaseProperties")
+            for name in (os.listdir(os.path.join(fields, "lagrangian"))
+                         if os.path.isdir(os.path.join(fields, "lagrangian")) else ()))
+        if self.hasPoints:      # with the fields that belong to them
+            shutil.copytree(fields, self.case.file("0"), dirs_exist_ok=True)
+        for name in os.listdir(self.path):
+            path = os.path.join(self.path, name)
+            if os.path.isfile(path) and os.path.getsize(path) < LARGEST \
+                    and not name.startswith("log."):
+                shutil.copy(path, self.case.path)
+
+    def _make(self):
+        case = self.case
+        if not self.hasMesh:
+            if not os.path.exists(case.file("system/blockMeshDict")):
+                self._find("error", "constant/polyMesh", "", "there is no mesh, and no "
+                           "system/blockMeshDict to make one from", "make the mesh first (what "
+                           "the Allrun of the case does before materialPointFoam)", "meshes.md")
+                raise RunFailed
+            self._program("blockMesh")
+            if os.path.exists(case.file("system/adaptiveMeshDict")):
+                self._program("adaptMesh")
+        if self.hasPoints:
+            return
+        if os.path.exists(case.file("system/setFluidsDict")):
+            self._program("setFluids")
+        if os.path.exists(case.file("system/setMaterialPointsDict")):
+            options = ["-cellWeights"] if self.ranks > 1 else []
+            self._program("setMaterialPoints", *options)
+        if os.path.exists(case.file("system/setFieldsDict")):
+            self._program("setFields")
+
+    def _allrun(self):
+        """Its own commands are not known here."""
+        path = os.path.join(self.path, "Allrun")
+        if not os.path.exists(path):
+            path = os.path.join(self.path, "..", "Allrun")
+        if self.hasPoints or not os.path.exists(path):
+            return
+        with open(path, errors="replace") as f:
+            text = f.read()
+        own = [w for w in ("startValues", "makeMesh") if re.search(rf"^ *{w} *\(\)", text, re.M)
+               and not (w == "makeMesh" and self.hasMesh)]
+        if re.search(r"startValues\(\) \{ runApplication setFields; \}", text):
+            own.remove("startValues")       # mpmCheck runs it
+        if "\nrunCase" in text:
+            own += re.findall(r"^\"\$MPM_PYTHON\" (\w+\.py)", text.split("\nrunCase")[0], re.M)
+        if own:
+            self._find("note", "Allrun", "", f"it has steps of its own before the run "
+                       f"({', '.join(own)}), which mpmCheck does not know: what it tells may be "
+                       "of another mesh or start", "run mpmCheck when mesh and points are made")
+
+    # --- programs -------------------------------------------------------------
+
+    def _program(self, name, *options):
+        """Run a program; what it warns of and its error are findings."""
+        self._say(" ".join((name, *options)))
+        try:
+            self.case.run(name, *options)
+        except RunFailed:
+            self._readLog(name)
+            self._fatal(name, " ".join((name, *options)))
+            raise
+        except FileNotFoundError:
+            self._find("error", "", "", f"there is no program {name}",
+                       "source etc/bashrc, build with Allwmake", "README.md#install-and-build")
+            raise RunFailed from None
+        self._readLog(name)
+
+    def _say(self, text):
+        """Who waits sees at what."""
+        if sys.stderr.isatty():
+            print(f"mpmCheck: {text} ...", file=sys.stderr, flush=True)
+
+    def _own(self, text):
+        return text.replace(self.case.path + "/", "")
+
+    def _readLog(self, name):
+        for text in _WARNING.findall(self.case.log(name)):
+            self._warning(name, self._own(text))
+
+    def _warning(self, name, text):
+        text = re.sub(r"^ *(From .*|in file .*)\n", "", text, flags=re.M)
+        place = re.match(r'\s*Reading "([^"]*?)"[^\n]*\n', text)
+        file, entry = _place(place[1]) if place else _named(text)
+        text = " ".join((text[place.end():] if place else text).split())
+        if "Increased the timePrecision" in text:       # of the trial's own times
+            return
+        if not any(f.text.startswith(text) for f in self.findings):
+            self._find("warning", file, entry, f"{text} ({name})", *_remedy(text))
+
+    def _fatal(self, name, command):
+        """The error of a program in its own words."""
+        text = self._own(self.case.log(name))
+        found = _FATAL.search(text)
+        message = found[1].strip() if found else text[-400:].strip()
+        place = re.search(r"^file: (\S+)", message, re.M)
+        file, entry = _place(place[1]) if place else ("", "")
+        message = re.sub(r"\n*^file: .*", "", message, flags=re.M).strip()
+        self._find("error", file, entry, f"{command} stops: {message}", *_remedy(message))
+
+    def _find(self, kind, file, entry, text, remedy, page=""):
+        self.findings.append(Finding(kind, file, entry, text, remedy, page))
+
+    # --- what it will be ------------------------------------------------------
+
+    def _tell(self, facts):
+        size = " x ".join(f"{s:.4g}" for s in facts.size[:facts.nDim])
+        self._line("mesh", f"{facts.nCells} cells, {facts.nDim}D, {size} m"
+                   + (f", {facts.mesh}" if facts.mesh else ""))
+        for name, phase in facts.phases.items():
+            self._line(name, f"{phase.n} points of {phase.law}"
+                       + (f", wave speed {phase.speed:.4g} m/s" if phase.speed else "")
+                       + (f"; in a cell {phase.least} to {phase.most}, mean {phase.mean:.3g}"
+                          if phase.n else ""))
+        if facts.points:
+            self._line("points", f"{facts.points} in all")
+            self._line("scheme", facts.scheme)
+        for name in facts.media:
+            self._line(name, facts.media[name])
+
+    def _try(self):
+        """Some steps of the copy: on one processor, then on the ranks."""
+        own = self.case.file("system/controlDict")
+        shutil.copy(own, own + ".own")
+        for ranks in {1: 1, self.ranks: self.ranks}:
+            shutil.copy(own + ".own", own)
+            trial = Trial(self.case, ranks)
+            self._say(f"a few steps on {_cores(ranks)}")
+            try:
+                trial.run(self.nSteps)
+            except RunFailed:
+                name = "materialPointFoam"
+                if ranks > 1 and "FATAL" in self._log("decomposePar"):
+                    name = "decomposePar"
+                self._readLog(name)
+                self._fatal(name, f"{name} on {_cores(ranks)}")
+                raise
+            self._readLog("materialPointFoam")
+            self._tellTrial(trial)
+            self.trial = self.trial or trial
+        t = self.trial
+        self._line("output", f"{t.writes} times of {_bytes(t.written)} each, together "
+                   f"{_bytes(t.writes*t.written)}, beside tables")
+        cores = len(os.sched_getaffinity(0))
+        if self.ranks > cores:
+            self._find("note", "", "", f"{self.ranks} ranks on {cores} cores: their times above "
+                       "are those of ranks that wait for each other", "",
+                       "running.md#several-processors")
+
+    def _tellTrial(self, t):
+        where = _cores(t.ranks)
+        self._line("trial", f"{t.nTrial} steps, {1e3*t.perStep:.3g} ms of CPU for a step on "
+                   + where)
+        if t.ranks == 1:
+            self._line("time step", f"{t.deltaT:.4g} s at least, set by {t.setBy}")
+        self._line("run", f"about {t.steps} steps to endTime {t.end:g} s, {_duration(t.seconds)} "
+                   f"on {where}, if the time step stays")
+        self._line("memory", _bytes(t.memory*2**20) + (
+            "" if t.ranks == 1 else f" of the largest of {t.ranks} ranks") + ", as in the trial")
+
+    def _log(self, name):
+        return self.case.log(name) if os.path.exists(self.case.file("log." + name)) else ""
+
+    def _line(self, name, text):
+        self.lines.append((name, text))
+
+
+def _place(path):
+    """File and entry of a place as OpenFOAM writes it: constant/phaseProperties.target."""
+    folder, name = os.path.split(path)
+    if folder.split("/")[0] == "0" or name.startswith(("U.", "T.", "rho.", "alpha.")):
+        return path.replace(".boundaryField", ""), ""
+    file, _, entry = name.partition(".")
+    return os.path.join(folder, file), entry
+
+
+def _named(text):
+    """File and entry that a message without a place names."""
+    file = re.search(r'"((?:constant|system|0)/[^"]*)"', text)
+    region = re.match(r"\s*Region (\w+)\b", text)
+    if region and not file:
+        return checkRules.REGIONS, "regions." + region[1]
+    return (file[1] if file else ""), ""
+
+
+def _remedy(message):
+    """What doc/guide/troubleshooting.md says of a message, and the place there."""
+    page = "troubleshooting.md"
+    path = os.path.join(os.path.dirname(__file__), "../../../doc/guide", page)
+    if not os.path.exists(path):
+        return "", page
+    with open(path) as f:
+        heading = ""
+        for line in f:
+            if line.startswith("## "):
+                heading = "#" + re.sub(r"[^\w -]", "", line[3:].strip().lower()).replace(" ", "-")
+            row = re.fullmatch(r"\| `(.*)` \| (.*) \|\n", line)
+            pieces = [p.strip() for p in row[1].split("...") if p.strip()] if row else []
+            if pieces and all(" ".join(p.split()) in message for p in pieces):
+                text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", row[2]).replace("`", "")
+                return re.sub("^a warning[^:]*: ", "", text), page + heading
+    return "", page
+
+
+def _cores(ranks):
+    return "1 core" if ranks == 1 else f"{ranks} ranks"
+
+
+def _duration(seconds):
+    for unit, length, least in (("days", 86400, 172800), ("hours", 3600, 5400),
+                                ("minutes", 60, 120)):
+        if seconds >= least:
+            return f"{seconds/length:.2g} {unit}"
+    return f"{seconds:.2g} s"
+
+
+def _bytes(n):
+    for unit in ("B", "kB", "MB", "GB"):
+        if n < 1000 or unit == "GB":
+            return f"{n:.3g} {unit}"
+        n /= 1000
+    return ""
+
+
+def write(check, out):
+    """What will be, then the findings: worst first."""
+    width = max([len(n) for n, _ in check.lines] + [9])
+    for name, text in check.lines:
+        print(f"{name:{width}}  {text}", file=out)
+    order = ("error", "warning", "note")
+    lead = "\n" if check.lines else ""
+    for f in sorted(check.findings, key=lambda f: order.index(f.kind)):
+        place = ", ".join(p for p in (f.file, f.entry) if p)
+        print(f"{lead}{f.kind}: {place + ': ' if place else ''}{f.text}", file=out)
+        if f.remedy:
+            print(f"    do: {f.remedy}", file=out)
+        if f.page:
+            print(f"    see doc/guide/{f.page}", file=out)
+        lead = "\n"
+    count = {k: sum(f.kind == k for f in check.findings) for k in order}
+    words = [f"{n} {k}{'s' if n > 1 else ''}" for k, n in count.items() if n]
+    print("\n" + (", ".join(words) if words else "Nothing found."), file=out)
+
+
+def _count(text):
+    if not re.fullmatch(r"0*[1-9]\d*", text):
+        raise argparse.ArgumentTypeError(f"{text}: a whole number, 1 or more")
+    return int(text)
+
+
+def main(arguments=None):
+    """The command."""
+    parser = argparse.ArgumentParser(
+        prog="mpmCheck", allow_abbrev=False,
+        description="What a case will be, and what is probably wrong with it, before it runs.",
+        epilog="Exit code: 0 nothing found, 1 warnings, 2 the case does not start.")
+    parser.add_argument("case", nargs="?", default=".", help="folder of the case (this one)")
+    parser.add_argument("-n", type=_count, default=1, metavar="ranks",
+                        help="try on so many ranks, too")
+    parser.add_argument("-noTrial", action="store_true",
+                        help="no steps: dictionaries, mesh, points and the solver's start alone")
+    parser.add_argument("-steps", type=_count, metavar="N",
+                        help="steps of the trial (40, of small cases more)")
+    given = parser.parse_args(arguments)
+    check = Check(given.case, given.n, not given.noTrial, given.steps)
+    try:
+        code = check.run()
+    except KeyboardInterrupt:
+        return 130
+    write(check, sys.stdout)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

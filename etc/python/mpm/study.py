@@ -1,0 +1,317 @@
+"""A series of runs over parameters, with a table and a plot at the end.
+
+    from mpm.study import Study, largest, last
+
+    study = Study("myCase",
+                  {"E": ("constant/phaseProperties", "target.E", [50e9, 70e9, 90e9]),
+                   "speed": ("system/setMaterialPointsDict", "flyer.velocity",
+                             {50: (0, -50, 0), 100: (0, -100, 0)})},
+                  {"strain": largest("balance/target.dat", "strain"),
+                   "kinetic": last("balance/total.dat", "kinetic")})
+    table = study.run()
+    table.write("strain")                       # strain.csv, strain.md
+    table.plot("speed", "strain", by="E", file="strain.png")        # or .svg
+
+Parameters: name: (file, entry, values), entries as in Case.set; or (function, values), called
+as function(case, value) in the copy. Values are a list, or a dictionary of what the table shows
+and what the entry gets. All combinations run (combine="grid"), or the first values of all, then
+the second (combine="list").
+
+Quantities: name: function of the Case that gives a number; last, largest, least, period,
+energyResidual, steps and seconds make some.
+
+Each run is a folder of its own in `folder`. Runs that have ended well are not run anew, unless
+their dictionaries have changed; their quantities are read anew. A run that failed is a row that
+says why, and is tried again by the next call.
+"""
+
+import csv
+import hashlib
+import inspect
+import itertools
+import json
+import os
+import re
+import shutil
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+from mpm.case import Case, RunFailed
+from mpm.files import foamText
+
+RECORD = "study.json"
+
+
+class Study:
+    """A series of runs. base: folder of the case, left as it is.
+
+    folder      of the runs
+    combine     grid or list
+    steps       function(case) in place of Case.prepare and materialPointFoam
+    limit       seconds that a program may take; None: any"""
+
+    def __init__(self, base, parameters, quantities, folder="study", combine="grid",
+                 steps=None, limit=None):
+        self.base, self.folder = str(base), folder
+        if not os.path.isdir(os.path.join(self.base, "system")):
+            raise ValueError(f"{self.base} is no case: it has no folder system")
+        self.parameters = {name: _Parameter(name, *spec) for name, spec in parameters.items()}
+        self.quantities, self.steps, self.limit = quantities, steps, limit
+        double = set(parameters) & {*quantities, "state"} | set(quantities) & {"state"}
+        if double:
+            raise ValueError(f"a column of the table twice: {' '.join(double)}")
+        lists = [list(p.values) for p in self.parameters.values()]
+        if combine == "list" and len({len(v) for v in lists}) > 1:
+            raise ValueError("combine list: each parameter needs as many values, there are "
+                             + ", ".join(f"{len(v)} of {n}" for n, v in zip(parameters, lists)))
+        if combine not in ("grid", "list"):
+            raise ValueError(f"combine {combine} is none of grid, list")
+        for parameter in self.parameters.values():
+            parameter.check(Case(self.base))
+        rows = itertools.product(*lists) if combine == "grid" else zip(*lists)
+        self.points = [dict(zip(parameters, row)) for row in rows]
+        names = [self._name(point) for point in self.points]
+        if len(set(names)) < len(names):
+            raise ValueError("two runs have the same values of all parameters")
+        self._stopped = threading.Event()
+
+    def _name(self, point):
+        """The folder of a run: its values; of one parameter with words the word."""
+        if len(point) == 1 and isinstance(next(iter(point.values())), str):
+            return next(iter(point.values()))
+        return "-".join(re.sub(r"[^\w.+-]+", "_", f"{n}_{_text(v)}").rstrip("_")
+                        for n, v in point.items()) or "base"
+
+    def case(self, **values):
+        """The case of a run by its values: study.case(E=70e9, speed=50)."""
+        return Case(os.path.join(self.folder, self._name(
+            {name: values[name] for name in self.parameters})))
+
+    def run(self, jobs=None):
+        """Run what has not run, so many at a time (all cores); the table."""
+        jobs = jobs or len(os.sched_getaffinity(0))
+        os.makedirs(self.folder, exist_ok=True)
+        with ThreadPoolExecutor(jobs) as pool:
+            waiting = [pool.submit(self._row, i) for i in range(len(self.points))]
+            try:
+                rows = [w.result() for w in waiting]
+            except BaseException:
+                self._stopped.set()     # what has been interrupted has not ended well
+                for w in waiting:
+                    w.cancel()
+                raise
+        return Results(rows, list(self.parameters), list(self.quantities))
+
+    def _row(self, i):
+        """One row of the table."""
+        point = self.points[i]
+        case = Case(os.path.join(os.path.abspath(self.folder), self._name(point)))
+        case.limit = self.limit
+        row = {**point, **dict.fromkeys(self.quantities, np.nan), "state": "ran"}
+        try:
+            start = time.monotonic()
+            row["state"] = "kept" if self._start(case, point) else "ran"
+            if row["state"] == "ran":
+                self._run(case)
+            said = f"{row['state']}, {time.monotonic() - start:.0f} s"
+            for name, quantity in self.quantities.items():
+                row[name] = quantity(case)
+        except Exception as error:      # of any function of a user: a row, not the end
+            what = "" if isinstance(error, RunFailed) else type(error).__name__ + ": "
+            said = (what + str(error)).replace(os.path.abspath(self.folder), self.folder)
+            row["state"] = said = "failed: " + " ".join(said.split())
+        print(f"{i + 1}/{len(self.points)} {self._name(point)}: {said}", flush=True)
+        return row
+
+    def _start(self, case, point):
+        """Make the case with its values. True: it has ended well with these files before."""
+        new = Case(case.path + ".new")
+        new.copy(source=self.base, mesh=not os.path.exists(
+            os.path.join(self.base, "system/blockMeshDict")))
+        for name, value in point.items():
+            self.parameters[name].apply(new, value)
+        digest = self._digest(new)
+        try:
+            with open(case.file(RECORD)) as f:
+                same = json.load(f) == digest
+        except (OSError, ValueError):
+            same = False
+        if same:
+            shutil.rmtree(new.path)
+            return True
+        shutil.rmtree(case.path, ignore_errors=True)
+        os.rename(new.path, case.path)
+        case.digest = digest
+        return False
+
+    def _digest(self, case):
+        """Of all files of a case before it runs, and of its steps."""
+        made = hashlib.sha256()
+        if self.steps:
+            try:
+                made.update(inspect.getsource(self.steps).encode())
+            except OSError:             # typed in, not in a file
+                pass
+        for root, folders, names in os.walk(case.path):
+            folders.sort()
+            for name in sorted(n for n in names if not n.startswith("log.")):
+                path = os.path.join(root, name)
+                made.update(os.path.relpath(path, case.path).encode())
+                with open(path, "rb") as f:
+                    made.update(f.read())
+        return made.hexdigest()
+
+    def _run(self, case):
+        if self._stopped.is_set():
+            raise RunFailed("interrupted")
+        if self.steps:
+            self.steps(case)
+        else:
+            case.prepare()
+            case.run("materialPointFoam")
+        log = case.file("log.materialPointFoam")
+        signal = os.path.exists(log) and re.search(r"^Signal .* was received", case.log(), re.M)
+        if self._stopped.is_set() or signal:
+            raise RunFailed(signal[0] if signal else "interrupted")
+        with open(case.file(RECORD), "w") as f:
+            json.dump(case.digest, f)
+
+
+class _Parameter:
+    """Values of one name, and where they go."""
+
+    def __init__(self, name, *spec):
+        self.entry = None
+        if len(spec) == 2 and callable(spec[0]):
+            self.function, values = spec
+        elif len(spec) == 3:
+            *self.entry, values = spec
+            self.function = lambda case, value: case.set(*self.entry, value)
+        else:
+            raise ValueError(f"parameter {name}: (file, entry, values) or (function, values)")
+        self.values = values if isinstance(values, dict) else {_key(v): v for v in values}
+        if not self.values:
+            raise ValueError(f"parameter {name} has no values")
+
+    def check(self, base):
+        """Before anything runs: an entry that is not there is an error (DictionaryError)."""
+        if self.entry:
+            base.get(*self.entry)
+
+    def apply(self, case, shown):
+        self.function(case, self.values[shown])
+
+
+def _key(value):
+    """A value as the table shows it."""
+    if isinstance(value, np.generic):
+        return value.item()
+    return value if isinstance(value, (int, float, str, bool)) else foamText(value)
+
+
+def _text(value):
+    return f"{value:.6g}" if isinstance(value, (float, np.floating)) else str(value)
+
+
+class Results:
+    """The rows of a study: table["strain"], write, plot; print(table) shows it."""
+
+    def __init__(self, rows, parameters, quantities):
+        self.rows, self.parameters, self.quantities = rows, parameters, quantities
+        self.columns = [*parameters, *quantities, "state"]
+
+    def __getitem__(self, name):
+        """A column as an array."""
+        if name not in self.columns:
+            raise KeyError(f"no column {name}; there are: {', '.join(self.columns)}")
+        return np.array([row[name] for row in self.rows])
+
+    def __str__(self):
+        """The table in Markdown."""
+        lines = [self.columns, ["---"]*len(self.columns)] + [
+            [_text(row[c]).replace("|", "\\|") for c in self.columns] for row in self.rows]
+        return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+    def write(self, name):
+        """<name>.csv and <name>.md."""
+        with open(name + ".csv", "w", newline="") as f:
+            writer = csv.writer(f)
+            writer.writerow(self.columns)
+            writer.writerows([row[c] for c in self.columns] for row in self.rows)
+        with open(name + ".md", "w") as f:
+            f.write(str(self) + "\n")
+
+    def plot(self, x, y, by=None, file=None, log="", xlabel=None, ylabel=None):
+        """y over x, a line for each value of another column; to a file by its ending. log: axes
+        with logarithms, "x", "y", "xy". The figure and its axes."""
+        from mpm.pictures import plt, save
+        figure, ax = plt.subplots(figsize=(5, 3.5))
+        lines = {}
+        for xi, yi, key in zip(self[x], self[y], self[by] if by else [""]*len(self.rows)):
+            lines.setdefault(key, []).append((xi, yi))
+        for key, line in lines.items():
+            if self[x].dtype.kind in "if":
+                line = sorted(line)
+            ax.plot(*zip(*line), "o-", ms=4, label=f"{by} {_text(key)}" if by else None)
+        ax.set(xlabel=xlabel or x, ylabel=ylabel or y, **{f"{a}scale": "log" for a in log})
+        ax.grid(alpha=0.3)
+        if by:
+            ax.legend()
+        if file and file.endswith(".png"):
+            save(figure, file)
+        elif file:
+            figure.savefig(file)
+        plt.close(figure)
+        return figure, ax
+
+
+# --- quantities --------------------------------------------------------------
+
+def last(table, column):
+    """The last value of a column of a table (Case.table)."""
+    return lambda case: float(case.table(table)[column][-1])
+
+
+def largest(table, column):
+    return lambda case: float(np.max(case.table(table)[column]))
+
+
+def least(table, column):
+    return lambda case: float(np.min(case.table(table)[column]))
+
+
+def period(table, column, about=0.0):
+    """Mean period [s] of a column that swings about a value: from its crossings, straight
+    between two rows."""
+    def of(case):
+        columns = case.table(table)
+        t, v = next(iter(columns.values())), columns[column] - about
+        i = np.nonzero(v[:-1]*v[1:] < 0)[0]
+        if len(i) < 2:
+            raise RunFailed(f"{column} of {table} crosses {about} only {len(i)} times: no period")
+        zero = t[i] - v[i]*(t[i + 1] - t[i])/(v[i + 1] - v[i])
+        return float(2*(zero[-1] - zero[0])/(len(zero) - 1))
+    return of
+
+
+def energyResidual(case):
+    """Last residual of the energy budget over the largest energy of the points, from the log;
+    with energyBudget yes in materialPoints."""
+    rows = case.numbers(r"^Energy: .* total N\n(?:.*\n)?Energy budget: .*residual N")
+    if not len(rows):
+        raise RunFailed("no energy budget in the log: energyBudget yes; in materialPoints of "
+                        "system/fvSolution")
+    return float(rows[-1, 1]/np.max(np.abs(rows[:, 0])))
+
+
+def steps(case):
+    """Time steps of the run."""
+    return case.nSteps()
+
+
+def seconds(case):
+    """Seconds of one core of its time steps."""
+    return case.solverSeconds()

@@ -1,0 +1,206 @@
+#!/usr/bin/env python3
+"""mpmCheck: what it tells of cases before they run.
+
+template    etc/caseTemplate: nothing found, exit code 0, nothing in the case is changed or new
+mistakes    one wrong unit or choice each in the template: found, with file and entry
+codes       exit codes of the command: 0, 1, 2; 2 with the solver's own words
+trial       steps foretold of three cases against those of the run: within 30 %; memory; two ranks
+tutorials   all tutorials: the warnings are those listed here with what is true of them
+"""
+
+import glob
+import hashlib
+import os
+import re
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from foamCase import PROJECT, FoamCase, runParts
+from mpm.check import Check, write
+
+TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
+PHASES, REGIONS = "constant/phaseProperties", "system/setMaterialPointsDict"
+MESH, SOLUTION, CONTROL = "system/blockMeshDict", "system/fvSolution", "system/controlDict"
+
+#: What is set in the template: a word of the finding, its file
+MISTAKES = {
+    "E in MPa": ([(PHASES, "target.E", 70e3)], "wave speed", PHASES),
+    "E in GPa": ([(PHASES, "flyer.E", 210)], "wave speed", PHASES),
+    "density in g/cm3": ([(PHASES, "flyer.rho", 7.8)], "wave speed", PHASES),
+    "density in t/mm3": ([(PHASES, "flyer.rho", 7.8e-9)], "kg/m3", PHASES),
+    "density in mg/m3": ([(PHASES, "flyer.rho", 7.8e6)], "density", PHASES),
+    "strength in MPa": ([(PHASES, "target.strength", 400)], "that weak", PHASES),
+    "strength above E": ([(PHASES, "target.strength", 400e9)], "above the modulus", PHASES),
+    "mesh in km": ([(MESH, "scale", 1e3), (REGIONS, "target.max", (2e4, 1e4, 1)),
+                    (REGIONS, "target.min", (-2e4, 0, 0)), (REGIONS, "flyer.min", (-5e3, 11e3, 0)),
+                    (REGIONS, "flyer.max", (5e3, 2e4, 0))], "the mesh is", MESH),
+    "mesh in mm, shapes in m": ([(MESH, "scale", 1)], "wide in", REGIONS),
+    "mesh and shapes in mm": ([
+        (MESH, "scale", 1), (REGIONS, "target.min", (-20, 0, 0)),
+        (REGIONS, "target.max", (20, 10, 1)), (REGIONS, "flyer.min", (-5, 10.1, 0)),
+        (REGIONS, "flyer.max", (5, 20.1, 1))],
+        "nothing can happen", CONTROL),
+    "endTime in us": ([(CONTROL, "endTime", 500.0)], "1e7 steps", CONTROL),
+    "gravity in mm/s2": ([("constant/g", "value", (0, -9810, 0))], "m/s2", "constant/g"),
+    "gravity in km/s2": ([("constant/g", "value", (0, -9.81e-3, 0))], "m/s2", "constant/g"),
+    "velocity in mm/s": ([(REGIONS, "flyer.velocity", (0, -50e3, 0))], "wave speed", REGIONS),
+    "nearly incompressible": ([(PHASES, "target.nu", 0.499)], "incompressible", SOLUTION),
+    "rubber": ([(PHASES, "flyer.constitutiveModel", {
+        "type": "MooneyRivlin", "rho": 1000.0, "c10": 1e6, "c01": 1e5, "K": 1e9})],
+        "incompressible", SOLUTION),
+    "maxCo": ([(CONTROL, "maxCo", 0.8)], "0.8 with GIMP", CONTROL),
+    "moment with linear": ([(SOLUTION, "materialPoints", {
+        "shapeFunction": "linear", "transfer": "APIC", "affineMatrix": "moment"})], "blows up",
+        SOLUTION)}
+
+#: Tutorials that need a step of their own before mpmCheck can read them, and words of it
+UNMADE = {"bracket": "no mesh", "brazilianDisc": "no file", "connectingRod": "no such file",
+          "cylinderInChannel": "patch", "freePiston": "U.air", "halfCylinder": "no file",
+          "hourglass": "patch", "spallOnTriangles": "no mesh", "sphereOnSphere": "no mesh"}
+#: Warnings that are true of tutorials, on purpose there
+TRUE = {"adaptiveImpact": ["reaches beyond the mesh"],       # a target longer than the mesh
+        "refinedImpact": ["reaches beyond the mesh"],
+        "shockOnSlab/wedge": ["reaches beyond the mesh"],
+        "projectile": ["has no points"],                     # debris to come
+        "fluidisedColumn": ["that weak"],                    # grains that hold nothing
+        "twoDisks": ["a wave speed of 1.16 m/s"]*2}          # without units
+
+
+def found(check):
+    return [f"{f.kind} {f.file}: {f.text}" for f in check.findings]
+
+
+def state(folder):
+    """Every file of a folder with its time and contents."""
+    made = hashlib.sha256()
+    for root, folders, names in os.walk(folder):
+        folders.sort()
+        for name in sorted(names):
+            path = os.path.join(root, name)
+            made.update(f"{path} {os.stat(path).st_mtime_ns}".encode())
+            with open(path, "rb") as f:
+                made.update(f.read())
+    return made.hexdigest()
+
+
+def template(table):
+    before = state(TEMPLATE)
+    check = Check(TEMPLATE)
+    table.row("template: exit code", 0, check.run(), 0)
+    table.check("template: no findings, no notes", not check.findings, found(check))
+    table.check("template: the case is as it was", state(TEMPLATE) == before)
+    said = dict(check.lines)
+    table.check("template: points in a cell", "4 to 4, mean 4" in said["target"], said["target"])
+    table.check("template: what sets the time step", "points of target" in said["time step"],
+                said["time step"])
+
+
+def mistakes(table):
+    for name, (changes, word, file) in MISTAKES.items():
+        case = FoamCase("check", re.sub(r"\W", "-", name), TEMPLATE)
+        if changes[0][0] == "constant/g":
+            case.write("constant/g", {"dimensions": "[0 1 -2 0 0 0 0]", "value": (0, -9.81, 0)},
+                       "uniformDimensionedVectorField")
+        for change in changes:
+            case.set(*change)
+        check = Check(case.path, trial=False)
+        code = check.run()
+        hits = [f for f in check.findings if f.kind != "note" and word in f.text and f.file == file]
+        table.check(f"mistakes: {name}", code > 0 and hits,
+                    (hits[0].text if hits else str(found(check)))[:110])
+        if name == "mesh in mm, shapes in m":
+            table.check("mistakes: with the remedy of the guide",
+                        "wrong unit of the shape" in hits[0].remedy, hits[0].remedy)
+
+
+def command(case, *options):
+    run = subprocess.run([os.path.join(PROJECT, "etc/bin/mpmCheck"), case, *options], timeout=120,
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return run.returncode, run.stdout.decode()
+
+
+def codes(table):
+    code, said = command(TEMPLATE, "-noTrial")
+    table.check("codes: 0 where nothing is found", code == 0 and "Nothing found." in said, code)
+    case = FoamCase("check", "codes", TEMPLATE)
+    case.set(PHASES, "target.nu", 0.499)
+    before = state(case.path)
+    code, said = command(case.path, "-noTrial")
+    table.check("codes: 1 with a warning", code == 1 and "warning: system/fvSolution" in said
+                and "see doc/guide/schemes.md#locking" in said, code)
+    case.set(PHASES, "target.E", -7e10)
+    code, said = command(case.path)
+    table.check("codes: 2 with the solver's words", code == 2
+                and "target.constitutiveModel" in said and "must be greater than 0" in said, code)
+    case.set(PHASES, "target.E", 7e10)
+    case.set(CONTROL, "maxCo", 3)       # read with the first step only
+    code, said = command(case.path)
+    table.check("codes: 2 with what the trial finds", code == 2
+                and "Entry maxCo is 3" in said, code)
+    code, said = command(case.file("system"))
+    table.check("codes: 2 where there is no case", code == 2 and "is no case" in said,
+                " ".join(said.split())[-60:])
+    code, said = command(case.path, "-n", "0")
+    table.check("codes: 2 for a wrong option", code == 2 and "a whole number" in said,
+                " ".join(said.split())[-30:])
+    case.set(CONTROL, "maxCo", 0.4)
+    case.set(PHASES, "target.nu", 0.499)
+    table.check("codes: the case is as it was but for these", sorted(os.listdir(case.path))
+                == ["0", "constant", "system"] and before != "")
+
+
+def trial(table):
+    for name in ("vibratingBar", "slidingBlock", "taylorBar"):
+        case = FoamCase("check", name, os.path.join(PROJECT, "tutorials", name))
+        if name == "taylorBar":         # a third of its time: the bar slows down
+            case.set(CONTROL, "endTime", 33e-6)
+            case.set(CONTROL, "writeInterval", 11e-6)
+        check = Check(case.path, steps=None if name != "taylorBar" else 60)
+        code = check.run()
+        table.check(f"trial: {name} starts", code < 2, found(check))
+        case.prepare()
+        case.run("materialPointFoam")
+        table.row(f"trial: {name}: steps foretold over those of the run", 1,
+                  check.trial.steps/case.nSteps(), 0.3)
+    check = Check(TEMPLATE, ranks=2)
+    table.row("trial: two ranks, exit code", 0, check.run(), 0)
+    said = [text for _, text in check.lines]
+    table.check("trial: one core and two ranks", all(any(w in t for t in said) for w in (
+        "on 1 core, if", "on 2 ranks, if", "largest of 2 ranks")), said[-3])
+    # Neither less than Python's own pages nor more than the machine's
+    table.row("trial: memory [MB]", 20, check.trial.memory, 20, "atLeast")
+
+
+def tutorials(table):
+    top = os.path.join(PROJECT, "tutorials")
+    unmade, false, n = [], [], 0
+    for control in sorted(glob.glob(os.path.join(top, "**/system/controlDict"), recursive=True)):
+        folder = os.path.dirname(os.path.dirname(control))
+        name = os.path.relpath(folder, top)
+        if "variants" in name or "schemes" in name:
+            continue
+        n += 1
+        check = Check(folder, trial=False)
+        code = check.run()
+        if name in UNMADE and not check.hasMesh:
+            if code != 2 or UNMADE[name] not in check.findings[0].text:
+                unmade.append(f"{name}: {found(check)}")
+            continue
+        told = [f.text for f in check.findings if f.kind != "note"]
+        true = TRUE.get(name, [])
+        if code == 2 or len(told) != len(true) or any(w not in t for w, t in zip(true, told)):
+            false.append(f"{name}: {told}")
+        notes = [f.text for f in check.findings if f.kind == "note"]
+        print("   ", name, code, *(f"[{t[:60]}]" for t in told + notes), flush=True)
+        if not check.lines:
+            write(check, sys.stdout)
+    table.row("tutorials: cases", 50, n, 50, "atLeast")
+    table.check("tutorials: those whose mesh is to be made first say so", not unmade,
+                " | ".join(unmade)[:300])
+    table.check("tutorials: no false alarm", not false, " | ".join(false)[:300])
+
+
+if __name__ == "__main__":
+    sys.exit(runParts("check", template, mistakes, codes, trial, tutorials))

@@ -1,0 +1,223 @@
+#!/usr/bin/env python3
+"""etc/python/mpm for users: doc/guide/python.md, dictionaries, studies.
+
+guide         the Python blocks of the page run as they stand, one after the other, on the case
+              that its commands make; what they write is there
+dictionaries  entries of the tutorials as foamDictionary reads them; setting an entry to what it
+              is leaves the file as it was, to another value changes only that
+study         a bar that vibrates: its period by the exact one, 4 L/c; runs that have ended are
+              not run anew but when the case has changed, one that fails is a row that says why
+"""
+
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from bar import L, T, V0, barRun
+from foamCase import PROJECT, RUN, FoamCase, runParts, writeField
+from mpm.case import RunFailed
+from mpm.dictionaries import DictionaryError, getEntry, parse, setEntry
+from mpm.study import Study, last, period, steps
+
+
+def guide(table):
+    page = os.path.join(PROJECT, "doc/guide/python.md")
+    with open(page) as f:
+        blocks = re.findall(r"^```python\n(.*?)^```", f.read(), re.S | re.M)
+    table.row("guide: blocks of Python", 3, len(blocks), 0)
+    folder = os.path.join(RUN, "python", "guide")
+    shutil.rmtree(folder, ignore_errors=True)
+    case = FoamCase("python", "guide/myCase", os.path.join(PROJECT, "etc/caseTemplate"))
+    for application in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
+        case.run(application)
+    first = case.points("0", "target")
+    before = [first["id"], first["x"], case.nCells()]
+    for path in ("0/lagrangian/target/id", "0/lagrangian/target/x", "constant/polyMesh/owner"):
+        subprocess.run(["gzip", case.file(path)], check=True)
+    after = [first["id"], first["x"], case.nCells()]
+    table.check("guide: compressed files are the same", all(map(np.array_equal, before, after))
+                and "x" in first.keys() and not os.path.exists(first.paths[0] + "/x"), after[2])
+    for name, block in zip(("read", "change", "study"), blocks):
+        path = os.path.join(folder, name + ".py")
+        with open(path, "w") as f:
+            f.write(block)
+        run = subprocess.run([sys.executable, path], cwd=folder, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, timeout=300)
+        table.check(f"guide: {name} runs", run.returncode == 0,
+                    " ".join(run.stdout.decode().replace("|", " ").split())[-150:])
+    table.check("guide: table and picture of the study are there", all(os.path.exists(
+        os.path.join(folder, n)) for n in ("strain.csv", "strain.md", "strain.png")))
+
+
+# --- dictionaries ---------------------------------------------------------------
+
+def leaves(entry, above=""):
+    """Paths of all entries that are no dictionaries."""
+    for child in entry.entries or ():
+        if child.entries is not None:
+            yield from leaves(child, above + child.name + ".")
+        elif child.end > child.start:
+            yield above + child.name, child
+
+
+def foamDictionary(case, path, name):
+    return subprocess.run(
+        ["foamDictionary", path, "-entry", name, "-value"], cwd=case.path,
+        stdout=subprocess.PIPE, env={**os.environ, "PWD": case.path}).stdout.decode()
+
+
+def dictionaries(table):
+    files = sorted(p for folder in ("constant", "system", "0", "0.orig") for p in glob.glob(
+        os.path.join(PROJECT, "tutorials/**", folder, "*"), recursive=True)
+        if os.path.isfile(p) and not p.endswith((".stl", ".gz")))
+    nEntries, moved, unread = 0, [], []
+    for path in files:
+        with open(path, errors="replace") as f:
+            text = f.read()
+        if "FoamFile" not in text:
+            continue
+        try:
+            for name, entry in leaves(parse(text)):
+                if name.startswith("FoamFile") or name.startswith("#"):
+                    continue
+                nEntries += 1
+                try:
+                    if setEntry(text, name, text[entry.start:entry.end]) != text:
+                        moved.append(f"{path}: {name}")
+                except DictionaryError as error:
+                    unread.append(f"{path}: {error}")
+        except DictionaryError as error:
+            unread.append(f"{path}: {error}")
+    table.row("dictionaries: entries of the tutorials", 3000, nEntries, 3000, "atLeast")
+    table.check("dictionaries: all are read", not unread, " | ".join(unread[:3]))
+    table.check("dictionaries: setting what is there changes nothing", not moved,
+                " ".join(moved[:3]))
+
+    case = FoamCase("python", "entries", os.path.join(PROJECT, "tutorials/spall"))
+    for path, entry, name in (
+            ("system/controlDict", "endTime", "endTime"),
+            ("constant/phaseProperties", "target.E", "target/constitutiveModel/E"),
+            ("system/blockMeshDict", "nx", "nx"),
+            ("system/setMaterialPointsDict", "flyer.velocity", "regions/flyer/velocity")):
+        read = foamDictionary(case, path, name)
+        said = [float(v) for v in re.findall(r"[-+.\deE]+", read)]
+        mine = np.ravel(case.get(path, entry))
+        table.check(f"dictionaries: {entry} as foamDictionary reads it",
+                    list(mine) == said and len(said) > 0, f"{mine} {said}")
+    before = case._text("constant/phaseProperties")
+    case.set("constant/phaseProperties", "target.E", 1.5e9)
+    after = case._text("constant/phaseProperties")
+    changed = [(a, b) for a, b in zip(before.split("\n"), after.split("\n")) if a != b]
+    table.check("dictionaries: another value changes one line",
+                len(changed) == 1 and before.count("\n") == after.count("\n"), changed)
+    case.set("system/fvSolution", "materialPoints.maxStrain", 0.1, add=True)
+    read = foamDictionary(case, "system/fvSolution", "materialPoints/maxStrain")
+    table.check("dictionaries: a new entry is read", float(read) == 0.1, read.strip())
+
+    try:
+        case.points("0", "flyr")["x"]
+        said = ""
+    except FileNotFoundError as error:
+        said = str(error)
+    table.check("a cloud that is not there is an error", "no clouds at this time" in said,
+                said[-60:])
+    text = "a { x 1; b { y 2; } }\nc { y 3; }\n"
+    for path, words in (("y", "a.b.y, c.y"), ("a.z", "a has x, b"), ("q", "the file has a, c")):
+        try:
+            getEntry(text, path)
+            table.check(f"dictionaries: {path} is refused", False)
+        except DictionaryError as error:
+            table.check(f"dictionaries: {path} is refused with the choices", words in str(error),
+                        error)
+
+
+# --- study ----------------------------------------------------------------------
+
+def start(case):
+    """The bar of tests/lib/bar.py: its velocity at the start is none of a dictionary."""
+    case.prepare()
+    x = case.points("0", "bar")["x"][:, 0]
+    v = np.zeros((len(x), 3))
+    v[:, 0] = V0*np.sin(np.pi*x/(2*L))
+    writeField(case.file("0/lagrangian/bar/U"), v)
+    case.run("materialPointFoam")
+
+
+def series(base, folder, modulus=(100.0, 400.0, -1.0)):
+    return Study(base, {"E": ("constant/phaseProperties", "bar.E", list(modulus))},
+                 {"period": period("balance/bar.dat", "Px"), "steps": steps}, folder=folder,
+                 steps=start)
+
+
+def stopped(case):
+    """As the log of a run that a signal has ended, which gives exit code 0."""
+    with open(case.file("log.materialPointFoam"), "w") as f:
+        f.write("\nSignal 15 (Terminated) was received.\n")
+
+
+def study(table):
+    base = barRun("python", "bar", {"shapeFunction": "GIMP", "transfer": "FLIP"}, 32)[0]
+    base.set("system/controlDict", "endTime", 2.5*T)
+    folder = os.path.join(RUN, "python", "study")
+    shutil.rmtree(folder, ignore_errors=True)
+    made = series(base.path, folder)
+    rows = made.run(2)
+    # The mesh alone makes (k h)^2/24 = 1e-4 with k = pi/(2 L); 2e-3 is a tolerance
+    for E, measured in zip(rows["E"][:2], rows["period"]):
+        table.row(f"study: period of the bar, E {E:g}", 4*L/np.sqrt(E), measured, 2e-3, "relative")
+    table.check("study: a run that fails is a row with the solver's error",
+                "must be greater than 0" in rows["state"][2] and np.isnan(rows["period"][2]),
+                rows["state"][2])
+
+    logs = [made.case(E=E).file("log.materialPointFoam") for E in (100.0, 400.0)]
+    written = [os.path.getmtime(p) for p in logs]
+    again = series(base.path, folder).run(2)
+    table.check("study: what has ended is not run anew",
+                list(again["state"][:2]) == ["kept", "kept"]
+                and [os.path.getmtime(p) for p in logs] == written, list(again["state"][:2]))
+    table.check("study: with the same figures", np.array_equal(
+        again["period"][:2], rows["period"][:2]))
+    base.set("system/controlDict", "endTime", 2.0*T)
+    changed = series(base.path, folder, (100.0,)).run(2)
+    table.check("study: it is where the case has changed", changed["state"][0] == "ran"
+                and changed["steps"][0] < rows["steps"][0], changed["state"][0])
+
+    ended = [Study(base.path, {}, {}, folder=os.path.join(folder, "stopped"),
+                   steps=stopped).run()["state"][0] for _ in range(2)]
+    table.check("study: a run that a signal has ended has not run", all(
+        state.startswith("failed: Signal 15") for state in ended), ended)
+
+    both = Study(base.path, {"E": ("constant/phaseProperties", "bar.E", [1.0, 2.0]),
+                             "Co": ("system/controlDict", "maxCo", [0.1, 0.2])}, {},
+                 combine="list")
+    table.row("study: runs of combine list", 2, len(both.points), 0)
+    try:
+        Study(base.path, {"E": ("constant/phaseProperties", "bar.e", [1.0])}, {})
+        said = ""
+    except DictionaryError as error:
+        said = str(error)
+    table.check("study: an entry that is not there is an error before anything runs",
+                "no entry bar.e; bar has constitutiveModel" in said, said[-60:])
+    try:
+        last("balance/bar.dat", "Pq")(made.case(E=400.0))
+        said = ""
+    except RunFailed as error:
+        said = str(error)
+    table.check("study: a column that is not there is an error with those that are",
+                "Px" in said and "kinetic" in said, said[:100])
+    rows.write(os.path.join(folder, "table"))
+    rows.plot("E", "period", file=os.path.join(folder, "period.svg"), log="xy")
+    with open(os.path.join(folder, "table.csv")) as f:
+        table.row("study: lines of the CSV", 4, len(f.readlines()), 0)
+    table.check("study: picture as SVG", os.path.getsize(os.path.join(folder, "period.svg")) > 1000)
+
+
+if __name__ == "__main__":
+    sys.exit(runParts("python", guide, dictionaries, study))
