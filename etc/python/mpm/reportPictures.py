@@ -15,6 +15,7 @@ import PIL.Image
 
 from mpm import animate, views
 from mpm.case import Case
+from mpm.files import readField, readLists
 from mpm.pictures import (BODY, GAS, SIGNED, VALUES, Normalize, PolyCollection, ScalarMappable,
                           _pixels, colourBar, drawPoints, frame, layOut, plt)
 
@@ -25,11 +26,12 @@ ROOM = 1900000
 
 
 class Picture:
-    """What is drawn: a title and a function that gives the figure of a time."""
+    """What is drawn: a title and a function that gives the figure of a time. coloured: by
+    values, not by materials alone."""
 
-    def __init__(self, title, times, draw, close):
+    def __init__(self, title, times, draw, close, coloured=True):
         self.title, self.times, self.draw, self.close = title, times, draw, close
-        self.frames = []
+        self.coloured, self.frames = coloured, []
 
 
 def encode(figure):
@@ -92,7 +94,8 @@ def described(case):
         if "profile" not in view:
             drawing.pixels = [4*n//5 for n in drawing.pixels]
         yield Picture(name, drawing.times, drawing.draw,
-                      lambda d=drawing: plt.close(d.figure))
+                      lambda d=drawing: plt.close(d.figure),
+                      any("field" in layer for layer in views.layers(view)))
 
 
 # --- the automatic choice ------------------------------------------------------------
@@ -143,6 +146,13 @@ class Scene:
         if "wedge" in kinds:
             flat.append(min((a for a in range(3) if a not in flat), key=lambda a: size[a]))
         return flat
+
+    def shows(self, time):
+        """Are there points, or the field of the gas?"""
+        field = gasField(self)
+        return any(self.cloud(time, p) is not None for p in self.phases) or bool(
+            field and any(os.path.exists(os.path.join(d, time, field[0]))
+                          for d in (self.case.path, *self.case.processors())))
 
     def cloud(self, time, phase):
         """The points of a phase, None where there are none."""
@@ -202,61 +212,72 @@ def unitOf(column, limits):
 
 
 class Section:
-    """Values on the cells of a mesh of any kind, cut by the plane through its middle. VTK
-    reads the case, put together or not, with the mesh of each time."""
+    """Cells of a mesh of any kind, cut by the plane through its middle: polygons and values.
+    Of a case that is not put together the meshes of all processors, of a mesh that changes
+    that of the time."""
 
     def __init__(self, scene, normal):
-        from vtkmodules.vtkCommonDataModel import vtkPlane
-        from vtkmodules.vtkFiltersCore import vtkCutter
-        from vtkmodules.vtkIOParallel import vtkPOpenFOAMReader
-        self.reader = vtkPOpenFOAMReader()
-        whole = len(scene.case.times()) > 1 or not scene.case.processors()
-        self.reader.SetCaseType(1 if whole else 0)
-        self.reader.SetFileName(scene.case.file("system/controlDict"))
-        self.reader.CreateCellToPointOff()
-        self.reader.DecomposePolyhedraOff()
-        self.reader.UpdateInformation()
-        self.reader.DisableAllLagrangianArrays()
-        self.reader.DisableAllPointArrays()
-        self.reader.DisableAllPatchArrays()
-        self.reader.SetPatchArrayStatus("internalMesh", 1)
-        plane = vtkPlane()
-        plane.SetOrigin(*(scene.box.mean(axis=1) + 1e-7*np.ptp(scene.box, axis=1)))
-        plane.SetNormal(*(float(a == normal) for a in range(3)))
-        self.cutter = vtkCutter()
-        self.cutter.SetCutFunction(plane)
-        self.cutter.GenerateTrianglesOff()
-        self.times = self.reader.GetTimeValues()
+        self.normal, self.known = normal, {}
+        case = scene.case
+        whole = os.path.exists(case.file("constant/polyMesh/owner")) and (
+            len(case.times()) > 1 or not case.processors())
+        self.pieces = [case] if whole else [Case(p) for p in case.processors()]
+        # Not through points of the mesh
+        low, high = scene.box[normal]
+        self.place = 0.5*(low + high) + 1.234e-6*(high - low)
+
+    def meshFile(self, piece, time, name):
+        """The newest file of the mesh that is not after the time."""
+        times = [t for t in piece.times(f"polyMesh/{name}") if float(t) <= float(time)]
+        return piece.file(times[-1] if times else "constant", "polyMesh", name)
+
+    def cut(self, piece, time):
+        """Numbers of the cells that the plane meets, and their polygons [corner, 3]."""
+        files = [self.meshFile(piece, time, n) for n in ("points", "faces", "owner", "neighbour")]
+        if tuple(files) in self.known:
+            return self.known[tuple(files)]
+        x = readField(files[0])
+        faces, owner, neighbour = (readLists(f) for f in files[1:])
+        if not len(faces):
+            return np.zeros(0, int), []
+        size = np.array([len(f) for f in faces])
+        first, face = np.concatenate(faces), np.repeat(np.arange(len(faces)), size)
+        start = np.cumsum(size) - size
+        after = np.arange(len(first)) + 1
+        after[start + size - 1] = start
+        second = first[after]
+        # Edges of faces that cross the plane: two of each face that does
+        d = x[:, self.normal] - self.place
+        cross = np.flatnonzero(d[first]*d[second] < 0)
+        i, j, face = first[cross], second[cross], face[cross]
+        point = x[i] + (d[i]/(d[i] - d[j]))[:, None]*(x[j] - x[i])
+        inner = face < len(neighbour)
+        cell = np.concatenate([owner[face], neighbour[face[inner]]])
+        point = np.concatenate([point, point[inner]])
+        if not len(cell):
+            self.known[tuple(files)] = cell, []
+            return cell, []
+        # Corners of each cell in their order about its middle
+        order = np.argsort(cell, kind="stable")
+        cells, at, n = np.unique(cell[order], return_index=True, return_counts=True)
+        point = point[order]
+        across = [a for a in range(3) if a != self.normal]
+        middle = np.repeat(np.add.reduceat(point, at)/n[:, None], n, axis=0)
+        angle = np.arctan2(*(point - middle)[:, across].T)
+        order = np.lexsort((angle, np.repeat(np.arange(len(cells)), n)))
+        self.known[tuple(files)] = cells, np.split(point[order], at[1:])
+        return self.known[tuple(files)]
 
     def cells(self, time, field):
         """Polygons [corner, 3] and values of the cells at a time."""
-        from vtkmodules.util.numpy_support import vtk_to_numpy
-        values = [self.times.GetValue(i) for i in range(self.times.GetNumberOfTuples())]
-        self.reader.DisableAllCellArrays()
-        self.reader.SetCellArrayStatus(field, 1)
-        near = min(values, key=lambda t: abs(t - float(time)))
-        self.reader.UpdateTimeStep(near)
-        corners, found = [], []
-
-        def take(data):
-            if hasattr(data, "GetNumberOfBlocks"):
-                for i in range(data.GetNumberOfBlocks()):
-                    if data.GetBlock(i) is not None:
-                        take(data.GetBlock(i))
-                return
-            self.cutter.SetInputData(data)
-            self.cutter.Update()
-            cut = self.cutter.GetOutput()
-            array = cut.GetCellData().GetArray(field)
-            if array is None or not cut.GetNumberOfCells():
-                return
-            x = vtk_to_numpy(cut.GetPoints().GetData())
-            for i in range(cut.GetNumberOfCells()):
-                ids = cut.GetCell(i).GetPointIds()
-                corners.append(x[[ids.GetId(j) for j in range(ids.GetNumberOfIds())]])
-            found.append(vtk_to_numpy(array))
-        take(self.reader.GetOutput())
-        return corners, np.concatenate(found) if found else np.zeros(0)
+        corners, values = [], [np.zeros(0)]
+        for piece in self.pieces:
+            if os.path.exists(piece.file(time, field)):
+                cells, polygons = self.cut(piece, time)
+                some = np.atleast_1d(piece.field(time, field))
+                corners += polygons
+                values.append(some[cells] if len(some) > 1 else np.full(len(cells), some[0]))
+        return corners, np.concatenate(values)
 
 
 def gasField(scene):
@@ -276,8 +297,8 @@ class Automatic:
         self.column = columnOf(scene, times) if scene.phases else None
         self.gas = gasField(scene)
         self.section, self.gasLimits = None, None
-        self.far = scene.nDim == 3
-        if self.gas and scene.nDim > 1:
+        self.seen = Oblique(scene) if scene.nDim == 3 and not self.gas else None
+        if self.gas:
             out = [a for a in range(3) if a not in scene.axes][0]
             self.section = Section(scene, out)
             self.gasLimits = span([self.section.cells(t, self.gas[0])[1] for t in times])
@@ -298,17 +319,25 @@ class Automatic:
 
     def layOut(self):
         a, b = self.scene.axes
-        factor, prefix = self.length
+        factor = self.length[0]
         self.box = factor*self.scene.box[[a, b]].ravel()
         if self.scene.nDim == 1:
-            self.figure, self.ax = plt.subplots(figsize=(6, 3.2))
-        else:
-            height = (self.box[3] - self.box[2])/(self.box[1] - self.box[0])
-            width = 6.0 if height < 2 else 4.0
-            self.figure, self.ax = plt.subplots(
-                figsize=(width, min(6.5, max(2.0, (width - 1.8)*height + 0.75))))
-            frame(self.ax, self.box[:2], self.box[2:], *self.labels(), title=" ")
-            self.bars()
+            n = bool(self.column) + bool(self.gas)
+            self.figure, axes = plt.subplots(max(1, n), figsize=(6, 1.2 + 1.9*max(1, n)),
+                                             sharex=True, squeeze=False)
+            self.figure.set_dpi(DPI)
+            self.all = axes[:, 0]
+            return
+        if self.seen:
+            ends = factor*self.seen.project(self.seen.corners())[:, :2]
+            low, high = ends.min(axis=0), ends.max(axis=0)
+            self.box = np.stack([low, high], axis=1).ravel()
+        height = (self.box[3] - self.box[2])/(self.box[1] - self.box[0])
+        width = 6.0 if height < 2 else 4.0
+        self.figure, self.ax = plt.subplots(
+            figsize=(width, min(6.5, max(2.0, (width - 1.8)*height + 0.75))))
+        frame(self.ax, self.box[:2], self.box[2:], *self.labels(), title=" ")
+        self.bars()
         self.figure.set_dpi(DPI)
         layOut(self.figure)
         self.figure.set_layout_engine("none")
@@ -337,92 +366,160 @@ class Automatic:
                   label + (f" [{unit}]" if unit else ""), shrink=0.9, aspect=22)
 
     def draw(self, time):
-        self.ax.clear()
+        title = f"{self.time[0]*float(time):.4g} {self.time[1]}s"
         if self.scene.nDim == 1:
             self.profile(time)
-        else:
-            frame(self.ax, self.box[:2], self.box[2:], *self.labels())
-            if self.section:
-                corners, values = self.section.cells(time, self.gas[0])
-                some = [self.length[0]*c[:, self.scene.axes] for c in corners]
-                self.ax.add_collection(PolyCollection(
-                    some, array=values, cmap="Blues_r" if self.column else VALUES,
-                    norm=Normalize(*self.gasLimits), edgecolors="face", linewidths=0.3,
-                    rasterized=True, zorder=GAS))
-            for phase in self.scene.phases:
-                self.points(time, phase)
-        self.ax.set_title(f"{self.time[0]*float(time):.4g} {self.time[1]}s")
+            self.all[0].set_title(title)
+            return self.figure
+        self.ax.clear()
+        frame(self.ax, self.box[:2], self.box[2:], *self.labels(), title=title)
+        if self.seen:
+            self.seen.frame(self.ax, *self.length)
+        if self.section:
+            corners, values = self.section.cells(time, self.gas[0])
+            some = [self.length[0]*c[:, self.scene.axes] for c in corners]
+            self.ax.add_collection(PolyCollection(
+                some, array=values, cmap="Blues_r" if self.column else VALUES,
+                norm=Normalize(*self.gasLimits), edgecolors="face", linewidths=0.3,
+                rasterized=True, zorder=GAS))
+        for phase, cloud, some in self.clouds(time):
+            self.points(phase, cloud, some)
         return self.figure
+
+    def clouds(self, time):
+        """(phase, cloud, mask of the points that are drawn); in 3D those that are seen, or
+        those of the section."""
+        found = [(p, self.scene.cloud(time, p)) for p in self.scene.phases]
+        found = [(p, c) for p, c in found if c is not None]
+        if self.scene.nDim < 3:
+            return [(p, c, None) for p, c in found]
+        if not self.seen:
+            out = self.section.normal
+            return [(p, c, abs(c["x"][:, out] - self.section.place) < 0.6*np.cbrt(c["V"]))
+                    for p, c in found]
+        flat = [Flat(c, self.seen) for _, c in found]
+        masks = visible(flat)
+        return [(p, c, m) for (p, _), c, m in zip(found, flat, masks)]
 
     def values(self, cloud, phase):
         if self.column is None or phase in self.scene.rigid or self.column[0] not in cloud:
             return BODY
         return self.column[3](cloud[self.column[0]])
 
-    def points(self, time, phase):
-        cloud = self.scene.cloud(time, phase)
-        if cloud is None:
+    def points(self, phase, cloud, some):
+        if some is not None and not some.any():
             return
         values = self.values(cloud, phase)
         failed = cloud["damage"] >= 0.98 if "damage" in cloud and self.column and \
             self.column[0] != "damage" else None
-        some = nearest(cloud, self.scene.axes) if self.far else None
-        section = None if "halfSize" in cloud else self.thickness()
+        if self.scene.nDim == 3:
+            section = np.cbrt(cloud["V"])       # boxes as wide as they are deep
+        else:
+            out = [a for a in range(3) if a not in self.scene.axes][0]
+            section = None if "halfSize" in cloud else float(np.ptp(self.scene.box[out]))
         drawPoints(self.ax, cloud, values, self.colours(self.column) if self.column else VALUES,
                    self.column[4] if self.column else None, failed, some,
-                   scale=self.length[0], axes=tuple(self.scene.axes), section=section,
-                   pixels=self.pixels)
-
-    def thickness(self):
-        """Of the mesh, across the picture; of points in 3D their own."""
-        out = [a for a in range(3) if a not in self.scene.axes][0]
-        return float(np.ptp(self.scene.box[out]))
+                   scale=self.length[0], axes=(0, 1) if self.seen else tuple(self.scene.axes),
+                   section=section, pixels=self.pixels, close=1.0 if self.seen else 0.5)
 
     def profile(self, time):
-        """Values over the one direction of a case in 1D."""
+        """Values over the one direction of a case in 1D: of points, and of the gas."""
         a, factor = self.scene.axes[0], self.length[0]
-        size, unit = unitOf(self.column[0], self.column[4]) if self.column else (1, "")
-        for phase in self.scene.phases:
-            cloud = self.scene.cloud(time, phase)
-            values = self.values(cloud, phase) if cloud is not None else BODY
-            if not isinstance(values, str):
-                self.ax.plot(factor*cloud["x"][:, a], size*values, ".", ms=4, label=phase)
+        for ax in self.all:
+            ax.clear()
         if self.column:
-            low, high = (size*v for v in self.column[4])
-            self.ax.set(ylabel=f"{self.column[1]} [{unit}]", ylim=(
-                low - 0.05*(high - low), high + 0.05*(high - low)))
-        self.ax.set(xlabel=self.labels()[0], xlim=self.box[:2])
+            size = unitOf(self.column[0], self.column[4])
+            self.label(self.all[0], self.column[1], self.column[4], *size)
+            for phase in self.scene.phases:
+                cloud = self.scene.cloud(time, phase)
+                values = self.values(cloud, phase) if cloud is not None else BODY
+                if not isinstance(values, str):
+                    self.all[0].plot(factor*cloud["x"][:, a], size[0]*values, ".", ms=4,
+                                     label=phase)
+            if self.all[0].lines:
+                self.all[0].legend(loc="upper right")
         if self.gas:
-            self.gasProfile(time, self.ax if not self.column else self.twin())
-        if self.column:
-            self.ax.legend(loc="upper right")
+            corners, values = self.section.cells(time, self.gas[0])
+            x = np.array([c[:, a].mean() for c in corners])
+            order = np.argsort(x)
+            size = unitOf(self.gas[0], self.gasLimits)
+            self.label(self.all[-1], self.gas[1], self.gasLimits, *size)
+            self.all[-1].plot(factor*x[order], size[0]*values[order], "C0", lw=1.2)
+        self.all[-1].set(xlabel=self.labels()[0], xlim=self.box[:2])
 
-    def twin(self):
-        for other in self.figure.axes[1:]:
-            other.remove()
-        return self.ax.twinx()
-
-    def gasProfile(self, time, ax):
-        values = np.atleast_1d(self.scene.case.field(time, "p"))
-        edges = self.length[0]*self.scene.case.edges()[self.scene.axes[0]]
-        if len(values) in (1, len(edges) - 1):
-            ax.plot(0.5*(edges[1:] + edges[:-1]), np.broadcast_to(values, len(edges) - 1)*1e-5,
-                    "C0", lw=1.2)
-            ax.set_ylabel("pressure of the gas [bar]")
+    @staticmethod
+    def label(ax, label, limits, factor, unit):
+        low, high = (factor*v for v in limits)
+        ax.set(ylabel=label + (f" [{unit}]" if unit else ""),
+               ylim=(low - 0.05*(high - low), high + 0.05*(high - low)))
 
 
-def nearest(cloud, axes):
-    """Points in 3D that one sees: of each column of points across the picture the nearest."""
-    out = [a for a in range(3) if a not in axes][0]
-    x = cloud["x"]
-    size = 2*np.cbrt(np.median(cloud["V"]))
-    place = np.floor(x[:, axes]/size*2).astype(int)
-    order = np.argsort(x[:, out])
-    key = place[order, 0]*2**31 + place[order, 1]
-    _, last = np.unique(key[::-1], return_index=True)
-    mask = np.zeros(len(x), bool)
-    mask[order[::-1][last]] = True
-    return mask
+class Oblique:
+    """A scene in 3D as one sees it from the right, a little from above; up is against
+    gravity, otherwise y."""
+
+    def __init__(self, scene):
+        up = np.array([0.0, 1, 0])
+        if os.path.exists(scene.case.file("constant/g")):
+            with open(scene.case.file("constant/g")) as f:
+                value = re.search(r"value\s*\(([^)]*)\)", f.read())
+            g = np.array(value[1].split(), float) if value else np.zeros(3)
+            if g.any():
+                up = np.eye(3)[abs(g).argmax()]*-np.sign(g[abs(g).argmax()])
+        right = np.array([1.0, 0, 0]) if not up[0] else np.array([0, 1.0, 0])
+        to = 0.45*right + 0.4*up + 0.8*np.cross(right, up)
+        to /= np.linalg.norm(to)
+        across = np.cross(up, to)/np.linalg.norm(np.cross(up, to))
+        self.turn = np.stack([across, np.cross(to, across), to])
+        self.box = scene.box
+
+    def project(self, x):
+        """Places across and up, and the distance towards the one who sees them."""
+        return x @ self.turn.T
+
+    def corners(self):
+        return np.array([[self.box[a][i >> a & 1] for a in range(3)] for i in range(8)])
+
+    def frame(self, ax, factor, prefix):
+        """The mesh's box, its lower edges with their names and lengths."""
+        ax.axis("off")
+        x = factor*self.project(self.corners())[:, :2]
+        for i in range(8):
+            for a in range(3):
+                if not i >> a & 1:
+                    ax.plot(*x[[i, i | 1 << a]].T, color="0.75", lw=0.7, zorder=GAS)
+        for a in range(3):
+            ax.annotate(f"{'xyz'[a]} {factor*self.box[a][1]:.3g} {prefix}m", x[1 << a],
+                        fontsize=8, color="0.35", ha="right", va="top")
+
+
+class Flat:
+    """A cloud as one sees it: x are its projected places."""
+
+    def __init__(self, cloud, seen):
+        self.cloud, self.x = cloud, seen.project(cloud["x"])
+
+    def __getitem__(self, name):
+        return self.x if name == "x" else self.cloud[name]
+
+    def __contains__(self, name):
+        return name != "halfSize" and name in self.cloud
+
+
+def visible(clouds):
+    """Masks of the points of all clouds that no other hides: those that are near the one
+    that is nearest in their part of the picture."""
+    if not clouds:
+        return []
+    x = np.concatenate([c.x for c in clouds])
+    size = np.cbrt(np.median(np.concatenate([c["V"] for c in clouds])))
+    place = np.floor((x[:, :2] - x[:, :2].min(axis=0))/size).astype(int)
+    depth = np.full(place.max(axis=0) + 3, -np.inf)
+    np.maximum.at(depth, tuple(place.T + 1), x[:, 2])
+    around = np.max([depth[1 + i:depth.shape[0] - 1 + i, 1 + j:depth.shape[1] - 1 + j]
+                     for i, j in ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))], axis=0)
+    near = x[:, 2] > around[tuple(place.T)] - 2*size
+    return np.split(near, np.cumsum([len(c.x) for c in clouds])[:-1])
 
 
 # --- all of them ---------------------------------------------------------------------
@@ -438,12 +535,10 @@ def pictures(case, dictionary, n, known=None, notes=None):
             notes.append(one)
         else:
             found.append(one)
-    if not found and writtenTimes(case):
+    if not any(p.coloured for p in found) and writtenTimes(case):
         try:
             scene = Scene(case, dictionary)
-            times = [t for t in choose(scene.times, n)
-                     if scene.phases and any(scene.cloud(t, p) for p in scene.phases)
-                     or hasField(case, t, gasField(scene))]
+            times = choose([t for t in scene.times if scene.shows(t)], n)
             if times:
                 automatic = Automatic(scene, times)
                 found.append(Picture(automatic.title(), times, automatic.draw,
@@ -464,12 +559,6 @@ def pictures(case, dictionary, n, known=None, notes=None):
         picture.close()
     room(found, notes)
     return [p for p in found if p.frames]
-
-
-def hasField(case, time, field):
-    return field is not None and any(
-        os.path.exists(os.path.join(d, time, field[0]))
-        for d in [case.path, *case.processors()])
 
 
 def room(found, notes):
