@@ -136,7 +136,8 @@
         draw(plots[i], i);
       }
     }), { rootMargin: "600px" });
-    plots.forEach((plot, i) => waiting.observe(document.getElementById("plot" + i)));
+    // Those that are zero all the time have no place
+    document.querySelectorAll(".plot").forEach(box => waiting.observe(box));
   }
   window.mpmReport = { graphs: graphs, plots: plots };
 
