@@ -97,7 +97,9 @@ def cards(content):
     last, found = h.rows[-1], []
     factor, unit = content.timeScale()
     end = content.endTime()
-    share = f"{last['Progress', '']:.3g} % of {factor*end:.5g} {unit}" if np.isfinite(end) else ""
+    share = ""
+    if np.isfinite(end):
+        share = f"{last['Progress', '']:.3g} % of {factor*end:.5g} {unit}"
     found.append(("simulated time", f"{factor*content.lastTime():.5g} {unit}", share))
     steps = last.get(("Progress", "step"))
     if steps is not None:
@@ -109,17 +111,18 @@ def cards(content):
         if np.isfinite(n[-1]):
             found.append((what, f"{n[-1]:.0f}", f"{n[0]:.0f} at the start"
                           if n[0] != n[-1] else ""))
-    cpu, wall = (sum(r.rows[-1].get(("ExecutionTime", name), 0) for r in content.runs if r.rows)
+    ends = [r.rows[-1] for r in content.runs if r.rows]
+    cpu, wall = (sum(row.get(("ExecutionTime", name), 0) for row in ends)
                  for name in ("", "ClockTime"))
-    processors = content.runs[-1].header.get("nProcs", "1")
-    found.append(("CPU time", f"{cpu:.5g} s", f"of one of {processors} processors, {wall:.0f} s"
-                  " passed" if processors != "1" else f"{wall:.0f} s passed"))
+    n = content.runs[-1].header.get("nProcs", "1")
+    of = "" if n == "1" else f"of one of {n} processors, "
+    found.append(("CPU time", f"{cpu:.5g} s", of + f"{wall:.0f} s passed"))
     _, mean = h.rate()
     if np.isfinite(mean):
         for what, n in (("point-steps", points), ("cell-steps", cells)):
             if np.isfinite(n).any():
-                found.append((f"{what} a second of CPU", f"{1e-6*mean*np.nanmean(n):.4g} million",
-                              ""))
+                found.append((f"{what} a second of CPU",
+                              f"{1e-6*mean*np.nanmean(n):.4g} million", ""))
     return found + balance(content)
 
 
@@ -155,8 +158,8 @@ def balance(content):
 
 def change(v):
     v = v[np.isfinite(v)]
-    size = np.abs(v).max()
-    return f"{100*(v[-1] - v[0])/size:+.4g} %" if size > 0 else "0"
+    size = np.abs(v).max()      # of the largest, as after a start at rest
+    return f"{100*(v[-1] - v[0])/size:+.4g} %" if v[-1] != v[0] else "0 %"
 
 
 def notices(content):
@@ -190,14 +193,16 @@ def pictureParts(content, other, n, cache, notes):
     data, boxes = [], []
     for i, (one, picture) in enumerate(shown):
         title = picture.title if one is content else f"{picture.title}, {one.name}"
-        data.append({"id": f"picture{i}", "title": title, "times": [t for t, _ in picture.frames],
+        data.append({"id": f"picture{i}", "title": title,
+                     "times": [t for t, _ in picture.frames],
                      "images": [image for _, image in picture.frames]})
         boxes.append(f'<figure><img id="picture{i}" alt="{esc(title)}"'
                      f' src="{picture.frames[-1][1]}"><figcaption>{esc(title)}</figcaption>'
                      "</figure>\n")
     factor, unit = content.timeScale()
     names = [f"{factor*t:.5g} {unit}" for t in times]
-    text = ('<h2 id="pictures">Pictures</h2>\n<div class="times"><label for="time">time</label>'
+    text = ('<h2 id="pictures">Pictures</h2>\n'
+            '<div class="times"><label for="time">time</label>'
             f'<input type="range" id="time" min="0" max="{len(times) - 1}" step="1"'
             f' value="{len(times) - 1}"><output id="shown" for="time">{names[-1]}</output>'
             '<button type="button" id="play">Play</button></div>\n'
@@ -250,7 +255,8 @@ def build(content, other, n, output, refresh=None, cache=None):
     """The page's text, and what is to be said on the terminal."""
     notes = []
     remedies = page.Remedies(output)
-    shown, frames, times = pictureParts(content, other, n, {} if cache is None else cache, notes)
+    shown, frames, times = pictureParts(content, other, n,
+                                        {} if cache is None else cache, notes)
     if not shown and writtenTimes(content.case) in ([], ["0"]):
         notes.append("no pictures: no written times")
     plots, more = list(content.plots), list(content.more)

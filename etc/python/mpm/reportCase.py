@@ -189,7 +189,8 @@ class Table:
         for path in paths:
             with open(path, errors="replace") as f:
                 lines = f.read().splitlines()
-            comments = [x.lstrip("# ").rstrip() for x in lines if x.startswith("#")] or comments
+            head = [x.lstrip("# ").rstrip() for x in lines if x.startswith("#")]
+            comments = head or comments
             new = [self.numbers(x) for x in lines if x.strip() and not x.startswith("#")]
             # The last line may be cut off where a run goes on
             new = [r for r in new if r and len(r) == len(new[0])]

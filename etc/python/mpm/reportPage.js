@@ -83,7 +83,7 @@
     const own = plot.lines.filter(line => line.run === 0).map(line => line.name);
     const series = {};
     plot.lines.forEach(line => {
-      const k = Math.max(0, own.indexOf(line.of));
+      const at = own.indexOf(line.of), k = at < 0 ? own.length : at;
       series[line.name] = {
         color: COLOURS[k % COLOURS.length],
         strokePattern: line.run ? [6, 3] : k >= COLOURS.length ? [2, 2] : null

@@ -8,6 +8,7 @@ import os
 import re
 import time
 import urllib.request
+import zlib
 
 import numpy as np
 
@@ -151,7 +152,8 @@ def computed(dictionaries, meanings, conditions, mesh, head):
             ("Where the fluids are", "system/setFluidsDict", None),
             ("Schemes", "system/fvSolution", None), ("", "system/fvSchemes", None),
             ("Time control and output", "system/controlDict", "Function objects"),
-            ("Gravity", "constant/g", None), ("Adaptive mesh", "system/adaptiveMeshDict", None),
+            ("Gravity", "constant/g", None),
+            ("Adaptive mesh", "system/adaptiveMeshDict", None),
             ("Processors", "system/decomposeParDict", "system/decomposeParDict, loadBalance"),
             ("Blocks of the mesh", "system/blockMeshDict", None)):
         if dictionaries.get(file):
@@ -199,7 +201,8 @@ def numbers(history, other, name):
             w = of.get((head, quantity), np.zeros(0))
             w = w[np.isfinite(w)]
             cells.append(number(w[-1]) if len(w) else "")
-        rows.append(f'<tr data-key="{esc(head)}|{esc(quantity)}"><td>{esc(label(quantity))}</td>'
+        rows.append(f'<tr data-key="{esc(head)}|{esc(quantity)}">'
+                    f"<td>{esc(label(quantity))}</td>"
                     f"<td>{esc(unit)}</td>" + "".join(f'<td class="n">{c}</td>' for c in cells)
                     + "</tr>\n")
     return table(["quantity", "unit", "first report", "last", "smallest", "largest"]
@@ -251,8 +254,8 @@ def xtDiagrams(tables):
         plt.close(figure)
         parts.append(
             '<figure><img alt="x-t diagram" src="data:image/jpeg;base64,'
-            f'{base64.b64encode(buffer.getvalue()).decode()}"><figcaption>{esc(one.function)}: '
-            f"{esc(one.title)}</figcaption></figure>")
+            f'{base64.b64encode(buffer.getvalue()).decode()}">'
+            f"<figcaption>{esc(one.function)}: {esc(one.title)}</figcaption></figure>")
     return f'<div class="pictures">{"".join(parts)}</div>' if parts else ""
 
 
@@ -287,9 +290,10 @@ def still(plot, factor, timeLabel, name):
     figure.savefig(buffer, format="svg")
     plt.close(figure)
     svg = buffer.getvalue()
-    # Names of parts are those of this plot alone
-    return re.sub(r'(id="|url\(#|href="#)', rf"\1{abs(hash(plot.title + plot.unit))}", re.sub(
-        r"<metadata>.*?</metadata>", "", svg[svg.index("<svg"):], flags=re.S))
+    # Names of parts that are those of this plot alone
+    own = zlib.crc32(f"{plot.section} {plot.title} {plot.unit}".encode())
+    svg = re.sub(r"<metadata>.*?</metadata>", "", svg[svg.index("<svg"):], flags=re.S)
+    return re.sub(r'(id="|url\(#|href="#)', rf"\g<1>s{own}", svg)
 
 
 def plotBoxes(plots, first, zoom, draw):
@@ -343,7 +347,9 @@ def document(title, body, data, refresh):
             f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f'<link rel="icon" href="data:,">\n<title>{esc(title)}</title>\n'
             f"<style>\n{style}</style>\n</head>\n<body>\n")
-    code = (f"<script>{zoom[0]}</script>\n" if zoom else "") + f"<script>\n{parts[1]}</script>\n"
+    code = f"<script>\n{parts[1]}</script>\n"
+    if zoom:
+        code = f"<script>{zoom[0]}</script>\n" + code
     data["page"].update(zoom=bool(zoom), refresh=refresh)
     made = time.strftime("%Y-%m-%d %H:%M:%S")
     return (head + body + f"<footer>Made by mpmReport of materialPointFoam, {made}."

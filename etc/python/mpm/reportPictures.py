@@ -233,7 +233,8 @@ class Section:
 
     def cut(self, piece, time):
         """Numbers of the cells that the plane meets, and their polygons [corner, 3]."""
-        files = [self.meshFile(piece, time, n) for n in ("points", "faces", "owner", "neighbour")]
+        files = [self.meshFile(piece, time, n)
+                 for n in ("points", "faces", "owner", "neighbour")]
         if tuple(files) in self.known:
             return self.known[tuple(files)]
         x = readField(files[0])
@@ -311,11 +312,15 @@ class Automatic:
 
     def title(self):
         words = []
-        if self.column and self.column[0] != "none":
+        if self.column:
             words.append(f"points by {self.column[1]}")
         if self.gas:
             words.append(self.gas[1])
-        return "automatic choice: " + ", ".join(words or ["points"])
+        failed = any("damage" in c for c in (
+            self.scene.cloud(self.times[-1], p) for p in self.scene.phases) if c is not None)
+        return "automatic choice: " + ", ".join(words or ["points"]) + (
+            " (dark red: failed)" if failed and self.column and self.column[0] != "damage"
+            else "")
 
     def layOut(self):
         a, b = self.scene.axes
@@ -417,7 +422,8 @@ class Automatic:
         else:
             out = [a for a in range(3) if a not in self.scene.axes][0]
             section = None if "halfSize" in cloud else float(np.ptp(self.scene.box[out]))
-        drawPoints(self.ax, cloud, values, self.colours(self.column) if self.column else VALUES,
+        cmap = self.colours(self.column) if self.column else VALUES
+        drawPoints(self.ax, cloud, values, cmap,
                    self.column[4] if self.column else None, failed, some,
                    scale=self.length[0], axes=(0, 1) if self.seen else tuple(self.scene.axes),
                    section=section, pixels=self.pixels, close=1.0 if self.seen else 0.5)

@@ -38,6 +38,14 @@ class Plot:
     def zero(self):
         return all(not np.any(np.nan_to_num(y)) for _, _, y in self.lines)
 
+    def withoutZeros(self):
+        """Lines that are zero all the time only lie over the others' axis: said, not drawn."""
+        zero = [n for n, _, y in self.lines if not np.any(np.nan_to_num(y))]
+        if zero and not self.zero():
+            self.lines = [line for line in self.lines if line[0] not in zero]
+            self.comment = f"{self.comment} (zero: {', '.join(zero)})".strip()
+        return self
+
 
 def unitOf(head, name):
     """Unit of a number of the log."""
@@ -96,7 +104,7 @@ def logPlots(history):
                 "N s": "impulse", "m": "gap", "K": "temperature",
                 "J": "" if head.startswith("Energy") else "energy"}.get(unit, "")
         plots.append(Plot(section(head, unit), head + (f": {what}" if what else ""), unit,
-                          lines))
+                          lines).withoutZeros())
     step = history.series("deltaT")
     if np.isfinite(step).any():
         plots.append(Plot(SECTIONS[3], "time step", "s", [("deltaT", history.times, step)],
@@ -148,8 +156,10 @@ def tablePlots(tables):
                 lines = [(h, t, data[:, k]) for k, h in enumerate(heads)]
                 comment = table.title
             what = heads[0] if len(columns) == 1 else ""
-            title = f"{table.function}: {name}" + (f", {what}" if what != name and what else "")
-            plots.append(Plot(table.function, title, unit, lines, comment=comment))
+            title = f"{table.function}: {name}"
+            title += f", {what}" if what not in (name, "") else ""
+            plots.append(Plot(table.function, title, unit, lines,
+                              comment=comment).withoutZeros())
     return plots
 
 

@@ -7,8 +7,8 @@ pages       small cases in 1D, 2D, 3D and with a gas: the page has the numbers o
 going       a run that goes on, its page made by -watch: the page reloads until the run has
             ended; a restart: both logs are one history
 compared    -with: entries that differ are those that were changed, lines of both
-bad         no case, no log, a log that is cut off, an error, processor folders alone, a machine
-            without dygraphs: one clear sentence or a page that says it
+bad         no case, no log, a log that is cut off, an error, processor folders alone, a
+            machine without dygraphs: one clear sentence or a page that says it
 browser     in Chromium at two widths: no error, nothing loaded, nothing wider than the page;
             slider and zoom, by mouse and keys. Skipped where there is none
 """
@@ -136,7 +136,8 @@ def gas(name, nDim):
 # --- pages -----------------------------------------------------------------------
 
 #: Numbers of the log, found here on their own: key of the page, pattern
-NUMBERS = (("Energy|kinetic", "^Energy: kinetic N,"), ("Energy|strain", "^Energy: .*strain N,"),
+NUMBERS = (("Energy|kinetic", "^Energy: kinetic N,"),
+           ("Energy|strain", "^Energy: .*strain N,"),
            ("Energy|total", "^Energy: .*total N$"),
            ("Material points|", "^Material points: N, mass"),
            ("Material points|mass", "^Material points: .*mass N, mom"),
@@ -152,7 +153,7 @@ def alone(page):
     """What the page would load from elsewhere, links for the reader left out."""
     found = [u for u in page.loads if not u.startswith(("data:", "#"))]
     styles = re.sub(r"<script.*?</script>", "", page.source, flags=re.S)
-    return found + re.findall(r"url\((?!['\"]?data:)[^)]*\)|@import.*", styles)
+    return found + re.findall(r"url\((?!['\"]?(?:data:|#))[^)]*\)|@import.*", styles)
 
 
 def looked(table, name, case, numbers, constants):
@@ -179,8 +180,8 @@ def looked(table, name, case, numbers, constants):
         with PIL.Image.open(io.BytesIO(base64.b64decode(image.split(",")[1]))) as picture:
             sizes.add(picture.size)
             colours = len(picture.convert("RGB").getcolors(1 << 24))
-    table.check(f"{name}: pictures of one size, with colours", len(sizes) == 1 and colours > 20,
-                f"{sizes} {colours}")
+    table.check(f"{name}: pictures of one size, with colours",
+                len(sizes) == 1 and colours > 20, f"{sizes} {colours}")
     table.check(f"{name}: says that it is done", re.search(r"badge\s+done", page.source))
     return page
 
@@ -248,7 +249,8 @@ def going(table):
         page = Page(path)
         table.check("-watch: the last page does not reload",
                     page.data["page"]["refresh"] is None)
-        table.row("-watch: the last page has the last step", lastOf(case, "^Progress: .*step N"), page.last("Progress|step"), 0)
+        table.row("-watch: the last page has the last step",
+                  lastOf(case, "^Progress: .*step N"), page.last("Progress|step"), 0)
     finally:
         for process in (solver, watch):
             if process.poll() is None:
@@ -290,7 +292,8 @@ def compared(table):
     names = [x["name"] for x in plot["lines"]]
     table.check("-with: lines of both", names == [
         "kinetic", "strain", "total", "kinetic (two)", "strain (two)", "total (two)"], names)
-    table.row("-with: last energy of the other in its line", lastOf(two, "^Energy: .*total N$"), plot["lines"][5]["y"][-1], 1e-5, "relative")
+    table.row("-with: last energy of the other in its line",
+              lastOf(two, "^Energy: .*total N$"), plot["lines"][5]["y"][-1], 1e-5, "relative")
     table.row("-with: pictures of both", 2, len(page.data["frames"]), 0)
     same = pageOf(one, "-with", one.path)
     table.check("-with itself: no entry differs",
@@ -324,7 +327,8 @@ def bad(table):
     table.check("cut log: stopped, and says why", re.search(r"badge\s+stopped", page.source)
                 and "ends before its end" in page.text)
     whole = re.findall(r"^Progress: .*step (\d+)", log[:at], re.M)
-    table.row("cut log: the last whole report", float(whole[-1]), page.last("Progress|step"), 0)
+    table.row("cut log: the last whole report", float(whole[-1]),
+              page.last("Progress|step"), 0)
     with open(case.file("log.materialPointFoam"), "wb") as f:
         f.write(os.urandom(5000))
     table.check("no text in the log: as none", "No log of materialPointFoam" in
@@ -355,8 +359,10 @@ def bad(table):
     still = template("still", endTime="1e-6")
     still.run("materialPointFoam")
     page = pageOf(still, environment={"MPM_DYGRAPHS": "/nowhere"})
-    table.check("no dygraphs: says how to get it", "apt-get install libjs-dygraphs" in page.text)
-    table.row("no dygraphs: plots as still pictures", 5, page.source.count("<svg"), 5, "atLeast")
+    table.check("no dygraphs: says how to get it",
+                "apt-get install libjs-dygraphs" in page.text)
+    table.row("no dygraphs: plots as still pictures", 5, page.source.count("<svg"), 5,
+              "atLeast")
     table.check("no dygraphs: nothing from elsewhere", not alone(page), alone(page))
 
 
@@ -369,11 +375,14 @@ def ranks(table):
         shutil.rmtree(case.file(name))
     shutil.rmtree(case.file("constant/polyMesh"))
     page = pageOf(case)
-    table.row("processor folders alone: pictures", len(os.listdir(case.file("processor0"))) - 1,
+    times = len(os.listdir(case.file("processor0"))) - 1        # and constant
+    table.row("processor folders alone: pictures", times,
               len(page.data["frames"][0]["images"]), 0)
     table.row("processor folders alone: cells", 2400, float(re.search(
         r"(\d+) cells at the start", page.text)[1]), 0)
-    table.row("processor folders alone: kinetic energy", lastOf(case, "^Energy: kinetic N,"), page.last("Energy|kinetic"), 1e-9, "relative")
+    table.row("processor folders alone: kinetic energy",
+              lastOf(case, "^Energy: kinetic N,"), page.last("Energy|kinetic"), 1e-9,
+              "relative")
     said = report(case.file("processor0"), fails=True)
     table.check("processor0: give the folder above", "give the folder above" in said
                 or "is no case" in said, said)
@@ -401,7 +410,8 @@ def browser(table):
             zoom(table, name, page)
             page.screenshot(case.file(f"page{width}.png"), whole=True)
             table.check(f"{name}: no error in the console", not page.errors, page.errors)
-            others = [u for u in page.requests if not u.startswith(("data:", "file://" + path))]
+            others = [u for u in page.requests
+                      if not u.startswith(("data:", "file://" + path))]
             table.check(f"{name}: nothing is loaded", not others, others)
 
 
