@@ -115,14 +115,14 @@ def cards(content):
     cpu, wall = (sum(row.get(("ExecutionTime", name), 0) for row in ends)
                  for name in ("", "ClockTime"))
     n = content.runs[-1].header.get("nProcs", "1")
-    of = "" if n == "1" else f"of one of {n} processors, "
+    of, on = ("", "") if n == "1" else (f"of one of {n} processors, ", f"on {n} processors")
     found.append(("CPU time", f"{cpu:.5g} s", of + f"{wall:.0f} s passed"))
     _, mean = h.rate()
     if np.isfinite(mean):
         for what, n in (("point-steps", points), ("cell-steps", cells)):
             if np.isfinite(n).any():
                 found.append((f"{what} a second of CPU",
-                              f"{1e-6*mean*np.nanmean(n):.4g} million", ""))
+                              f"{1e-6*mean*np.nanmean(n):.4g} million", on))
     return found + balance(content)
 
 

@@ -89,15 +89,17 @@ def flat(data, before=""):
 def fields(case, time="0"):
     """Conditions of the fields of the start: {field: {patch: dict}}, inner values left out."""
     found, folder = {}, case.file(time)
+    if not os.path.isdir(folder):
+        folder += ".orig"
     for name in sorted(os.listdir(folder)) if os.path.isdir(folder) else ():
         path = os.path.join(folder, name)
-        if not os.path.isfile(path) or os.path.getsize(path) > 300e6:
+        if not os.path.isfile(path):
             continue
-        with open(path, errors="replace") as f:
-            text = f.read()
-        at = text.find("boundaryField")
-        if at >= 0 and "nonuniform" not in text[at:]:
-            found[name] = parse(text[at:]).get("boundaryField", {})
+        with open(path, "rb") as f:
+            raw = f.read()
+        at = raw.find(b"boundaryField")
+        if at >= 0 and len(raw) - at < 1e5 and b"nonuniform" not in raw[at:]:
+            found[name] = parse(raw[at:].decode(errors="replace")).get("boundaryField", {})
     return found
 
 

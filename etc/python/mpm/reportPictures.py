@@ -84,11 +84,18 @@ def viewsOf(case):
 
 def described(case):
     """Pictures of the views; a line for each that has no times."""
-    for name, view, folder in viewsOf(case):
+    if len(case.times()) < 2 and case.processors():
+        return              # they want a whole case
+    try:
+        found = viewsOf(case)
+    except (Exception, SystemExit) as error:
+        yield f"view.py: {error}"
+        return
+    for name, view, folder in found:
         try:
             drawing = animate.Drawing(view, folder)
-        except SystemExit as error:
-            yield str(error)
+        except (Exception, SystemExit) as error:
+            yield f"view.py, {name}: {error}"
             continue
         drawing.figure.set_dpi(DPI)
         if "profile" not in view:
@@ -238,11 +245,11 @@ class Section:
         if tuple(files) in self.known:
             return self.known[tuple(files)]
         x = readField(files[0])
-        faces, owner, neighbour = (readLists(f) for f in files[1:])
-        if not len(faces):
+        first, size = readLists(files[1], flat=True)
+        owner, neighbour = (readLists(f) for f in files[2:])
+        if not len(size):
             return np.zeros(0, int), []
-        size = np.array([len(f) for f in faces])
-        first, face = np.concatenate(faces), np.repeat(np.arange(len(faces)), size)
+        face = np.repeat(np.arange(len(size)), size)
         start = np.cumsum(size) - size
         after = np.arange(len(first)) + 1
         after[start + size - 1] = start
@@ -295,14 +302,15 @@ class Automatic:
 
     def __init__(self, scene, times):
         self.scene, self.times = scene, times
-        self.column = columnOf(scene, times) if scene.phases else None
+        some = choose(times, 5)         # for the limits of colours
+        self.column = columnOf(scene, some) if scene.phases else None
         self.gas = gasField(scene)
         self.section, self.gasLimits = None, None
         self.seen = Oblique(scene) if scene.nDim == 3 and not self.gas else None
         if self.gas:
             out = [a for a in range(3) if a not in scene.axes][0]
             self.section = Section(scene, out)
-            self.gasLimits = span([self.section.cells(t, self.gas[0])[1] for t in times])
+            self.gasLimits = span([self.section.cells(t, self.gas[0])[1] for t in some])
             low, high = self.gasLimits
             if high - low < 1e-6*max(abs(low), abs(high)) or high == low:
                 self.gasLimits = low - 0.01*(abs(low) or 1), high + 0.01*(abs(high) or 1)

@@ -241,6 +241,7 @@ def going(table):
         table.row("-watch: pages with later steps while it runs", 3, len(steps), 3, "atLeast")
         table.check("-watch: says running, and reloads", states[-1:] == [("running", 1)],
                     states[-1:])
+        warned(table, case)
         solver.send_signal(signal.SIGTERM)
         solver.wait(60)
         said = watch.communicate(timeout=60)[0].decode()
@@ -271,6 +272,19 @@ def going(table):
     table.check("restart: one history, times grow", np.all(np.diff(t) > 0)
                 and t[0] < 20 < t[-1], (t[0], t[-1]))
     table.check("restart: says so", "2 starts" in page.text)
+
+
+def warned(table, case):
+    """endTime of 1 s is 3e7 steps away: the warning, its line, its remedy."""
+    page = Page(case.file("report.html"))
+    lines = [n for n, line in enumerate(case.log().split("\n"), 1)
+             if line.startswith("--> FOAM Warning")]
+    notes = re.findall(r'<div class="note" data-line="(\d+)">(.*?)</div>', page.source, re.S)
+    table.check("a warning: the line of the log", lines == [int(n) for n, _ in notes],
+                f"{lines} {[n for n, _ in notes]}")
+    text = " ".join(t for _, t in notes)
+    table.check("a warning: its words and its remedy", "Is endTime in s?" in text
+                and "50 us are <code>endTime 50e-6</code>" in text, text[:300])
 
 
 def compared(table):
@@ -355,6 +369,13 @@ def bad(table):
         said = report(case.path, *words, fails=True)
         table.check(f"{' '.join(words)}: refused without a traceback",
                     "Traceback" not in said and "mpmReport" in said, said)
+    case = template("view", endTime="1e-6")
+    case.run("materialPointFoam")
+    with open(case.file("view.py"), "w") as f:
+        f.write("VIEWS = {")
+    said = report(case.path)
+    table.check("a wrong view.py: said, the page has the automatic choice", "view.py: " in said
+                and Page(case.file("report.html")).data["frames"], said)
     ranks(table)
     still = template("still", endTime="1e-6")
     still.run("materialPointFoam")
