@@ -166,8 +166,11 @@ def notices(content):
     """What must be said first: no log, a log that ends before its end."""
     found = []
     if not content.runs:
-        found.append(f"No log of {SOLVER} in this case yet: run it as"
-                     f" <code>{SOLVER} &gt; log.{SOLVER} 2&gt;&amp;1</code>, or name the log"
+        has = len(writtenTimes(content.case)) > 1
+        found.append(f"No log of {SOLVER} in this case"
+                     + (": what it printed was not kept. Run it as" if has else
+                        " yet: run it as")
+                     + f" <code>{SOLVER} &gt; log.{SOLVER} 2&gt;&amp;1</code>, or name the log"
                      " with <code>-log</code>.")
     elif content.state() == "stopped":
         found.append("The log ends before its end, and no process writes it: the run was"
@@ -219,10 +222,13 @@ def differenceParts(content, other):
 
     def short(v):
         return f"<code>{esc(v[:300])}</code>" if v else '<span class="soft">none</span>'
-    return head + page.table(
+    found = page.table(
         ["file", "entry", content.name, other.name],
         [page.row(f"<code>{esc(f)}</code>", f"<code>{esc(k)}</code>", short(a), short(b))
          for f, k, a, b in rows])
+    n = f"{len(rows)} entries differ" if len(rows) > 1 else "one entry differs"
+    return f"{head}<details{' open' if len(rows) < 40 else ''}><summary>{n}</summary>" \
+        f"{found}</details>"
 
 
 def header(content, refresh):

@@ -306,12 +306,18 @@ class History:
             np.isnan(changed), cells, changed)
 
     def rate(self):
-        """Steps per second of CPU time between reports, and its mean over all."""
+        """Steps per second of CPU time at each report, over the last fortieth of the run's
+        time (which has two digits), and the mean over all runs."""
         step, cpu = self.series("Progress", "step"), self.series("ExecutionTime")
         rate, steps, seconds = np.full(len(step), np.nan), 0.0, 0.0
-        for i in range(1, len(step)):
-            if self.of[i] is self.of[i - 1]:
-                n, s = step[i] - step[i - 1], cpu[i] - cpu[i - 1]
-                rate[i] = n/s if s > 0 else np.nan
-                steps, seconds = steps + n, seconds + s
+        for run in self.runs:
+            some = np.array([i for i, r in enumerate(self.of) if r is run], int)
+            if len(some) < 2:
+                continue
+            n, s = step[some], cpu[some]
+            steps, seconds = steps + n[-1] - n[0], seconds + s[-1] - s[0]
+            window = max(0.2, (s[-1] - s[0])/40)
+            before = np.searchsorted(s, s - window, side="right") - 1
+            known = before >= 0
+            rate[some[known]] = (n[known] - n[before[known]])/(s[known] - s[before[known]])
         return rate, steps/seconds if seconds > 0 else np.nan

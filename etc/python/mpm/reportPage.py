@@ -232,6 +232,7 @@ def stepParts(text):
 def xtDiagrams(tables):
     """Pictures of tables whose columns are bins of a place."""
     from mpm.pictures import SIGNED, VALUES, colourBar, plt
+    from mpm.reportPictures import scale
     parts = []
     for one in tables:
         if not one.bins or one.data.shape[0] < 2 or one.data.shape[1] < 3:
@@ -241,13 +242,15 @@ def xtDiagrams(tables):
         except ValueError:
             continue
         t, v = one.data[:, 0], one.data[:, 1:]
+        (length, long), (duration, short) = scale(np.abs(places).max()), scale(t[-1])
         low, high = np.nanpercentile(v, (0.5, 99.5))
         signed = low < 0 < high
         size = max(-low, high)
         figure, ax = plt.subplots(figsize=(5.2, 3.4))
-        image = ax.pcolormesh(places, t, v, cmap=SIGNED if signed else VALUES, rasterized=True,
+        image = ax.pcolormesh(length*places, duration*t, v, rasterized=True,
+                              cmap=SIGNED if signed else VALUES,
                               vmin=-size if signed else low, vmax=size if signed else high)
-        ax.set(xlabel="place [m]", ylabel="time [s]")
+        ax.set(xlabel=f"place [{long}m]", ylabel=f"time [{short}s]")
         colourBar(figure, image, ax, one.title.split(" of ")[0])
         buffer = io.BytesIO()
         figure.savefig(buffer, format="jpeg", dpi=100, pil_kwargs={"quality": 85})
@@ -297,13 +300,14 @@ def still(plot, factor, timeLabel, name):
 
 
 def plotBoxes(plots, first, zoom, draw):
-    """The places of plots, in sections; of those that are zero all the time their names."""
+    """The places of plots, in sections; of those that stay the same their values."""
     parts, sections = [], {}
     for i, plot in enumerate(plots, first):
         sections.setdefault(plot.section, []).append((i, plot))
     for title, some in sections.items():
-        shown = [(i, p) for i, p in some if not p.zero()]
+        shown = [(i, p) for i, p in some if not p.zero() and not p.constant()]
         zero = [p.title for _, p in some if p.zero()]
+        constant = [p.constant() for _, p in some if p.constant() and not p.zero()]
         parts.append(f"<h3>{esc(title)}</h3>")
         if shown:
             parts.append('<div class="plots">')
@@ -318,6 +322,9 @@ def plotBoxes(plots, first, zoom, draw):
             parts.append("</div>")
         if zero:
             parts.append(f'<p class="soft">Zero all the time: {esc(", ".join(zero))}</p>')
+        if constant:
+            parts.append(f'<p class="soft">The same all the time: {esc("; ".join(constant))}'
+                         "</p>")
     return "".join(parts)
 
 

@@ -36,7 +36,18 @@ class Plot:
         self.other = []
 
     def zero(self):
-        return all(not np.any(np.nan_to_num(y)) for _, _, y in self.lines)
+        return all(not np.any(np.nan_to_num(y)) for _, _, y in self.lines + self.other)
+
+    def constant(self):
+        """Values of lines that all stay the same, to rounding; "" of others."""
+        words = []
+        for name, _, y in self.lines + self.other:
+            some = y[np.isfinite(y)]
+            if not len(some) or np.ptp(some) > 1e-12*abs(some[0]):
+                return ""
+            words.append(f"{name} {some[0]:.6g}")
+        return f"{self.title} [{self.unit}]: {', '.join(words)}" if self.unit else \
+            f"{self.title}: {', '.join(words)}"
 
     def withoutZeros(self):
         """Lines that are zero all the time only lie over the others' axis: said, not drawn."""
@@ -125,12 +136,7 @@ def speedPlots(history):
     if not np.isfinite(rate).any():
         return []
     points, cells = history.size()
-    # CPU seconds have two digits: means over a tenth of the reports
-    width = max(1, len(rate)//30)
-    smooth = np.array([np.nanmean(rate[max(1, i - width + 1):i + 1])
-                       if np.isfinite(rate[max(1, i - width + 1):i + 1]).any() else np.nan
-                       for i in range(len(rate))])
-    lines = [(name, history.times, 1e-6*smooth*n) for name, n in (
+    lines = [(name, history.times, 1e-6*rate*n) for name, n in (
         ("point-steps", points), ("cell-steps", np.broadcast_to(cells, rate.shape)))
         if np.isfinite(n).any()]
     return [Plot(SECTIONS[3], "speed", "million a second", lines,
