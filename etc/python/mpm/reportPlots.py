@@ -66,6 +66,10 @@ def unitOf(head, name):
         return "kg"
     if head.startswith("Heat of") and not name:
         return "J"
+    if head in ("Time", "deltaT", "ExecutionTime") or name == "about":
+        return "s"
+    if head == "Progress" and not name:
+        return "%"
     return _UNITS.get(name, "")
 
 
@@ -73,7 +77,7 @@ def label(name):
     """What is said of a number of the log: "p to" is the largest of "p"."""
     if name.endswith(" to"):
         return f"{name[:-3]}, largest"
-    return name or "number"
+    return {"": "value", "about": "time left, about"}.get(name, name)
 
 
 def quantities(history):
@@ -113,7 +117,7 @@ def logPlots(history):
     for (head, unit), lines in groups.items():
         what = {"kg": "mass", "kg m/s": "momentum", "Pa": "pressure", "N": "force",
                 "N s": "impulse", "m": "gap", "K": "temperature",
-                "J": "" if head.startswith("Energy") else "energy"}.get(unit, "")
+                "s": "time", "J": "" if head.startswith("Energy") else "energy"}.get(unit, "")
         plots.append(Plot(section(head, unit), head + (f": {what}" if what else ""), unit,
                           lines).withoutZeros())
     step = history.series("deltaT")
