@@ -7,6 +7,9 @@
     from mpm.pictures import plt        # matplotlib in the style of the pictures
     from mpm.views import readViews     # what is shown of a case: view.py beside it
     python3 -m mpm.animate              # view.py as an animation
+    mpmReport                           # mpm.report: a page of a run; reportLog reads logs,
+                                        # reportCase dictionaries and tables, reportPictures
+                                        # draws, reportPlots and reportPage make the page
 
 The guide has a page on it: doc/guide/python.md. etc/bashrc puts it on PYTHONPATH.
 """

@@ -102,15 +102,18 @@ def readField(path):
     return values.reshape(n, size) if size > 1 else values
 
 
-def readLists(path):
-    """The lists of labels of a mesh's file, faces or owner, ascii or binary: arrays."""
+def readLists(path, flat=False):
+    """The lists of labels of a mesh's file, faces or owner, ascii or binary: arrays; flat:
+    of faces all labels one after the other, and the number of each face."""
     raw = readRaw(path)
     head = re.search(rb"FoamFile\s*\{(.*?)\}", raw, flags=re.S)
     kind = re.search(rb"class\s+(\w+)\s*;", head[1])[1]
     binary = re.search(rb"format\s+(\w+)\s*;", head[1])[1] == b"binary"
     body = re.sub(rb"\s*//[^\n]*\n", b"", raw[head.end():], count=1)
     if not binary and kind == b"faceList":
-        return [np.array(face.split(), int) for face in re.findall(rb"\d+\(([\d\s]*)\)", body)]
+        faces = [np.array(f.split(), int) for f in re.findall(rb"\d+\(([\d\s]*)\)", body)]
+        return (np.concatenate(faces or [np.zeros(0, int)]),
+                np.array([len(f) for f in faces], int)) if flat else faces
     lists, at = [], 0
     for _ in range(1 + (kind == b"faceCompactList")):
         count = re.compile(rb"\s*(\d+)\s*\(").match(body, at)
@@ -122,6 +125,8 @@ def readLists(path):
             end = body.index(b")", at)
             lists.append(np.array(body[at:end].split(), int))
             at = end + 1
+    if flat:
+        return lists[1], np.diff(lists[0])
     return lists[0] if len(lists) == 1 else np.split(lists[1], lists[0][1:-1])
 
 

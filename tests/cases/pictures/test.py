@@ -117,6 +117,8 @@ def animation(table):
             env={**os.environ, "PWD": case.path, "MPM_PROJECT_DIR": PROJECT,
                  "MPM_PREPARED": "1"}).returncode
     table.check("Allrun -animate 10", status == 0, last(text(case.file("log.Allrun"))))
+    table.check("Allrun ends with report.html", os.path.exists(case.file("report.html"))
+                and "report.html: " in text(case.file("log.Allrun")))
     times = case.times("lagrangian")
     table.row("written times, five intervals in two parts each", 11, len(times), 0)
     table.check("all of the case's own are there", {"2.5", "5", "7.5", "10", "12.5"} <= set(times))

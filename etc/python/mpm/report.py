@@ -1,0 +1,397 @@
+"""mpmReport: one HTML file of a case, running or done, that needs no server and no network.
+
+    mpmReport [options] [case]          # <case>/report.html
+
+    -case <folder>      the case (default: this folder)
+    -output <file>      the page (default: report.html in the case)
+    -with <folder>      another run: its lines in the same plots, its pictures, the entries of
+                        the dictionaries that differ
+    -times <n>          pictures of each view (default 12)
+    -log <file>         log of the solver (default: all of its logs in the case)
+    -watch              make the page anew while the run goes on; it reloads by itself
+    -interval <s>       with -watch: seconds between two pages (default 10)
+
+What is shown comes from dictionaries, logs, written times and postProcessing. Pictures are
+those of view.py, or an automatic choice.
+"""
+
+import argparse
+import os
+import sys
+import time
+
+import numpy as np
+
+from mpm import reportPage as page
+from mpm.case import Case
+from mpm.reportCase import (FILES, Meanings, differences, fields, meshOf, readDictionary,
+                            tables)
+from mpm.reportLog import SOLVER, History, logs, readRuns
+from mpm.reportPage import dygraphs, esc, number
+from mpm.reportPictures import pictures, scale, writtenTimes
+from mpm.reportPlots import logPlots, packed, tablePlots, together
+
+
+def fail(text):
+    sys.exit(f"mpmReport: {text}")
+
+
+def isCase(folder):
+    return os.path.isfile(os.path.join(folder, "system/controlDict")) \
+        and os.path.isfile(os.path.join(folder, FILES[0]))
+
+
+def checkedCase(folder):
+    """The case of a folder, or one error that says what is wrong with it."""
+    if not os.path.isdir(folder):
+        fail(f"there is no folder {folder}")
+    if os.path.basename(os.path.realpath(folder)).startswith("processor") and isCase(
+            os.path.join(folder, "..")):
+        fail(f"{folder} is a part of a decomposed case: give the folder above it")
+    if not isCase(folder):
+        below = sorted(d for d in os.listdir(folder) if isCase(os.path.join(folder, d)))
+        missing = [n for n in ("system/controlDict", FILES[0])
+                   if not os.path.isfile(os.path.join(folder, n))]
+        fail(f"{folder} is no case of {SOLVER}: it has no {' and no '.join(missing)}"
+             + (f"; cases in it: {' '.join(below)}" if below else ""))
+    return Case(folder)
+
+
+class Content:
+    """What is known of a case: dictionaries, logs, tables."""
+
+    def __init__(self, case, log=None):
+        self.case = case
+        self.name = os.path.basename(os.path.realpath(case.path))
+        self.dictionaries = {name: readDictionary(case, name) for name in FILES}
+        self.runs = readRuns(case, [log] if log else None)
+        self.history = History(self.runs)
+        self.tables = list(tables(case))
+        self.plots = logPlots(self.history)
+        self.more = tablePlots(self.tables)
+
+    def state(self):
+        return self.runs[-1].state() if self.runs else "no log"
+
+    def endTime(self):
+        try:
+            return float(self.dictionaries["system/controlDict"].get("endTime", "nan"))
+        except ValueError:
+            return np.nan
+
+    def lastTime(self):
+        return self.history.times[-1] if self.history.rows else np.nan
+
+    def timeScale(self):
+        """Factor and unit in which times are shown."""
+        known = [t for t in (self.endTime(), self.lastTime()) if np.isfinite(t)]
+        factor, prefix = scale(max(known) if known else 0)
+        return factor, prefix + "s"
+
+
+def cards(content):
+    """The most important figures: (what, figure, comment)."""
+    h = content.history
+    if not h.rows:
+        return []
+    last, found = h.rows[-1], []
+    factor, unit = content.timeScale()
+    end = content.endTime()
+    share = ""
+    if np.isfinite(end):
+        share = f"{last['Progress', '']:.3g} % of {factor*end:.5g} {unit}"
+    found.append(("simulated time", f"{factor*content.lastTime():.5g} {unit}", share))
+    steps = last.get(("Progress", "step"))
+    if steps is not None:
+        found.append(("steps", f"{steps:.0f}", f"last time step {number(last['deltaT', ''])} s"
+                      if ("deltaT", "") in last else ""))
+    points, cells = h.size()
+    cells = np.broadcast_to(cells, points.shape)
+    for what, n in (("points", points), ("cells of the gas or fluids", cells)):
+        if np.isfinite(n[-1]):
+            found.append((what, f"{n[-1]:.0f}", f"{n[0]:.0f} at the start"
+                          if n[0] != n[-1] else ""))
+    ends = [r.rows[-1] for r in content.runs if r.rows]
+    cpu, wall = (sum(row.get(("ExecutionTime", name), 0) for row in ends)
+                 for name in ("", "ClockTime"))
+    n = content.runs[-1].header.get("nProcs", "1")
+    of, on = ("", "") if n == "1" else (f"of one of {n} processors, ", f"on {n} processors")
+    found.append(("CPU time", f"{cpu:.5g} s", of + f"{wall:.0f} s passed"))
+    _, mean = h.rate()
+    if np.isfinite(mean):
+        for what, n in (("point-steps", points), ("cell-steps", cells)):
+            if np.isfinite(n).any():
+                found.append((f"{what} a second of CPU",
+                              f"{1e-6*mean*np.nanmean(n):.4g} million", on))
+    return found + balance(content)
+
+
+def balance(content):
+    """Cards of what should stay: energy, mass, fractions, load."""
+    h, found = content.history, []
+    total = h.series("Energy", "total")
+    if np.isfinite(total).any():
+        found.append(("energy of the points", change(total), "from the first report to the"
+                      " last; its largest is 100 %"))
+    mass = h.series("Material points", "mass")
+    if np.isfinite(mass).any():
+        found.append(("mass of the points", change(mass), ""))
+    low, high = h.series("Theta", "min"), h.series("Theta", "max")
+    if np.isfinite(low).any():
+        found.append(("sum of volume fractions", f"{np.nanmin(low):.5g} to"
+                      f" {np.nanmax(high):.5g}", "Theta, 1 where all fits"))
+    residual = h.series("Energy budget", "residual")
+    if np.isfinite(residual).any() and np.isfinite(total).any():
+        size = np.nanmax(np.abs(total)) or 1.0
+        found.append(("residual of the energy budget", f"{100*residual[-1]/size:.3g} %",
+                      "of the largest energy of the points"))
+    for line in content.runs[-1].head:
+        if "imbalance" in line and "points per processor" in line:
+            found.append(("imbalance at the start", f"{float(line.split()[-2]):.3g} %",
+                          "points of the fullest processor over the mean"))
+    if content.runs[-1].loads:
+        found.append(("last look of loadBalance", content.runs[-1].loads[-1].split(",")[0],
+                      content.runs[-1].loads[-1]))
+    n = sum(m.kind == "warning" for r in content.runs for m in r.messages)
+    return found + [("warnings", str(n), "" if n == 0 else "below")]
+
+
+def change(v):
+    v = v[np.isfinite(v)]
+    size = np.abs(v).max()      # of the largest, as after a start at rest
+    return f"{100*(v[-1] - v[0])/size:+.4g} %" if v[-1] != v[0] else "0 %"
+
+
+def notices(content):
+    """What must be said first: no log, a log that ends before its end."""
+    found = []
+    if not content.runs:
+        has = len(writtenTimes(content.case)) > 1
+        found.append(f"No log of {SOLVER} in this case"
+                     + (": what it printed was not kept. Run it as" if has else
+                        " yet: run it as")
+                     + f" <code>{SOLVER} &gt; log.{SOLVER} 2&gt;&amp;1</code>, or name the log"
+                     " with <code>-log</code>.")
+    elif content.state() == "stopped":
+        found.append("The log ends before its end, and no process writes it: the run was"
+                     " killed, or the log was cut off.")
+    elif not content.history.rows:
+        found.append("The log has no report of a step yet.")
+    if dygraphs() is None:
+        found.append(esc(page.MISSING))
+    return found
+
+
+def pictureParts(content, other, n, cache, notes):
+    """HTML and data of the pictures, of the other run beside."""
+    shown = []
+    for run, one in enumerate(c for c in (content, other) if c):
+        for picture in pictures(one.case, one.dictionaries[FILES[0]], n,
+                                cache.setdefault(run, {}), notes):
+            shown.append((one, picture))
+    if not shown:
+        return "", [], []
+    times = sorted({t for one, p in shown for t, _ in p.frames if one is content}
+                   or {t for _, p in shown for t, _ in p.frames})
+    data, boxes = [], []
+    for i, (one, picture) in enumerate(shown):
+        title = picture.title if one is content else f"{picture.title}, {one.name}"
+        data.append({"id": f"picture{i}", "title": title,
+                     "times": [t for t, _ in picture.frames],
+                     "images": [image for _, image in picture.frames]})
+        boxes.append(f'<figure><img id="picture{i}" alt="{esc(title)}"'
+                     f' src="{picture.frames[-1][1]}"><figcaption>{esc(title)}</figcaption>'
+                     "</figure>\n")
+    factor, unit = content.timeScale()
+    names = [f"{factor*t:.5g} {unit}" for t in times]
+    text = ('<h2 id="pictures">Pictures</h2>\n'
+            '<div class="times"><label for="time">time</label>'
+            f'<input type="range" id="time" min="0" max="{len(times) - 1}" step="1"'
+            f' value="{len(times) - 1}"><output id="shown" for="time">{names[-1]}</output>'
+            '<button type="button" id="play">Play</button></div>\n'
+            f'<div class="pictures">{"".join(boxes)}</div>\n')
+    return text, data, list(zip(times, names))
+
+
+def differenceParts(content, other):
+    rows = differences(content.case, other.case)
+    head = f'<h2 id="differences">Compared with {esc(other.name)}</h2>\n<p class="soft">' \
+        f"{esc(os.path.realpath(other.case.path))}; its lines are dashed.</p>"
+    if not rows:
+        return head + "<p>All entries of the dictionaries are the same.</p>"
+
+    def short(v):
+        return f"<code>{esc(v[:300])}</code>" if v else '<span class="soft">none</span>'
+    found = page.table(
+        ["file", "entry", content.name, other.name],
+        [page.row(f"<code>{esc(f)}</code>", f"<code>{esc(k)}</code>", short(a), short(b))
+         for f, k, a, b in rows])
+    n = f"{len(rows)} entries differ" if len(rows) > 1 else "one entry differs"
+    return f"{head}<details{' open' if len(rows) < 40 else ''}><summary>{n}</summary>" \
+        f"{found}</details>"
+
+
+def header(content, refresh):
+    state = content.state()
+    parts = [f"<header><h1>{esc(content.name)}</h1><span class='badge"
+             f" {state if state != 'no log' else ''}'>{state}</span>\n"]
+    line = [esc(os.path.realpath(content.case.path))]
+    if content.runs:
+        run = content.runs[-1]
+        started = " ".join(run.header.get(k, "") for k in ("Date", "Time")).strip()
+        if started:
+            line.append(esc(f"started {started}"))
+        line += [esc(w) for w in (run.version, f"OpenFOAM {run.header['Build']}"
+                                  if "Build" in run.header else "") if w]
+        if len(content.runs) > 1:
+            line.append(f"{len(content.runs)} starts")
+        if state == "running":
+            age = page.ago(time.time() - os.path.getmtime(run.log))
+            left = run.rows[-1].get(("Progress", "about")) if run.rows else None
+            line.append(f"last line {age} ago" + (
+                f", about {page.ago(left)} left" if left is not None else ""))
+    parts.append(f'<p class="soft">{" &middot; ".join(line)}</p>')
+    if refresh:
+        parts.append('<p><label><input type="checkbox" id="hold"> hold: do not reload</label>'
+                     f' <span class="soft">(every {refresh:g} s)</span></p>')
+    return "".join(parts) + "</header>\n"
+
+
+def build(content, other, n, output, refresh=None, cache=None):
+    """The page's text, and what is to be said on the terminal."""
+    notes = []
+    remedies = page.Remedies(output)
+    shown, frames, times = pictureParts(content, other, n,
+                                        {} if cache is None else cache, notes)
+    if not shown and writtenTimes(content.case) in ([], ["0"]):
+        notes.append("no pictures: no written times")
+    plots, more = list(content.plots), list(content.more)
+    if other:
+        together(plots, other.plots)
+        together(more, other.more)
+    factor, unit = content.timeScale()
+    axis = f"time [{unit}]"
+
+    def still(plot):
+        return page.still(plot, factor, axis, other.name if other else "")
+    zoom = dygraphs() is not None
+    said = "".join(f'<div class="note">{t}</div>' for t in notices(content))
+    said += "".join(f'<div class="note">{esc(t)}</div>' for t in notes)
+    last = content.runs[-1] if content.runs else None
+    sections = [("pictures", "Pictures", shown)]
+    if other:
+        sections.append(("differences", "Comparison", differenceParts(content, other)))
+    sections += [
+        ("run", "Run", page.plotBoxes(plots, 0, zoom, still) + page.limiters(content.history)
+         + page.stepParts(last.parts if last else "")),
+        ("output", "Function objects", page.plotBoxes(more, len(plots), zoom, still)
+         + page.xtDiagrams(content.tables) + page.otherTables(content.tables)),
+        ("numbers", "Numbers of the log", page.numbers(
+            content.history, other.history if other else None, other.name if other else "")
+         if content.history.rows else ""),
+        ("case", "What is computed", page.computed(
+            content.dictionaries, Meanings(), fields(content.case), meshOf(content.case),
+            last.head if last else []))]
+    sections = [s for s in sections if s[2]]
+    body = [header(content, refresh), "<main>\n<nav>",
+            "".join(f'<a href="#{key}">{title}</a>' for key, title, _ in sections), "</nav>\n",
+            said, '<div class="cards">',
+            "".join(f'<div class="card"><span>{esc(what)}</span><b>{esc(figure)}</b>'
+                    f"<span>{esc(comment)}</span></div>" for what, figure, comment
+                    in cards(content)), "</div>\n",
+            page.messages(content.runs, remedies, content.case)]
+    for key, title, inside in sections:
+        body.append(inside if inside.startswith("<h2") else
+                    f'<h2 id="{key}">{title}</h2>\n{inside}')
+    data = {"page": {"times": [t for t, _ in times], "names": [n for _, n in times],
+                     "timeLabel": axis, "timeName": "t ="},
+            "frames": frames,
+            "plots": packed(plots + more, factor, other.name if other else "")}
+    return page.document(f"{content.name}: report", "".join(body) + "</main>\n", data,
+                         refresh), notes
+
+
+def write(path, text):
+    """At once, for a browser that reads it meanwhile."""
+    try:
+        with open(path + ".part", "w", encoding="utf-8") as f:
+            f.write(text)
+        os.replace(path + ".part", path)
+    except OSError as error:
+        fail(f"cannot write {path}: {error.strerror}")
+
+
+def changed(case):
+    """What tells that there is something new to show."""
+    return ([(p, os.path.getsize(p)) for p in logs(case)], writtenTimes(case))
+
+
+def watch(case, other, options, output):
+    """New pages until the run has ended; Ctrl-C ends it, too. A run that has stopped is
+    waited for, it may be started again."""
+    cache, before = {}, None
+    while True:
+        now = changed(case)
+        content = Content(case, options.log)
+        ended = content.state() in ("done", "failed")
+        if now != before or ended:
+            text, _ = build(content, other, options.times, output,
+                            None if ended else options.interval, cache)
+            write(output, text)
+            if before is None:
+                print(f"{output}: open it in a browser; Ctrl-C ends the watch", flush=True)
+            before = now
+        if ended:
+            print(f"{output}: the run is {content.state()}")
+            return
+        time.sleep(options.interval)
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="mpmReport", usage="mpmReport [options] [case]", add_help=False,
+        allow_abbrev=False)
+    parser.add_argument("folder", nargs="?")
+    for name in ("-case", "-output", "-with", "-log"):
+        parser.add_argument(name, dest=name.strip("-").replace("with", "other"))
+    parser.add_argument("-times", type=int, default=12)
+    parser.add_argument("-interval", type=float, default=10)
+    parser.add_argument("-watch", action="store_true")
+    parser.add_argument("-help", "-h", "--help", action="store_true")
+    options = parser.parse_args(words)
+    if options.help:
+        print(__doc__.strip())
+        sys.exit(0)
+    if options.folder and options.case:
+        fail("give the case once: -case or the folder alone")
+    if options.times < 1 or options.interval <= 0:
+        fail("-times and -interval must be positive")
+    return options
+
+
+def main(words=None):
+    options = arguments(words)
+    case = checkedCase(options.case or options.folder or ".")
+    if options.log and not os.path.isfile(options.log):
+        fail(f"there is no file {options.log}")
+    other = Content(checkedCase(options.other)) if options.other else None
+    output = options.output or case.file("report.html")
+    if os.path.isdir(output):
+        output = os.path.join(output, "report.html")
+    output = os.path.abspath(output)
+    try:
+        if options.watch:
+            watch(case, other, options, output)
+            return
+        content = Content(case, options.log)
+        text, notes = build(content, other, options.times, output)
+    except KeyboardInterrupt:
+        return
+    write(output, text)
+    for note in notes + ([] if dygraphs() else [page.MISSING]):
+        print(f"mpmReport: {note}", file=sys.stderr)
+    print(f"{output}: {len(text.encode())/1e6:.2f} MB, run {content.state()}")
+
+
+if __name__ == "__main__":
+    main()

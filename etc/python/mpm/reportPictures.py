@@ -1,0 +1,586 @@
+"""Pictures of a case at chosen times for mpm.report: those of its view.py, or of an automatic
+choice: points by plastic strain, damage, stress or speed, a gas by pressure, fluids by the
+share of the first; in 3D the outer points seen from the side and a section of the gas.
+
+    for picture in pictures(case, 12): ...      # picture.title, picture.frames [(time, image)]
+"""
+
+import base64
+import io
+import os
+import re
+
+import numpy as np
+import PIL.Image
+
+from mpm import animate, views
+from mpm.case import Case
+from mpm.files import readField, readLists
+from mpm.pictures import (BODY, GAS, SIGNED, VALUES, Normalize, PolyCollection, ScalarMappable,
+                          _pixels, colourBar, drawPoints, frame, layOut, plt)
+
+#: Dots per inch of the pictures
+DPI = 110
+#: Bytes of all pictures of a page, as text
+ROOM = 1900000
+
+
+class Picture:
+    """What is drawn: a title and a function that gives the figure of a time. coloured: by
+    values, not by materials alone."""
+
+    def __init__(self, title, times, draw, close, coloured=True):
+        self.title, self.times, self.draw, self.close = title, times, draw, close
+        self.coloured, self.frames = coloured, []
+
+
+def encode(figure):
+    """A figure as text for a page: PNG of 128 colours or JPEG, whatever is smaller."""
+    figure.canvas.draw()
+    image = PIL.Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3])
+    best = b""
+    for kind, picture, options in (
+            ("png", image.quantize(128, dither=PIL.Image.Dither.NONE), {"optimize": True}),
+            ("jpeg", image, {"quality": 82, "optimize": True})):
+        buffer = io.BytesIO()
+        picture.save(buffer, kind, **options)
+        text = f"data:image/{kind};base64,".encode() + base64.b64encode(buffer.getvalue())
+        best = min((best or text), text, key=len)
+    return best.decode()
+
+
+def choose(times, n):
+    """n of the times, evenly, with the first and the last."""
+    if len(times) <= n:
+        return list(times)
+    values = np.array([float(t) for t in times])
+    wanted = np.linspace(values[0], values[-1], n)
+    return [times[i] for i in sorted({int(abs(values - w).argmin()) for w in wanted})]
+
+
+def writtenTimes(case):
+    """Names of the time folders of the case or, where it has none but the start, of its first
+    processor."""
+    times = case.times()
+    if len(times) < 2 and case.processors():
+        times = Case(case.processors()[0]).times()
+    return times
+
+
+# --- what view.py describes --------------------------------------------------------
+
+def viewsOf(case):
+    """(name, view, folder) of view.py in the case, or beside it of this case."""
+    found = []
+    path = os.path.realpath(case.path)
+    for folder in (path, os.path.dirname(path)):
+        if os.path.exists(os.path.join(folder, "view.py")):
+            found = [(name, view, folder) for name, view in views.readViews(folder).items()
+                     if os.path.realpath(os.path.join(folder, view.get("case", "."))) == path]
+        if found:
+            break
+    return found
+
+
+def described(case):
+    """Pictures of the views; a line for each that has no times."""
+    if len(case.times()) < 2 and case.processors():
+        return              # they want a whole case
+    try:
+        found = viewsOf(case)
+    except (Exception, SystemExit) as error:
+        yield f"view.py: {error}"
+        return
+    for name, view, folder in found:
+        try:
+            drawing = animate.Drawing(view, folder)
+        except (Exception, SystemExit) as error:
+            yield f"view.py, {name}: {error}"
+            continue
+        drawing.figure.set_dpi(DPI)
+        if "profile" not in view:
+            drawing.pixels = [4*n//5 for n in drawing.pixels]
+        yield Picture(name, drawing.times, drawing.draw,
+                      lambda d=drawing: plt.close(d.figure),
+                      any("field" in layer for layer in views.layers(view)))
+
+
+# --- the automatic choice ------------------------------------------------------------
+
+def scale(size):
+    """Factor and prefix of the unit for lengths or times up to this one."""
+    for factor, prefix in ((1, ""), (1e3, "m"), (1e6, "u")):
+        if size*factor >= 1:
+            return factor, prefix
+    return (1e9, "n") if size > 0 else (1, "")
+
+
+class Scene:
+    """Mesh, phases and columns of a case that has been run."""
+
+    def __init__(self, case, dictionary):
+        self.case, self.times = case, writtenTimes(case)
+        pieces = [case] if os.path.exists(case.file("constant/polyMesh/points")) else \
+            [Case(p) for p in case.processors()]
+        edges = [p.edges() for p in pieces]
+        self.box = np.array([[min(e[i][0] for e in edges), max(e[i][-1] for e in edges)]
+                             for i in range(3)])
+        self.flat = self.flatDirections(pieces[0])
+        self.gas = [n for n, d in dictionary.items() if isinstance(d, dict)
+                    and d.get("type") in ("gas", "fluid")]
+        self.fluids = any(d.get("type") == "fluid" for d in dictionary.values()
+                          if isinstance(d, dict))
+        self.rigid = [n for n, d in dictionary.items() if isinstance(d, dict)
+                      and d.get("type") == "rigid"]
+        last = self.times[-1] if self.times else "0"
+        folders = [case.file(last, "lagrangian")] + [
+            os.path.join(p, last, "lagrangian") for p in case.processors()]
+        self.phases = sorted({n for f in folders if os.path.isdir(f) for n in os.listdir(f)})
+        used = [a for a in range(3) if a not in self.flat]
+        self.axes = (used + [a for a in self.flat if a not in used])[:2]
+        self.nDim = len(used)
+
+    def flatDirections(self, case):
+        """Directions without extent: of empty patches and wedges."""
+        with open(case.file("constant/polyMesh/boundary"), errors="replace") as f:
+            kinds = set(re.findall(r"\btype\s+(empty|wedge)", f.read()))
+        if not kinds:
+            return []
+        n = [len(e) for e in case.edges()]
+        size = np.ptp(self.box, axis=1)
+        # One layer of cells; of a wedge the direction in which the sector is thin
+        flat = [a for a in range(3) if n[a] == 2]
+        if "wedge" in kinds:
+            flat.append(min((a for a in range(3) if a not in flat), key=lambda a: size[a]))
+        return flat
+
+    def shows(self, time):
+        """Are there points, or the field of the gas?"""
+        field = gasField(self)
+        return any(self.cloud(time, p) is not None for p in self.phases) or bool(
+            field and any(os.path.exists(os.path.join(d, time, field[0]))
+                          for d in (self.case.path, *self.case.processors())))
+
+    def cloud(self, time, phase):
+        """The points of a phase, None where there are none."""
+        cloud = self.case.points(time, phase)
+        return cloud if "x" in cloud and len(cloud["x"]) else None
+
+
+#: What points are coloured by: column, label, colours, expression; the first that has values
+COLUMNS = (("plasticStrain", "plastic strain", VALUES, lambda v: v),
+           ("damage", "damage", "DAMAGE", lambda v: v),
+           ("sigmaEq", "von Mises stress", VALUES, lambda v: v),
+           ("pPoint", "pressure", SIGNED, lambda v: v),
+           ("U", "speed", VALUES, lambda v: np.linalg.norm(v, axis=1)))
+UNITS = {"sigmaEq": "Pa", "pPoint": "Pa", "p": "Pa", "U": "m/s"}
+
+
+def span(parts):
+    """Limits of colours: without the outermost 0.5 % of the values."""
+    found = [np.percentile(v, (0.5, 99.5)) for v in parts if len(v)]
+    found = [f for f in found if np.isfinite(f).all()]
+    return (min(f[0] for f in found), max(f[1] for f in found)) if found else (0.0, 0.0)
+
+
+def columnOf(scene, times):
+    """What shows most of the points: (column, label, colours, function, limits)."""
+    for column, label, colours, function in COLUMNS:
+        parts = []
+        for time in times:
+            for phase in scene.phases:
+                cloud = scene.cloud(time, phase)
+                if phase not in scene.rigid and cloud is not None and column in cloud:
+                    parts.append(function(cloud[column]))
+        low, high = span(parts)
+        if column == "damage" and parts and not any(
+                ((v > 0.02) & (v < 0.98)).mean() > 0.02 for v in parts if len(v)):
+            continue        # sound or failed, nothing between: that has a colour of its own
+        if UNITS.get(column) == "Pa" and max(abs(low), abs(high)) < 1e-3:
+            continue        # rounding
+        if high > low:
+            if column == "pPoint":
+                low, high = -max(-low, high), max(-low, high)
+            if column in ("plasticStrain", "sigmaEq", "U", "damage"):
+                low = 0.0
+            return column, label, colours, function, (low, high)
+    return None
+
+
+def unitOf(column, limits):
+    """Factor and unit of a column's values."""
+    unit = UNITS.get(column, "")
+    size = max(abs(v) for v in limits)
+    if unit == "Pa":
+        for factor, name in ((1e-9, "GPa"), (1e-6, "MPa"), (1e-3, "kPa")):
+            if size*factor >= 1:
+                return factor, name
+    return 1, unit
+
+
+class Section:
+    """Cells of a mesh of any kind, cut by the plane through its middle: polygons and values.
+    Of a case that is not put together the meshes of all processors, of a mesh that changes
+    that of the time."""
+
+    def __init__(self, scene, normal):
+        self.normal, self.known = normal, {}
+        case = scene.case
+        whole = os.path.exists(case.file("constant/polyMesh/owner")) and (
+            len(case.times()) > 1 or not case.processors())
+        self.pieces = [case] if whole else [Case(p) for p in case.processors()]
+        # Not through points of the mesh
+        low, high = scene.box[normal]
+        self.place = 0.5*(low + high) + 1.234e-6*(high - low)
+
+    def meshFile(self, piece, time, name):
+        """The newest file of the mesh that is not after the time."""
+        times = [t for t in piece.times(f"polyMesh/{name}") if float(t) <= float(time)]
+        return piece.file(times[-1] if times else "constant", "polyMesh", name)
+
+    def cut(self, piece, time):
+        """Numbers of the cells that the plane meets, and their polygons [corner, 3]."""
+        files = [self.meshFile(piece, time, n)
+                 for n in ("points", "faces", "owner", "neighbour")]
+        if tuple(files) in self.known:
+            return self.known[tuple(files)]
+        x = readField(files[0])
+        first, size = readLists(files[1], flat=True)
+        owner, neighbour = (readLists(f) for f in files[2:])
+        if not len(size):
+            return np.zeros(0, int), []
+        face = np.repeat(np.arange(len(size)), size)
+        start = np.cumsum(size) - size
+        after = np.arange(len(first)) + 1
+        after[start + size - 1] = start
+        second = first[after]
+        # Edges of faces that cross the plane: two of each face that does
+        d = x[:, self.normal] - self.place
+        cross = np.flatnonzero(d[first]*d[second] < 0)
+        i, j, face = first[cross], second[cross], face[cross]
+        point = x[i] + (d[i]/(d[i] - d[j]))[:, None]*(x[j] - x[i])
+        inner = face < len(neighbour)
+        cell = np.concatenate([owner[face], neighbour[face[inner]]])
+        point = np.concatenate([point, point[inner]])
+        if not len(cell):
+            self.known[tuple(files)] = cell, []
+            return cell, []
+        # Corners of each cell in their order about its middle
+        order = np.argsort(cell, kind="stable")
+        cells, at, n = np.unique(cell[order], return_index=True, return_counts=True)
+        point = point[order]
+        across = [a for a in range(3) if a != self.normal]
+        middle = np.repeat(np.add.reduceat(point, at)/n[:, None], n, axis=0)
+        angle = np.arctan2(*(point - middle)[:, across].T)
+        order = np.lexsort((angle, np.repeat(np.arange(len(cells)), n)))
+        self.known[tuple(files)] = cells, np.split(point[order], at[1:])
+        return self.known[tuple(files)]
+
+    def cells(self, time, field):
+        """Polygons [corner, 3] and values of the cells at a time."""
+        corners, values = [], [np.zeros(0)]
+        for piece in self.pieces:
+            if os.path.exists(piece.file(time, field)):
+                cells, polygons = self.cut(piece, time)
+                some = np.atleast_1d(piece.field(time, field))
+                corners += polygons
+                values.append(some[cells] if len(some) > 1 else np.full(len(cells), some[0]))
+        return corners, np.concatenate(values)
+
+
+def gasField(scene):
+    """Field and label of a gas or fluids: the share of the first liquid, or the pressure."""
+    if not scene.gas:
+        return None
+    if scene.fluids and len(scene.gas) > 1:
+        return f"alpha.{scene.gas[0]}", f"share of {scene.gas[0]}"
+    return "p", "pressure of the gas"
+
+
+class Automatic:
+    """Figures of a scene in 2D or 3D, points over a section of the gas."""
+
+    def __init__(self, scene, times):
+        self.scene, self.times = scene, times
+        some = choose(times, 5)         # for the limits of colours
+        self.column = columnOf(scene, some) if scene.phases else None
+        self.gas = gasField(scene)
+        self.section, self.gasLimits = None, None
+        self.seen = Oblique(scene) if scene.nDim == 3 and not self.gas else None
+        if self.gas:
+            out = [a for a in range(3) if a not in scene.axes][0]
+            self.section = Section(scene, out)
+            self.gasLimits = span([self.section.cells(t, self.gas[0])[1] for t in some])
+            low, high = self.gasLimits
+            if high - low < 1e-6*max(abs(low), abs(high)) or high == low:
+                self.gasLimits = low - 0.01*(abs(low) or 1), high + 0.01*(abs(high) or 1)
+        self.length = scale(np.ptp(scene.box, axis=1).max())
+        self.time = scale(float(times[-1]) if times else 0)
+        self.layOut()
+
+    def title(self):
+        words = []
+        if self.column:
+            words.append(f"points by {self.column[1]}")
+        if self.gas:
+            words.append(self.gas[1])
+        failed = any("damage" in c for c in (
+            self.scene.cloud(self.times[-1], p) for p in self.scene.phases) if c is not None)
+        return "automatic choice: " + ", ".join(words or ["points"]) + (
+            " (dark red: failed)" if failed and self.column and self.column[0] != "damage"
+            else "")
+
+    def layOut(self):
+        a, b = self.scene.axes
+        factor = self.length[0]
+        self.box = factor*self.scene.box[[a, b]].ravel()
+        if self.scene.nDim == 1:
+            n = bool(self.column) + bool(self.gas)
+            self.figure, axes = plt.subplots(max(1, n), figsize=(6, 1.2 + 1.9*max(1, n)),
+                                             sharex=True, squeeze=False)
+            self.figure.set_dpi(DPI)
+            self.all = axes[:, 0]
+            return
+        if self.seen:
+            ends = factor*self.seen.project(self.seen.corners())[:, :2]
+            low, high = ends.min(axis=0), ends.max(axis=0)
+            self.box = np.stack([low, high], axis=1).ravel()
+        height = (self.box[3] - self.box[2])/(self.box[1] - self.box[0])
+        width = 6.0 if height < 2 else 4.0
+        self.figure, self.ax = plt.subplots(
+            figsize=(width, min(6.5, max(2.0, (width - 1.8)*height + 0.75))))
+        frame(self.ax, self.box[:2], self.box[2:], *self.labels(), title=" ")
+        self.bars()
+        self.figure.set_dpi(DPI)
+        layOut(self.figure)
+        self.figure.set_layout_engine("none")
+        self.pixels = [3*n//5 for n in _pixels(self.ax, self.box)]
+
+    def labels(self):
+        prefix = self.length[1]
+        return [f"{'xyz'[i]} [{prefix}m]" for i in self.scene.axes]
+
+    def colours(self, column):
+        from mpm import pictures
+        return getattr(pictures, column[2]) if isinstance(column[2], str) else column[2]
+
+    def bars(self):
+        if self.column:
+            factor, unit = unitOf(self.column[0], self.column[4])
+            limits = [factor*v for v in self.column[4]]
+            self.bar(self.colours(self.column), limits, self.column[1], unit)
+        if self.gasLimits:
+            factor, unit = unitOf(self.gas[0], self.gasLimits)
+            self.bar("Blues_r" if self.column else VALUES,
+                     [factor*v for v in self.gasLimits], self.gas[1], unit)
+
+    def bar(self, cmap, limits, label, unit):
+        colourBar(self.figure, ScalarMappable(Normalize(*limits), cmap), self.ax,
+                  label + (f" [{unit}]" if unit else ""), shrink=0.9, aspect=22)
+
+    def draw(self, time):
+        title = f"{self.time[0]*float(time):.4g} {self.time[1]}s"
+        if self.scene.nDim == 1:
+            self.profile(time)
+            self.all[0].set_title(title)
+            return self.figure
+        self.ax.clear()
+        frame(self.ax, self.box[:2], self.box[2:], *self.labels(), title=title)
+        if self.seen:
+            self.seen.frame(self.ax, *self.length)
+        if self.section:
+            corners, values = self.section.cells(time, self.gas[0])
+            some = [self.length[0]*c[:, self.scene.axes] for c in corners]
+            self.ax.add_collection(PolyCollection(
+                some, array=values, cmap="Blues_r" if self.column else VALUES,
+                norm=Normalize(*self.gasLimits), edgecolors="face", linewidths=0.3,
+                rasterized=True, zorder=GAS))
+        for phase, cloud, some in self.clouds(time):
+            self.points(phase, cloud, some)
+        return self.figure
+
+    def clouds(self, time):
+        """(phase, cloud, mask of the points that are drawn); in 3D those that are seen, or
+        those of the section."""
+        found = [(p, self.scene.cloud(time, p)) for p in self.scene.phases]
+        found = [(p, c) for p, c in found if c is not None]
+        if self.scene.nDim < 3:
+            return [(p, c, None) for p, c in found]
+        if not self.seen:
+            out = self.section.normal
+            return [(p, c, abs(c["x"][:, out] - self.section.place) < 0.6*np.cbrt(c["V"]))
+                    for p, c in found]
+        flat = [Flat(c, self.seen) for _, c in found]
+        masks = visible(flat)
+        return [(p, c, m) for (p, _), c, m in zip(found, flat, masks)]
+
+    def values(self, cloud, phase):
+        if self.column is None or phase in self.scene.rigid or self.column[0] not in cloud:
+            return BODY
+        return self.column[3](cloud[self.column[0]])
+
+    def points(self, phase, cloud, some):
+        if some is not None and not some.any():
+            return
+        values = self.values(cloud, phase)
+        failed = cloud["damage"] >= 0.98 if "damage" in cloud and self.column and \
+            self.column[0] != "damage" else None
+        if self.scene.nDim == 3:
+            section = np.cbrt(cloud["V"])       # boxes as wide as they are deep
+        else:
+            out = [a for a in range(3) if a not in self.scene.axes][0]
+            section = None if "halfSize" in cloud else float(np.ptp(self.scene.box[out]))
+        cmap = self.colours(self.column) if self.column else VALUES
+        drawPoints(self.ax, cloud, values, cmap,
+                   self.column[4] if self.column else None, failed, some,
+                   scale=self.length[0], axes=(0, 1) if self.seen else tuple(self.scene.axes),
+                   section=section, pixels=self.pixels, close=1.0 if self.seen else 0.5)
+
+    def profile(self, time):
+        """Values over the one direction of a case in 1D: of points, and of the gas."""
+        a, factor = self.scene.axes[0], self.length[0]
+        for ax in self.all:
+            ax.clear()
+        if self.column:
+            size = unitOf(self.column[0], self.column[4])
+            self.label(self.all[0], self.column[1], self.column[4], *size)
+            for phase in self.scene.phases:
+                cloud = self.scene.cloud(time, phase)
+                values = self.values(cloud, phase) if cloud is not None else BODY
+                if not isinstance(values, str):
+                    self.all[0].plot(factor*cloud["x"][:, a], size[0]*values, ".", ms=4,
+                                     label=phase)
+            if self.all[0].lines:
+                self.all[0].legend(loc="upper right")
+        if self.gas:
+            corners, values = self.section.cells(time, self.gas[0])
+            x = np.array([c[:, a].mean() for c in corners])
+            order = np.argsort(x)
+            size = unitOf(self.gas[0], self.gasLimits)
+            self.label(self.all[-1], self.gas[1], self.gasLimits, *size)
+            self.all[-1].plot(factor*x[order], size[0]*values[order], "C0", lw=1.2)
+        self.all[-1].set(xlabel=self.labels()[0], xlim=self.box[:2])
+
+    @staticmethod
+    def label(ax, label, limits, factor, unit):
+        low, high = (factor*v for v in limits)
+        ax.set(ylabel=label + (f" [{unit}]" if unit else ""),
+               ylim=(low - 0.05*(high - low), high + 0.05*(high - low)))
+
+
+class Oblique:
+    """A scene in 3D as one sees it from the right, a little from above; up is against
+    gravity, otherwise y."""
+
+    def __init__(self, scene):
+        up = np.array([0.0, 1, 0])
+        if os.path.exists(scene.case.file("constant/g")):
+            with open(scene.case.file("constant/g")) as f:
+                value = re.search(r"value\s*\(([^)]*)\)", f.read())
+            g = np.array(value[1].split(), float) if value else np.zeros(3)
+            if g.any():
+                up = np.eye(3)[abs(g).argmax()]*-np.sign(g[abs(g).argmax()])
+        right = np.array([1.0, 0, 0]) if not up[0] else np.array([0, 1.0, 0])
+        to = 0.45*right + 0.4*up + 0.8*np.cross(right, up)
+        to /= np.linalg.norm(to)
+        across = np.cross(up, to)/np.linalg.norm(np.cross(up, to))
+        self.turn = np.stack([across, np.cross(to, across), to])
+        self.box = scene.box
+
+    def project(self, x):
+        """Places across and up, and the distance towards the one who sees them."""
+        return x @ self.turn.T
+
+    def corners(self):
+        return np.array([[self.box[a][i >> a & 1] for a in range(3)] for i in range(8)])
+
+    def frame(self, ax, factor, prefix):
+        """The mesh's box, its lower edges with their names and lengths."""
+        ax.axis("off")
+        x = factor*self.project(self.corners())[:, :2]
+        for i in range(8):
+            for a in range(3):
+                if not i >> a & 1:
+                    ax.plot(*x[[i, i | 1 << a]].T, color="0.75", lw=0.7, zorder=GAS)
+        for a in range(3):
+            ax.annotate(f"{'xyz'[a]} {factor*self.box[a][1]:.3g} {prefix}m", x[1 << a],
+                        fontsize=8, color="0.35", ha="right", va="top")
+
+
+class Flat:
+    """A cloud as one sees it: x are its projected places."""
+
+    def __init__(self, cloud, seen):
+        self.cloud, self.x = cloud, seen.project(cloud["x"])
+
+    def __getitem__(self, name):
+        return self.x if name == "x" else self.cloud[name]
+
+    def __contains__(self, name):
+        return name != "halfSize" and name in self.cloud
+
+
+def visible(clouds):
+    """Masks of the points of all clouds that no other hides: those that are near the one
+    that is nearest in their part of the picture."""
+    if not clouds:
+        return []
+    x = np.concatenate([c.x for c in clouds])
+    size = np.cbrt(np.median(np.concatenate([c["V"] for c in clouds])))
+    place = np.floor((x[:, :2] - x[:, :2].min(axis=0))/size).astype(int)
+    depth = np.full(place.max(axis=0) + 3, -np.inf)
+    np.maximum.at(depth, tuple(place.T + 1), x[:, 2])
+    around = np.max([depth[1 + i:depth.shape[0] - 1 + i, 1 + j:depth.shape[1] - 1 + j]
+                     for i, j in ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))], axis=0)
+    near = x[:, 2] > around[tuple(place.T)] - 2*size
+    return np.split(near, np.cumsum([len(c.x) for c in clouds])[:-1])
+
+
+# --- all of them ---------------------------------------------------------------------
+
+def pictures(case, dictionary, n, known=None, notes=None):
+    """Pictures with n frames at most, of a case without written times none. known: frames of
+    an earlier call by (title, time), which are not drawn again; notes: what is said of
+    pictures that cannot be made."""
+    known, notes = {} if known is None else known, [] if notes is None else notes
+    found = []
+    for one in described(case):
+        if isinstance(one, str):
+            notes.append(one)
+        else:
+            found.append(one)
+    if not any(p.coloured for p in found) and writtenTimes(case):
+        try:
+            scene = Scene(case, dictionary)
+            times = choose([t for t in scene.times if scene.shows(t)], n)
+            if times:
+                automatic = Automatic(scene, times)
+                found.append(Picture(automatic.title(), times, automatic.draw,
+                                     lambda: plt.close(automatic.figure)))
+        except Exception as error:      # a page without pictures is better than none
+            notes.append(f"no automatic picture: {type(error).__name__}: {error}")
+    for picture in found:
+        for time in choose(picture.times, n):
+            key = picture.title, time
+            if key not in known:
+                try:
+                    known[key] = encode(picture.draw(time))
+                except Exception as error:
+                    notes.append(f"no picture {picture.title} of time {time}:"
+                                 f" {type(error).__name__}: {error}")
+                    continue
+            picture.frames.append((float(time), known[key]))
+        picture.close()
+    room(found, notes)
+    return [p for p in found if p.frames]
+
+
+def room(found, notes):
+    """Every second frame is left out until all pictures fit on the page."""
+    while sum(len(image) for p in found for _, image in p.frames) > ROOM and any(
+            len(p.frames) > 2 for p in found):
+        for picture in found:
+            if len(picture.frames) > 2:
+                picture.frames = picture.frames[::-2][::-1]
+        if not any("left out" in note for note in notes):
+            notes.append("pictures of some times are left out, so that the page stays small")

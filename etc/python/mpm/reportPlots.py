@@ -1,0 +1,217 @@
+"""Plots over time for mpm.report: what the log and the tables of postProcessing have, in
+sections, thinned so that the page stays small.
+
+    plots = logPlots(history) + tablePlots(tables)      # of one run
+    together(plots, plotsOfAnother, "name")             # with the lines of another run
+    data = packed(plots, factor)                        # for the page
+"""
+
+import os
+import re
+
+import numpy as np
+
+#: Numbers of all plots of a page, times and values
+ROOM = 110000
+#: Columns of a table that are drawn as lines; of more the least, mean and largest
+LINES = 10
+
+_UNITS = {"kinetic": "J", "strain": "J", "total": "J", "energy": "J", "stored": "J",
+          "energy added": "J", "mass": "kg", "mass held back": "kg", "momentum": "kg m/s",
+          "p": "Pa", "p to": "Pa", "force": "N", "impulse": "N s", "gap": "m", "T": "K",
+          "T to": "K", "moment": "N m"}
+#: Heads of the log that other plots have, or that say nothing over time
+_LEFT = {"Time", "Progress", "ExecutionTime", "deltaT", "deltaT set by", "Courant Number mean",
+         "Courant Number of points"}
+SECTIONS = ("Energy", "Mass and momentum", "Volume fractions, pressure", "Time step and speed",
+            "Contact, loads and others")
+
+
+class Plot:
+    """Lines over time: lines is a list of (name, times, values)."""
+
+    def __init__(self, section, title, unit, lines, log=False, comment=""):
+        self.section, self.title, self.unit = section, title, unit
+        self.lines, self.log, self.comment = lines, log, comment
+        self.other = []
+
+    def zero(self):
+        return all(not np.any(np.nan_to_num(y)) for _, _, y in self.lines + self.other)
+
+    def constant(self):
+        """Values of lines that all stay the same, to rounding; "" of others."""
+        words = []
+        for name, _, y in self.lines + self.other:
+            some = y[np.isfinite(y)]
+            if not len(some) or np.ptp(some) > 1e-12*abs(some[0]):
+                return ""
+            words.append(f"{name} {some[0]:.6g}")
+        return f"{self.title} [{self.unit}]: {', '.join(words)}" if self.unit else \
+            f"{self.title}: {', '.join(words)}"
+
+    def withoutZeros(self):
+        """Lines that are zero all the time only lie over the others' axis: said, not drawn."""
+        zero = [n for n, _, y in self.lines if not np.any(np.nan_to_num(y))]
+        if zero and not self.zero():
+            self.lines = [line for line in self.lines if line[0] not in zero]
+            self.comment = f"{self.comment} (zero: {', '.join(zero)})".strip()
+        return self
+
+
+def unitOf(head, name):
+    """Unit of a number of the log."""
+    if head.startswith("Energy"):
+        return "J"
+    if name.startswith("mass "):
+        return "kg"
+    if head.startswith("Heat of") and not name:
+        return "J"
+    if head in ("Time", "deltaT", "ExecutionTime") or name == "about":
+        return "s"
+    if head == "Progress" and not name:
+        return "%"
+    return _UNITS.get(name, "")
+
+
+def label(name):
+    """What is said of a number of the log: "p to" is the largest of "p"."""
+    if name.endswith(" to"):
+        return f"{name[:-3]}, largest"
+    return {"": "value", "about": "time left, about"}.get(name, name)
+
+
+def quantities(history):
+    """(head, name, unit, values) of all numbers of the log; of vectors by components."""
+    for head, name in history.keys:
+        if head == "deltaT set by":
+            continue
+        if history.isVector(head, name):
+            v = history.vectors(head, name)
+            for k in range(v.shape[1]):
+                yield head, f"{name} {'xyz'[k]}".strip(), unitOf(head, name), v[:, k]
+        else:
+            yield head, name, unitOf(head, name), history.series(head, name)
+
+
+def section(head, unit):
+    if head.startswith("Energy") or unit == "J" and not head.startswith("Eroded"):
+        return SECTIONS[0]
+    if re.match("Theta|Gas|Fluids", head) and unit in ("", "Pa"):
+        return SECTIONS[2]
+    if unit in ("kg", "kg m/s") and not head.startswith("Eroded"):
+        return SECTIONS[1]
+    if re.match("Steps of|Adaptive mesh", head):
+        return SECTIONS[3]
+    return SECTIONS[4]
+
+
+def logPlots(history):
+    """Plots of the log: lines of one head and unit together; the time step, the speed."""
+    if len(history.rows) < 1:
+        return []
+    groups = {}
+    for head, name, unit, values in quantities(history):
+        if head not in _LEFT:
+            groups.setdefault((head, unit), []).append((label(name), history.times, values))
+    plots = []
+    for (head, unit), lines in groups.items():
+        what = {"kg": "mass", "kg m/s": "momentum", "Pa": "pressure", "N": "force",
+                "N s": "impulse", "m": "gap", "K": "temperature",
+                "s": "time", "J": "" if head.startswith("Energy") else "energy"}.get(unit, "")
+        plots.append(Plot(section(head, unit), head + (f": {what}" if what else ""), unit,
+                          lines).withoutZeros())
+    step = history.series("deltaT")
+    if np.isfinite(step).any():
+        plots.append(Plot(SECTIONS[3], "time step", "s", [("deltaT", history.times, step)],
+                          log=np.nanmax(step) > 5*np.nanmin(step) > 0))
+    number = [(n, h) for n, h in (("largest", "Courant Number mean"),
+                                  ("of points", "Courant Number of points"))
+              if h in {k for k, _ in history.keys}]
+    if number:
+        plots.append(Plot(SECTIONS[3], "Courant number", "", [
+            (n, history.times, history.series(h)) for n, h in number]))
+    plots += speedPlots(history)
+    plots.sort(key=lambda p: SECTIONS.index(p.section))
+    return plots
+
+
+def speedPlots(history):
+    rate, _ = history.rate()
+    if not np.isfinite(rate).any():
+        return []
+    points, cells = history.size()
+    lines = [(name, history.times, 1e-6*rate*n) for name, n in (
+        ("point-steps", points), ("cell-steps", np.broadcast_to(cells, rate.shape)))
+        if np.isfinite(n).any()]
+    return [Plot(SECTIONS[3], "speed", "million a second", lines,
+                 comment="steps times points (cells of gas) over CPU time")] if lines else []
+
+
+def tablePlots(tables):
+    """Plots of the tables over time of postProcessing: columns of one unit together."""
+    plots = []
+    for table in tables:
+        if not table.overTime or table.bins:
+            continue
+        t = table.data[:, 0]
+        name = os.path.splitext(table.name)[0]
+        for unit, columns in table.groups():
+            data = table.data[:, columns]
+            heads = [re.sub(r"\[[^]]*\]$", "", table.columns[c]) for c in columns]
+            if len(columns) > LINES:
+                lines = [(what, t, f(data, axis=1)) for what, f in (
+                    ("least", np.min), ("mean", np.mean), ("largest", np.max))]
+                comment = f"of {len(columns)} columns. {table.title}"
+            else:
+                lines = [(h, t, data[:, k]) for k, h in enumerate(heads)]
+                comment = table.title
+            what = heads[0] if len(columns) == 1 else ""
+            title = f"{table.function}: {name}"
+            title += f", {what}" if what not in (name, "") else ""
+            plots.append(Plot(table.function, title, unit, lines,
+                              comment=comment).withoutZeros())
+    return plots
+
+
+def together(plots, others):
+    """The lines of another run to the plots that it has too; its other plots are left out."""
+    known = {(p.title, p.unit): p for p in others}
+    for plot in plots:
+        match = known.get((plot.title, plot.unit))
+        plot.other = match.lines if match else []
+
+
+def thin(t, columns, n):
+    """Places of about n rows that keep the extremes of all columns."""
+    if len(t) <= n:
+        return np.arange(len(t))
+    parts = np.array_split(np.arange(len(t)), max(1, n//(2*len(columns))))
+    keep = [0, len(t) - 1]
+    for part in parts:
+        for y in columns:
+            v = np.nan_to_num(y[part], nan=0.0, posinf=0.0, neginf=0.0)
+            keep += [part[v.argmin()], part[v.argmax()]]
+    return np.unique(keep)
+
+
+def _rounded(values, digits=6):
+    return [float(f"{v:.{digits}g}") if np.isfinite(v) else None for v in values]
+
+
+def packed(plots, factor, name):
+    """What the page draws: times by a factor (1e6: in us), all lines of a run at the same."""
+    each = max(60, ROOM//max(1, sum(1 + len(p.lines) + len(p.other) for p in plots)))
+    data = []
+    for plot in plots:
+        one = {"title": plot.title, "unit": plot.unit, "log": bool(plot.log),
+               "id": f"{plot.title} {plot.unit}", "t": [], "lines": []}
+        for run, lines in enumerate((plot.lines, plot.other)):
+            if not lines:
+                continue
+            t = lines[0][1]
+            some = thin(t, [y for _, _, y in lines], min(each, 700))
+            one["t"].append(_rounded(factor*t[some], 8))
+            one["lines"] += [{"name": n if run == 0 else f"{n} ({name})", "of": n, "run": run,
+                              "y": _rounded(y[some])} for n, _, y in lines]
+        data.append(one)
+    return data

@@ -1,0 +1,489 @@
+#!/usr/bin/env python3
+"""mpmReport: the page of a case.
+
+pages       small cases in 1D, 2D, 3D and with a gas: the page has the numbers of the log, the
+            constants with their units, a picture of each time, the plots of log and tables;
+            it needs nothing from elsewhere and is below 3 MB
+going       a run that goes on, its page made by -watch: the page reloads until the run has
+            ended; a restart: both logs are one history
+compared    -with: entries that differ are those that were changed, lines of both
+bad         no case, no log, a log that is cut off, an error, processor folders alone, a
+            machine without dygraphs: one clear sentence or a page that says it
+browser     in Chromium at two widths: no error, nothing loaded, nothing wider than the page;
+            slider and zoom, by mouse and keys. Skipped where there is none
+"""
+
+import base64
+import html.parser
+import io
+import json
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import PIL.Image
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../lib"))
+from bar import barRun
+from blockInGas import blockInGas
+from browser import Browser
+from foamCase import PATIENCE, PROJECT, RUN, FoamCase, runParts
+from plates import plateCase
+
+TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
+TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
+FLIP = {"shapeFunction": "GIMP", "transfer": "FLIP", "PICfraction": 0.01}
+
+
+class Page(html.parser.HTMLParser):
+    """What a test looks at: data, rows of tables, links, text."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.loads, self.data, self.rows, self.keys = [], [], {}, [], {}
+        self.text, self.inside, self.key, self.cell = "", None, None, False
+        with open(path, encoding="utf-8") as f:
+            self.source = f.read()
+        self.feed(self.source)
+
+    def handle_starttag(self, tag, attributes):
+        data = dict(attributes)
+        if tag == "a":
+            self.links.append(data.get("href", ""))
+        else:
+            self.loads += [v for k, v in attributes if k in ("src", "href", "action", "data")]
+        if tag == "script":
+            self.inside = data.get("id", "code")
+        elif tag == "style":
+            self.inside = "style"
+        elif tag == "tr":
+            self.rows.append([])
+            self.key = data.get("data-key")
+        elif tag in ("td", "th") and self.rows:
+            self.rows[-1].append("")
+            self.cell = True
+
+    def handle_endtag(self, tag):
+        if tag in ("script", "style"):
+            self.inside = None
+        elif tag == "tr" and self.key:
+            self.keys[self.key] = self.rows[-1]
+        elif tag in ("td", "th"):
+            self.cell = False
+
+    def handle_data(self, text):
+        if self.inside == "style" or self.inside == "code":
+            return
+        if self.inside:
+            self.data[self.inside] = json.loads(text)
+            return
+        self.text += text
+        if self.cell:
+            self.rows[-1][-1] += text
+
+    def last(self, key):
+        """The last value of a number of the log."""
+        return float(self.keys[key][3])
+
+
+def report(*words, fails=False, environment=None):
+    """What mpmReport prints."""
+    run = subprocess.run([sys.executable, TOOL, *words], stdout=subprocess.PIPE,
+                         stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=200,
+                         env={**os.environ, **(environment or {})})
+    output = run.stdout.decode()
+    if bool(run.returncode) != fails:
+        raise RuntimeError(f"mpmReport {' '.join(words)}: exit {run.returncode}: {output}")
+    return output
+
+
+def pageOf(case, *words, **options):
+    report(case.path, *words, **options)
+    return Page(case.file("report.html"))
+
+
+def template(name, endTime="20e-6", **changes):
+    """etc/caseTemplate, meshed and filled; changes: file with _ for its slash, rows."""
+    case = FoamCase("report", name, TEMPLATE)
+    case.change("system/controlDict", r"^endTime .*?;", f"endTime {endTime};")
+    for path, (pattern, value) in changes.items():
+        case.change(path.replace("_", "/"), pattern, value)
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    return case
+
+
+def lastOf(case, pattern):
+    """The last number of this pattern in the log."""
+    return float(case.numbers(pattern).ravel()[-1])
+
+
+def gas(name, nDim):
+    case = blockInGas("report", name, nDim, 16 if nDim < 3 else 8, {
+        "type": "box", "min": (2e-4, 2e-4, 0), "max": (6e-4, 6e-4, 1)}, (100, 50, 0), steps=40)
+    case.change("system/controlDict", r"^writeInterval (\S+);",
+                lambda m: f"writeInterval {float(m[1])/4};")
+    case.run("materialPointFoam")
+    return case
+
+
+# --- pages -----------------------------------------------------------------------
+
+#: Numbers of the log, found here on their own: key of the page, pattern
+NUMBERS = (("Energy|kinetic", "^Energy: kinetic N,"),
+           ("Energy|strain", "^Energy: .*strain N,"),
+           ("Energy|total", "^Energy: .*total N$"),
+           ("Material points|", "^Material points: N, mass"),
+           ("Material points|mass", "^Material points: .*mass N, mom"),
+           ("Material points|momentum x", r"momentum \(N \S+ \S+\)$"),
+           ("Failed points|", "^Failed points: N,"), ("deltaT|", "^deltaT = N$"),
+           ("Progress|step", "^Progress: .*step N"))
+OF_GAS = (("Theta|min", "^Theta: min N,"), ("Theta|max", "^Theta: .*max N$"),
+          ("Gas air|mass", "^Gas air: mass N,"), ("Gas air|energy", "^Gas air: .*energy N$"),
+          ("Gas air|p", "^    p N to"), ("Gas air|p to", "^    p .* to N, outflow"))
+
+
+def alone(page):
+    """What the page would load from elsewhere, links for the reader left out."""
+    found = [u for u in page.loads if not u.startswith(("data:", "#"))]
+    styles = re.sub(r"<script.*?</script>", "", page.source, flags=re.S)
+    return found + re.findall(r"url\((?!['\"]?(?:data:|#))[^)]*\)|@import.*", styles)
+
+
+def looked(table, name, case, numbers, constants):
+    """The rows that hold for the page of any case."""
+    start = resource.getrusage(resource.RUSAGE_CHILDREN)
+    page = pageOf(case)
+    end = resource.getrusage(resource.RUSAGE_CHILDREN)
+    table.row(f"{name}: seconds of a core", 20, end.ru_utime + end.ru_stime - start.ru_utime
+              - start.ru_stime, 20*PATIENCE, "atMost")
+    table.row(f"{name}: MB of the page", 3, len(page.source.encode())/1e6, 3, "atMost")
+    table.check(f"{name}: needs nothing from elsewhere", not alone(page), alone(page))
+    worst = 0.0
+    for key, pattern in numbers:
+        exact = lastOf(case, pattern)
+        worst = max(worst, abs(page.last(key) - exact)/(abs(exact) or 1))
+    table.row(f"{name}: {len(numbers)} numbers of the log, largest error", 0, worst, 1e-9)
+    missing = [c for c in constants if not any(r[:3] == list(c) for r in page.rows)]
+    table.check(f"{name}: constants with units", not missing, missing)
+    times = case.times("lagrangian")
+    frames = page.data["frames"]
+    table.row(f"{name}: pictures, one of each time", len(times), len(frames[0]["images"]), 0)
+    sizes = set()
+    for image in frames[0]["images"]:
+        with PIL.Image.open(io.BytesIO(base64.b64decode(image.split(",")[1]))) as picture:
+            sizes.add(picture.size)
+            colours = len(picture.convert("RGB").getcolors(1 << 24))
+    table.check(f"{name}: pictures of one size, with colours",
+                len(sizes) == 1 and colours > 20, f"{sizes} {colours}")
+    table.check(f"{name}: says that it is done", re.search(r"badge\s+done", page.source))
+    return page
+
+
+def pages(table):
+    bar = barRun("report", "bar", {**FLIP, "PICfraction": 0}, 20)[0]
+    page = looked(table, "1D", bar, NUMBERS, (("constitutiveModel.E", "100.0", "Pa"),))
+    t, energy = bar.series("balance", "bar.dat")[:, [0, 11]].T
+    plot = next(p for p in page.data["plots"] if p["title"] == "balance: bar"
+                and p["unit"] == "J")
+    line = next(x for x in plot["lines"] if x["name"] == "total")
+    table.row("1D: the plot of a table keeps its largest value", energy.max(), max(line["y"]),
+              1e-5, "relative")
+    table.row("1D: ... at its time", t[energy.argmax()],
+              plot["t"][0][int(np.argmax(line["y"]))], 1e-5, "relative")
+
+    plain = template("plain")
+    plain.run("materialPointFoam")
+    looked(table, "2D", plain, NUMBERS, (
+        ("constitutiveModel.E", "210e9", "Pa"), ("constitutiveModel.rho", "2700", "kg/m3"),
+        ("failureModel.Gf", "10000", "J/m2"), ("all.mu", "0.2", ""),
+        ("endTime", "20e-6", "s")))
+    block = plateCase("report", "block", 4, FLIP, 2e-7, 1e-7, 0.4, depth=4)
+    block.run("materialPointFoam")
+    looked(table, "3D", block, NUMBERS, ())
+    for name, nDim in (("gas 2D", 2), ("gas 3D", 3)):
+        page = looked(table, name, gas(name.replace(" ", ""), nDim), NUMBERS + OF_GAS,
+                      (("gamma", "1.4", ""),))
+        titles = {p["title"] for p in page.data["plots"]}
+        table.check(f"{name}: plots", {
+            "Energy", "Theta", "Gas air: mass", "Gas air: momentum", "Gas air: pressure",
+            "time step", "pressure: fieldMinMax"} <= titles, sorted(titles))
+
+
+# --- a run that goes on --------------------------------------------------------------
+
+def going(table):
+    case = template("going", endTime="1")
+    with open(case.file("log.materialPointFoam"), "w") as log:
+        solver = subprocess.Popen(["materialPointFoam"], cwd=case.path, stdout=log,
+                                  stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                                  env={**os.environ, "PWD": case.path})
+    watch = subprocess.Popen([sys.executable, TOOL, "-watch", "-interval", "1", "-times", "3",
+                              case.path], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE)
+    path, states = case.file("report.html"), []
+    try:
+        steps = set()
+        until = time.time() + 90
+        while time.time() < until and len(steps) < 3:
+            time.sleep(0.2)
+            if os.path.exists(path):
+                page = Page(path)
+                states.append((re.search(r"badge\s+(\w+)", page.source)[1],
+                               page.data["page"]["refresh"]))
+                if "Progress|step" in page.keys:
+                    steps.add(page.last("Progress|step"))
+        table.row("-watch: pages with later steps while it runs", 3, len(steps), 3, "atLeast")
+        table.check("-watch: says running, and reloads", states[-1:] == [("running", 1)],
+                    states[-1:])
+        warned(table, case)
+        solver.send_signal(signal.SIGTERM)
+        solver.wait(60)
+        said = watch.communicate(timeout=60)[0].decode()
+        table.check("-watch: ends with the run", watch.returncode == 0 and "is done" in said,
+                    said)
+        page = Page(path)
+        table.check("-watch: the last page does not reload",
+                    page.data["page"]["refresh"] is None)
+        table.row("-watch: the last page has the last step",
+                  lastOf(case, "^Progress: .*step N"), page.last("Progress|step"), 0)
+        rows = case.numbers("(?s)^Progress: [^\n]*?step N[^\n]*\nExecutionTime = N s")
+        speed = np.ptp(rows, axis=0)
+        table.row("speed: million point-steps a second, by the log",
+                  1e-6*2020*speed[0]/speed[1], float(re.search(
+                      r"point-steps a second of CPU([\d.]+) million", page.text)[1]), 1e-3,
+                  "relative")
+        plot = next(p for p in page.data["plots"] if p["title"] == "speed")["lines"][0]["y"]
+        known = [y for y in plot if y is not None]
+        table.row("speed: its plot has that mean", 1e-6*2020*speed[0]/speed[1],
+                  float(np.mean(known)), 0.25, "relative")
+    finally:
+        for process in (solver, watch):
+            if process.poll() is None:
+                process.kill()
+                process.wait()
+
+    # Gone on with, in a second log
+    case = template("restart")
+    case.run("materialPointFoam")
+    shutil.move(case.file("log.materialPointFoam"), case.file("log.first"))
+    case.change("system/controlDict", r"^endTime .*?;", "endTime 40e-6;")
+    case.run("materialPointFoam")
+    page = pageOf(case)
+    table.row("restart: steps of both logs", lastOf(case, "^Progress: .*step N"),
+              page.last("Progress|step"), 0)
+    plot = next(p for p in page.data["plots"] if p["title"] == "Energy")
+    t = np.array(plot["t"][0])
+    table.check("restart: one history, times grow", np.all(np.diff(t) > 0)
+                and t[0] < 20 < t[-1], (t[0], t[-1]))
+    table.check("restart: says so", "2 starts" in page.text)
+
+
+def warned(table, case):
+    """endTime of 1 s is 3e7 steps away: the warning, its line, its remedy."""
+    page = Page(case.file("report.html"))
+    lines = [n for n, line in enumerate(case.log().split("\n"), 1)
+             if line.startswith("--> FOAM Warning")]
+    notes = re.findall(r'<div class="note" data-line="(\d+)">(.*?)</div>', page.source, re.S)
+    table.check("a warning: the line of the log", lines == [int(n) for n, _ in notes],
+                f"{lines} {[n for n, _ in notes]}")
+    text = " ".join(t for _, t in notes)
+    table.check("a warning: its words and its remedy", "Is endTime in s?" in text
+                and "50 us are <code>endTime 50e-6</code>" in text, text[:300])
+
+
+def compared(table):
+    one = template("one", endTime="10e-6")
+    two = template("two", endTime="10e-6", constant_phaseProperties=(r"E 70e9", "E 60e9"))
+    two.change("system/setMaterialPointsDict", r"\(0 -50 0\)", "(0 -60 0)")
+    # The same value, written otherwise
+    two.change("constant/phaseProperties", r"rho 2700", "rho 2.7e3")
+    for case in (one, two):
+        case.run("materialPointFoam")
+    page = pageOf(one, "-with", two.path)
+    files = ("constant/phaseProperties", "system/setMaterialPointsDict")
+    found = {(r[0], r[1], r[2], r[3]) for r in page.rows if len(r) == 4
+             and r[0].startswith(("constant/", "system/", "0/"))}
+    table.check("-with: entries that differ, no others", found == {
+        (files[0], "target.constitutiveModel.E", "70e9", "60e9"),
+        (files[1], "regions.flyer.velocity", "(0 -50 0)", "(0 -60 0)")}, found)
+    plot = next(p for p in page.data["plots"] if p["title"] == "Energy")
+    names = [x["name"] for x in plot["lines"]]
+    table.check("-with: lines of both", names == [
+        "kinetic", "strain", "total", "kinetic (two)", "strain (two)", "total (two)"], names)
+    table.row("-with: last energy of the other in its line",
+              lastOf(two, "^Energy: .*total N$"), plot["lines"][5]["y"][-1], 1e-5, "relative")
+    table.row("-with: pictures of both", 2, len(page.data["frames"]), 0)
+    same = pageOf(one, "-with", one.path)
+    table.check("-with itself: no entry differs",
+                "All entries of the dictionaries are the same" in same.text)
+
+
+# --- what is wrong -------------------------------------------------------------------
+
+def bad(table):
+    root = os.path.join(RUN, "report")
+    said = report(os.path.join(root, "nowhere"), fails=True)
+    table.check("no folder: one line", "there is no folder" in said
+                and said.count("\n") == 1, said)
+    said = report(os.path.join(PROJECT, "tutorials/blockInAir"), fails=True)
+    table.check("no case: names those in it", "is no case" in said and "moving" in said
+                and said.count("\n") == 1, said)
+    case = template("cut")
+    table.check("no log yet: the page says so", "No log of materialPointFoam" in
+                pageOf(case).text)
+    table.check("no log yet: what is computed", "constitutiveModel.E" in
+                Page(case.file("report.html")).text)
+    case.run("materialPointFoam")
+    log = case.log()
+    # In the middle of a number, an hour old
+    at = log.index("strain", len(log)//2) + 9
+    case.write("log.materialPointFoam", {})
+    with open(case.file("log.materialPointFoam"), "w") as f:
+        f.write(log[:at])
+    os.utime(f.name, (time.time() - 3600,)*2)
+    page = pageOf(case)
+    table.check("cut log: stopped, and says why", re.search(r"badge\s+stopped", page.source)
+                and "ends before its end" in page.text)
+    whole = re.findall(r"^Progress: .*step (\d+)", log[:at], re.M)
+    table.row("cut log: the last whole report", float(whole[-1]),
+              page.last("Progress|step"), 0)
+    with open(case.file("log.materialPointFoam"), "wb") as f:
+        f.write(os.urandom(5000))
+    table.check("no text in the log: as none", "No log of materialPointFoam" in
+                pageOf(case).text)
+    wrong = template("wrong")
+    wrong.change("constant/phaseProperties", "E 70e9", "EE 70e9")
+    wrong.run("materialPointFoam", fails=True)
+    page = pageOf(wrong)
+    table.check("an error: says failed, the message, its line", re.search(
+        r"badge\s+failed", page.source) and "EE" in page.text
+        and "log.materialPointFoam:" in page.text)
+    links = [u for u in page.links if "troubleshooting.md#" in u]
+    place, anchor = links[0].split("#") if links else ("none", "none")
+    target = os.path.join(wrong.path, place)
+    exists = os.path.isfile(target)
+    heads = []
+    if exists:
+        with open(target) as f:
+            heads = [re.sub(r"[^\w -]", "", x.strip("# \n")).lower().replace(" ", "-")
+                     for x in f if x.startswith("#")]
+    table.check("an error: link to its remedy, which is there", exists and anchor in heads,
+                links)
+    for words in (("-times", "0"), ("-watsch",), ("-log", "nothing")):
+        said = report(case.path, *words, fails=True)
+        table.check(f"{' '.join(words)}: refused without a traceback",
+                    "Traceback" not in said and "mpmReport" in said, said)
+    case = template("view", endTime="1e-6")
+    case.run("materialPointFoam")
+    with open(case.file("view.py"), "w") as f:
+        f.write("VIEWS = {")
+    said = report(case.path)
+    table.check("a wrong view.py: said, the page has the automatic choice", "view.py: " in said
+                and Page(case.file("report.html")).data["frames"], said)
+    ranks(table)
+    still = template("still", endTime="10e-6")
+    still.run("materialPointFoam")
+    page = pageOf(still, environment={"MPM_DYGRAPHS": "/nowhere"})
+    table.check("no dygraphs: says how to get it",
+                "apt-get install libjs-dygraphs" in page.text)
+    table.row("no dygraphs: plots as still pictures", 5, page.source.count("<svg"), 5,
+              "atLeast")
+    table.check("no dygraphs: nothing from elsewhere", not alone(page), alone(page))
+
+
+def ranks(table):
+    """Two processors, of whose folders alone the page is made."""
+    case = template("ranks")
+    case.decompose((2, 1, 1))
+    case.runParallel()
+    for name in case.times():
+        shutil.rmtree(case.file(name))
+    shutil.rmtree(case.file("constant/polyMesh"))
+    page = pageOf(case)
+    times = len(os.listdir(case.file("processor0"))) - 1        # and constant
+    table.row("processor folders alone: pictures", times,
+              len(page.data["frames"][0]["images"]), 0)
+    table.row("processor folders alone: cells", 2400, float(re.search(
+        r"(\d+) cells at the start", page.text)[1]), 0)
+    table.row("processor folders alone: kinetic energy",
+              lastOf(case, "^Energy: kinetic N,"), page.last("Energy|kinetic"), 1e-9,
+              "relative")
+    said = report(case.file("processor0"), fails=True)
+    table.check("processor0: give the folder above", "give the folder above" in said
+                or "is no case" in said, said)
+
+
+# --- in a browser ----------------------------------------------------------------------
+
+def browser(table):
+    if not Browser.find():
+        table.skip("the page in a browser", "no chromium here")
+        return
+    case = gas("browser", 2)
+    report(case.path)
+    path = case.file("report.html")
+    with Browser(os.path.join(RUN, "report", "profile")) as chromium:
+        for width in (1400, 420):
+            page = chromium.open(path, width, 900)
+            page.wait("Object.keys(mpmReport.graphs).length > 0")
+            name = f"{width} pixels"
+            table.row(f"{name}: plots are drawn", 1, page.evaluate(
+                "document.querySelectorAll('.plot canvas').length"), 1, "atLeast")
+            table.row(f"{name}: pixels wider than the page", 0, page.evaluate(
+                "document.documentElement.scrollWidth - window.innerWidth"), 0, "atMost")
+            slider(table, name, page)
+            zoom(table, name, page)
+            page.screenshot(case.file(f"page{width}.png"), whole=True)
+            table.check(f"{name}: no error in the console", not page.errors, page.errors)
+            others = [u for u in page.requests
+                      if not u.startswith(("data:", "file://" + path))]
+            table.check(f"{name}: nothing is loaded", not others, others)
+
+
+def slider(table, name, page):
+    """By keys: an earlier time, an earlier picture."""
+    look = "[document.getElementById('shown').textContent," \
+           " document.getElementById('picture0').src]"
+    before = page.evaluate(look)
+    page.evaluate("document.getElementById('time').focus()")
+    page.key("ArrowLeft")
+    after = page.evaluate(look)
+    table.check(f"{name}: slider by key, another time and picture",
+                before[0] != after[0] and before[1] != after[1], (before[0], after[0]))
+    page.key("End")
+    table.check(f"{name}: and back", page.evaluate(look) == before)
+
+
+def zoom(table, name, page):
+    """A drag over the first plot shows that part, a double click all; keys."""
+    find = "document.querySelector('.plot .canvas')"
+    page.evaluate(find + ".scrollIntoView({block: 'center'})")
+    time.sleep(0.3)
+    x, y, w, h = page.evaluate(
+        f"(() => {{ const r = {find}.getBoundingClientRect();"
+        " return [r.x, r.y, r.width, r.height]; })()")
+    span = "(() => { const d = document.querySelector('.plot').dataset;" \
+        " return d.to - d.from; })()"
+    whole = page.evaluate(span)
+    page.drag((x + 0.4*w, y + 0.5*h), (x + 0.7*w, y + 0.5*h))
+    part = page.evaluate(span)
+    # The part of the width that the axis of y leaves: 62 pixels and its label's
+    table.row(f"{name}: part of the time after a drag over 0.3 of the width",
+              0.3*w/(w - 62 - 17), part/whole, 0.05, "relative")
+    page.doubleClick((x + 0.6*w, y + 0.5*h))
+    table.row(f"{name}: after a double click", 1, page.evaluate(span)/whole, 0.02)
+    page.evaluate(find + ".focus()")
+    page.key("+", "+")
+    table.row(f"{name}: after the key +", 0.5, page.evaluate(span)/whole, 0.02)
+    page.key("0", "0")
+    table.row(f"{name}: after the key 0", 1, page.evaluate(span)/whole, 0.02)
+
+
+if __name__ == "__main__":
+    sys.exit(runParts("report", pages, going, compared, bad, browser))
