@@ -455,7 +455,9 @@ void Foam::mpm::fluidInterfaces::setTransverse(
         for (label k = 0; k < nShares_; ++k)
         {
             const label i = nShares_ * s + k;
-            slopes[k] = (major_[c] < 0 && interface_[i] > 0 ? gradient_[i] : slopes[k]) / V_[c];
+            const scalar own = shares_[nShares_ * c + k];
+            const scalar w = interface_[i] * min(max(min(own, 1 - own) / foreign - 1, 0.0), 1.0);
+            slopes[k] = (w * gradient_[i] + (1 - w) * slopes[k]) / V_[c];
         }
     }
 }
