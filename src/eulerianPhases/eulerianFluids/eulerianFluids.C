@@ -245,6 +245,7 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     n_(names.size()),
     lowMachSolids_(lowMachOf(settings(properties)) == "solids"),
     lowMach_(lowMachOf(settings(properties)) != "no"),
+    given_(isGiven(properties)),
     chi_(boundedOrDefault(settings(properties), "drainage", 0.1, 0, 1)),
     porousFlux_(settings(properties), faces_),
     part_(n_ * mesh.nCells(), Zero),
@@ -279,7 +280,8 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     }
     checkKeywords(
         settings(properties),
-        {"lowMach", "drainage", "mu", "Pr", "poreFloor", "faceDrag", "solidFraction", "viscous"});
+        {"lowMach", "drainage", "mu", "Pr", "poreFloor", "faceDrag", "solidFraction", "viscous",
+         "velocity"});
     setEnergy(true);
     t_.setSize(W_.size());
     tb_.setSize(Wb_.size(), stateTerms{1, 0, 1});
@@ -304,7 +306,8 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     Info << "Fluids with one velocity and one pressure, "
          << returnReduce(mesh.nCells(), sumOp<label>()) << " cells:" << nl;
     tellStart(properties);
-    Info << "    reconstruction: " << reconstruction_.description().c_str() << nl << endl;
+    Info << "    reconstruction: " << reconstruction_.description().c_str() << nl
+         << (given_ ? "    velocity and pressure: given, they stay\n" : "") << endl;
 }
 
 bool Foam::mpm::eulerianFluids::setTheta(const UList<scalar>& theta)

@@ -492,5 +492,9 @@ bool Foam::mpm::eulerianFluids::advance(const scalar dt, const solidOnFaces* por
         *flows_ += gained;
     }
     addViscosity(dt);
+    if (given_)
+    {
+        keepMotion();
+    }
     return true;
 }

@@ -557,7 +557,11 @@ void Foam::mpm::eulerianFluids::faceFlux(const scalar dt, const solidOnFaces* po
     }
     out_ = 0;
     const bool heavy = jump_.size();
-    if (pores)
+    if (given_)
+    {
+        givenFaces();
+    }
+    else if (pores)
     {
         heavy ? insideFaces<true, true>(dt, pores) : insideFaces<true, false>(dt, pores);
     }

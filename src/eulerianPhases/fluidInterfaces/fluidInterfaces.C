@@ -418,53 +418,46 @@ void Foam::mpm::fluidInterfaces::setTransverse(
     const label nInternal = mesh.nInternalFaces();
     const labelUList& own = mesh.faceOwner();
     const labelUList& nei = mesh.faceNeighbour();
-    transverse_.setSize(nShares_ * cells_.size());
-    transverse_ = Zero;
+    slopes_.setSize(nShares_ * cells_.size());
+    ways_.setSize(cells_.size());
     room_.setSize(cells_.size());
-    if (cells_.empty())
-    {
-        return;
-    }
 
-    // What comes into cell c, which has the shares there
-    const auto add = [&](const label f, const label c, const scalar in, const scalar* there)
+    // What comes in less what is there, by faces
+    const auto addInflow = [&](const label f, const label c, const vector& S, vector* to)
     {
         const scalar* here = shares_.cdata() + nShares_ * c;
-        symmTensor* to = transverse_.begin() + nShares_ * slot_[c];
-        for (label k = 0; k < nShares_; ++k)
+        const scalar* there = f < nInternal
+            ? shares_.cdata() + nShares_ * (own[f] == c ? nei[f] : own[f])
+            : of.alphaB.cdata() + n_ * (f - nInternal);
+        for (label k = 0; k < nShares_ && (f < nInternal || there[0] >= 0); ++k)
         {
-            if (there[k] != here[k])
-            {
-                to[k] += ((there[k] - here[k]) * in * sqr(faces_.invMagS[f])) * sqr(S_[f]);
-            }
+            to[k] += (there[k] - here[k]) * S;
         }
     };
-    for (label f = 0; f < nInternal; ++f)
-    {
-        const label to = phi[f] > 0 ? nei[f] : own[f];
-        if (slot_[to] >= 0)
-        {
-            add(f, to, mag(phi[f]), shares_.cdata() + nShares_ * (phi[f] > 0 ? own[f] : nei[f]));
-        }
-    }
-    for (const labelList* list : {&faces_.coupled, &faces_.boundary})
-    {
-        for (const label f : *list)
-        {
-            const scalar* there = of.alphaB.cdata() + n_ * (f - nInternal);
-            if (slot_[own[f]] >= 0 && phi[f] < 0 && there[0] >= 0)
-            {
-                add(f, own[f], -phi[f], there);
-            }
-        }
-    }
     forAll(cells_, s)
     {
         const label c = cells_[s];
+        vector* slopes = slopes_.begin() + nShares_ * s;
+        std::fill_n(slopes, nShares_, vector(Zero));
+        vector& way = ways_[s];
+        way = Zero;
+        for (const label f : mesh.cells()[c])
+        {
+            const scalar sign = own[f] == c ? 1 : -1;
+            way += (sign * phi[f]) * (mesh.faceCentres()[f] - mesh.cellCentres()[c]);
+            if (sign * phi[f] < 0)
+            {
+                addInflow(f, c, sign * S_[f], slopes);
+            }
+        }
+        way *= 0.5 * dt / (V_[c] * of.theta[c]);
         room_[s] = V_[c] / (dt * out[c]);
         for (label k = 0; k < nShares_; ++k)
         {
-            transverse_[nShares_ * s + k] *= 0.5 * dt / (V_[c] * of.theta[c]);
+            const label i = nShares_ * s + k;
+            const scalar own = shares_[nShares_ * c + k];
+            const scalar w = interface_[i] * min(max(min(own, 1 - own) / foreign - 1, 0.0), 1.0);
+            slopes[k] = (w * gradient_[i] + (1 - w) * slopes[k]) / V_[c];
         }
     }
 }
@@ -472,8 +465,9 @@ void Foam::mpm::fluidInterfaces::setTransverse(
 inline Foam::scalar Foam::mpm::fluidInterfaces::halfStep(
     const scalar a, const label s, const label k, const vector& n) const
 {
-    const symmTensor& T = transverse_[nShares_ * s + k];
-    return min(max(a + (tr(T) - (n & (T & n))), wisp), 1 - wisp);
+    const vector& g = slopes_[nShares_ * s + k];
+    const vector& way = ways_[s];
+    return min(max(a - ((way & g) - (way & n) * (g & n)), wisp), 1 - wisp);
 }
 
 void Foam::mpm::fluidInterfaces::sharesOfCell(

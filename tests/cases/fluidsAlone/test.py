@@ -9,7 +9,8 @@ mean of |rho - exact|, which the rarefaction's tail is in (there p of water from
 by 1.4 MPa in some cells). Limits are those that a
 one-dimensional program of the same scheme reached, but for those that its note says this
 one misses. Water and a gas of van der Waals: also against the curves of Zheng et al.
-(2011), within 1 % of their range. A disc is carried five domains along the diagonal: L1 over its area.
+(2011), within 1 % of their range. A disc is carried five domains along the diagonal, a slotted one
+turns with a velocity that is given: L1 over its area.
 A charge in the corner of three planes of symmetry: no direction is another. Rayleigh and Taylor's
 growing mode at low Mach number against linear theory, and what of p changes sign from cell to cell.
 """
@@ -23,7 +24,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import riemannEquation as exact
-from fluidCases import AIR, WATER, fluidCase, fluidField
+from fluidCases import AIR, WATER, besidePoints, fluidCase, fluidField
 from foamCase import FoamCase, PROJECT, RunFailed, runParts
 from gasCases import boxCentres, volField
 from gasOnCells import cyclicSides
@@ -187,13 +188,68 @@ def disc(table):
     n, end = 64, 5
     case, start = discCase("disc", n, end)
     a = fluidField(case, end, "alpha.disc")
-    # Measured 0.169; the one-dimensional program's limit 0.16 is missed
+    # What a two-dimensional program of transport alone reached
     table.row("disc, five domains along the diagonal, 64 x 64: L1/area", 0,
-              np.mean(abs(a - start))/start.mean(), 0.18, "atMost")
+              np.mean(abs(a - start))/start.mean(), 0.16, "atMost")
     table.row("disc: least share", 0, a.min(), 1e-15)
     table.row("disc: largest share", 1, a.max(), 1e-15)
     table.row("disc: its mass", 1, a.mean()/start.mean(), 1e-12)
     table.row("disc: dp/p", 0, np.max(abs(fluidField(case, end, "p") - 1)), 1e-11)
+
+
+def slottedCase(name, n, end=1.0, split=None, control=None, before=lambda case: None):
+    """S.T. Zalesak's disc (J. Comput. Phys. 31 (1979) 335-362) turns with its surroundings."""
+    def initial(x, y, z):
+        a = covered(x, y, 1/n, lambda X, Y: 1.0*(
+            ((X - 0.5)**2 + (Y - 0.75)**2 < 0.0225) & ((abs(X - 0.5) > 0.025) | (Y > 0.85))))
+        u = 2*np.pi*np.column_stack([0.5 - y, x - 0.5, 0*x])
+        return [a, 1 - a], [1.0, 0.5], u, 1.0
+    fields = ("p", "U", "alpha.disc", "alpha.air", "T.disc", "T.air")
+    case = fluidCase("fluidsAlone", name, (n, n, 1), (1, 1, 1/n), {"disc": AIR, "air": AIR},
+                     initial, end, patches={"rim": ("patch", ("x-", "x+", "y-", "y+"))},
+                     given={"rim": dict.fromkeys(fields, "zeroGradient")},
+                     settings={"velocity": "given"},
+                     control={"deltaT": 0.1/n, "adjustTimeStep": False, **(control or {})})
+    if split:
+        case.decompose(split)
+    before(case)
+    if split:
+        case.runParallel()
+    else:
+        case.run("materialPointFoam")
+    return case, initial(*boxCentres((0, 0, 0), (1, 1, 1/n), (n, n, 1)))
+
+
+def slotted(table):
+    """A slotted disc with a velocity that is given, one turn in 10 n steps, beside interFoam
+    (MULES, cAlpha 1) and interIsoFoam (isoAdvector) of OpenFOAM v1912 with frozenFlow on the
+    same cells from the same start with the same steps: no worse than the first, within twice
+    the second. MPM_VERIFY=1: also 200 x 200 cells, where that is missed (doc/misses.md)."""
+    meshes = [(50, 0.3358, 0.0921), (100, 0.1202, 0.0276)]
+    if os.environ.get("MPM_VERIFY") == "1":
+        meshes.append((200, 0.0770, 0.0118))
+    for n, compressed, cut in meshes:
+        case, (alphas, _, u, _) = slottedCase(f"slotted-{n}", n)
+        a = fluidField(case, 1.0, "alpha.disc")
+        error = np.mean(abs(a - alphas[0]))/alphas[0].mean()
+        label = f"slotted disc, one turn, {n} x {n}"
+        table.row(f"{label}: L1/area, interFoam {compressed}", 0, error, compressed, "atMost")
+        table.row(f"{label}: L1/area over that of interIsoFoam, {cut}", 1, error/cut,
+                  2 if n < 200 else compressed/cut, "atMost")
+        # A trace of it leaves through the rim
+        table.row(f"{label}: its area", 1, a.mean()/alphas[0].mean(), 1e-10)
+        table.row(f"{label}: change of the velocity", 0,
+                  np.max(abs(fluidField(case, 1.0, "U") - u)), 1e-12)
+        table.row(f"{label}: dp/p", 0, np.max(abs(fluidField(case, 1.0, "p") - 1)), 1e-11)
+    halves = {"writeInterval": 0.1, "startFrom": "latestTime"}
+    whole, _ = slottedCase("slotted-whole", 32, 0.2, control=halves)
+    again, _ = slottedCase("slotted-again", 32, 0.2, control=halves, before=lambda c: (
+        shutil.copytree(os.path.join(whole.path, "0.1"), os.path.join(c.path, "0.1"))))
+    two, _ = slottedCase("slotted-2", 32, 0.2, (2, 1, 1), halves)
+    table.row("slotted disc, restart: largest difference", 0, differences(whole, again, "0.2"), 0,
+              "atMost")
+    table.row("slotted disc, 2 processors: largest difference", 0, differences(whole, two, "0.2"),
+              1e-10)
 
 
 # --- heat that the scheme makes ----------------------------------------------
@@ -438,7 +494,7 @@ def rest(table):
     end = 1e4*dt
     case = fluidCase("fluidsAlone", "rest", (n, 1, 1), (1, 0.01, 0.01),
                      {"water": WATER, "air": REAL_AIR}, initial, end, ends=CLOSED,
-                     gravity=(-g, 0, 0), control={
+                     gravity=(-g, 0, 0), writeInterval=end/10, control={
                          "deltaT": dt, "adjustTimeStep": False, "functions": {"balance": {
                              "type": "fluidBalance", "libs": ["mpmFunctionObjects"],
                              "writeControl": "timeStep", "writeInterval": 1000}}})
@@ -447,9 +503,9 @@ def rest(table):
     total = case.series("balance", "total.dat")
     table.row("rest of water and air: momentum less impulse of walls and gravity, over weight t",
               0, np.max(np.abs(total[:, -4]))/(total[0, 1]*g*end), 1e-9)
-    # Rounding of pInf moves the shared cell's pressure by 3e-8 Pa, air by 1e-10 m/s
-    table.row("rest of water and air, 1e4 steps: largest velocity [m/s]", 0,
-              np.max(abs(fluidField(case, end, "U"))), 1e-9)
+    # Rounding of pInf moves the shared cell's pressure by 5e-7 Pa
+    table.row("rest of water and air, 1e4 steps: largest velocity [m/s]", 0, max(
+        np.max(abs(fluidField(case, float(t), "U"))) for t in case.times()[1:]), 1e-11)
     p = fluidField(case, end, "p")
     table.row("rest of water and air: weight [Pa]",
               g/n*(29.5*1000 + 300 + 0.7*1.2 + 28.5*1.2 + 1000*0.5 - 500 + 0), p[0] - p[-1], 30)
@@ -553,6 +609,12 @@ def wrong(table):
             with open(c.file(name), "w") as f:
                 f.write(text.replace(old, new))
         return change
+    def beside(c):
+        law = {"type": "linearElastic", "rho": 1000, "E": 1e6, "nu": 0}
+        besidePoints(c, {"water": WATER, "air": AIR}, {"bar": {"constitutiveModel": law}}, {
+            "bar": {"phase": "bar", "type": "box", "min": (0.4, 0, 0), "max": (0.6, 1, 1)}},
+                     settings=given)
+    given = {"velocity": "given"}
     tait = {"rho": 1000, "equationOfState": {"type": "Tait", "K": 2.2e9, "n": 7, "p0": 1e5}}
     for label, made, words in (
             ("noEnergy", lambda: case("noEnergy", {"water": tait, "air": AIR}),
@@ -580,7 +642,13 @@ def wrong(table):
             ("keyword", lambda: case("keyword", {"water": WATER, "air": {**AIR, "gama": 1.4}}),
              ("gama", "gamma")),
             ("setting", lambda: case("setting", settings={"lowmach": True}),
-             ("lowmach", "lowMach"))):
+             ("lowmach", "lowMach")),
+            ("velocity", lambda: case("velocity", settings={"velocity": "fixed"}),
+             ("fixed", "velocity", "computed", "given")),
+            ("givenGravity", lambda: case("givenGravity", settings=given, gravity=(-9.81, 0, 0)),
+             ("velocity given", "constant/g", "velocity computed")),
+            ("givenPoints", lambda: case("givenPoints", change=beside),
+             ("velocity given", "phases of points", "velocity computed"))):
         c = made()
         try:
             c.run("materialPointFoam")
@@ -596,5 +664,6 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("fluidsAlone", tubes, vanDerWaals, translation, disc, torn, sheared,
-                      inflow, helium, corner, RayleighTaylor, rest, ranks, restart, softened, wrong))
+    sys.exit(runParts("fluidsAlone", tubes, vanDerWaals, translation, disc, slotted, torn, sheared,
+                      inflow, helium, corner, RayleighTaylor, rest, ranks, restart, softened,
+                      wrong))
