@@ -131,11 +131,11 @@ def balance(content):
     h, found = content.history, []
     total = h.series("Energy", "total")
     if np.isfinite(total).any():
-        found.append(("energy of the points", change(total), "from the first report to the"
+        found.append(("change of the energy", change(total), "from the first report to the"
                       " last; its largest is 100 %"))
     mass = h.series("Material points", "mass")
     if np.isfinite(mass).any():
-        found.append(("mass of the points", change(mass), ""))
+        found.append(("change of the mass", change(mass), "of the points"))
     low, high = h.series("Theta", "min"), h.series("Theta", "max")
     if np.isfinite(low).any():
         found.append(("sum of volume fractions", f"{np.nanmin(low):.5g} to"
