@@ -64,7 +64,7 @@ def read(app, doctree):
             node.replace_self(nodes.math_block(node.astext(), node.astext(), nowrap=True,
                                                number=None, label=None))
     for section in doctree.findall(nodes.section):
-        slug = section.get("slug")
+        slug = section.get("myst-anchor", "#").split("#")[1]
         if slug and slug not in section["ids"]:
             section["ids"].append(slug)
 
