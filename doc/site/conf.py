@@ -5,6 +5,7 @@ The pages are written for GitHub and stay as they are. What differs is done here
 their HTML; a source that is linked becomes a page of the site, with its lines as anchors.
 """
 
+import json
 import os
 import re
 
@@ -37,7 +38,6 @@ html_css_files = ["site.css"]
 html_math_renderer = "katex"
 html_copy_source = False
 html_show_sphinx = False
-html_show_search_summary = False    # would need a server
 smartquotes = False
 
 #: Pages below a page, in the order of the navigation; * for those of a folder
@@ -100,13 +100,16 @@ def resolved(app, doctree, docname):
         return f'src="{relative_uri(app.builder.get_target_uri(docname), "_images")}/' \
             f'{app.builder.images[path]}"'
 
+    words = doctree.astext()
     for node in list(doctree.findall(nodes.raw)):
+        words = words.replace(node.astext(), re.sub("<.*?>", " ", node.astext(), flags=re.S))
         text = re.sub('href="([^"]*)"', lambda m: f'href="{linked(app, docname, m[1])}"',
                       node.astext())
         text = re.sub('src="([^":]*)"', picture, text)
         if docname == "tutorials/README":
             text = text.replace("<table>", '<table class="gallery">')
         node.replace_self(nodes.raw("", text, format="html"))
+    app.texts[docname] = words
 
 
 def sources(app):
@@ -127,25 +130,31 @@ def equation(self, node):
     raise nodes.SkipNode
 
 
-def withEquations(app, pagename, templatename, context, doctree):
+def scripts(app, pagename, templatename, context, doctree):
+    if pagename == "search":
+        app.add_js_file("texts.js")
+        app.add_js_file("search.js")
     if doctree and any(isinstance(n, (nodes.math, nodes.math_block)) for n in doctree.findall()):
         app.add_css_file("katex.min.css")
         app.add_js_file("katex.min.js", loading_method="defer")
         app.add_js_file("site.js", loading_method="defer")
 
 
-def index(app, error):
-    if not error:
-        with open(os.path.join(app.outdir, "index.html"), "w") as f:
-            f.write('<!DOCTYPE html>\n<title>materialPointFoam</title>\n'
-                    '<meta http-equiv="refresh" content="0; url=README.html">\n'
-                    '<a href="README.html">materialPointFoam</a>\n')
+def ended(app, error):
+    if error:
+        return
+    with open(os.path.join(app.outdir, "_static/texts.js"), "w", encoding="utf-8") as f:
+        f.write(f"const pageTexts = {json.dumps(app.texts)};\n")
+    with open(os.path.join(app.outdir, "index.html"), "w", encoding="utf-8") as f:
+        f.write('<!DOCTYPE html>\n<title>materialPointFoam</title>\n'
+                '<meta http-equiv="refresh" content="0; url=README.html">\n'
+                '<a href="README.html">materialPointFoam</a>\n')
 
 
 def setup(app):
-    app.sources = set()
+    app.sources, app.texts = set(), {}
     app.add_html_math_renderer("katex", (equation, None), (equation, None))
     for event, function in (("source-read", below), ("doctree-read", read),
                             ("doctree-resolved", resolved), ("html-collect-pages", sources),
-                            ("html-page-context", withEquations), ("build-finished", index)):
+                            ("html-page-context", scripts), ("build-finished", ended)):
         app.connect(event, function)

@@ -266,6 +266,12 @@ def search(table, chromium):
     table.row("pages with nodeDual", 10, len(having), 10, "atLeast")
     table.check("the search finds them all", having <= shown, " ".join(having - shown))
     table.check("... and no others", shown <= parts, " ".join(shown - parts))
+    page.wait(f"document.querySelectorAll('#search-results p.context').length >= {len(shown)}")
+    places = page.evaluate("[...document.querySelectorAll('#search-results p.context')]"
+                           ".map(p => p.textContent)")
+    table.row("... each with the words about it", len(shown), sum(
+        "nodedual" in p.lower() for p in places), 0)
+    page.screenshot(os.path.join(FOLDER, "search.png"))
     table.check("search: no error in the console", not page.errors, page.errors)
 
 
