@@ -456,7 +456,8 @@ void Foam::mpm::fluidInterfaces::setTransverse(
         {
             const label i = nShares_ * s + k;
             const scalar own = shares_[nShares_ * c + k];
-            const scalar w = interface_[i] * min(max(min(own, 1 - own) / foreign - 1, 0.0), 1.0);
+            const scalar least = min(own, 1 - own) / foreign;
+            const scalar w = interface_[i] * min(max((least - 1) / 9, 0.0), 1.0);
             slopes[k] = (w * gradient_[i] + (1 - w) * slopes[k]) / V_[c];
         }
     }
