@@ -122,7 +122,7 @@ def dictionaries(table):
     table.check("dictionaries: a new entry is read", float(read) == 0.1, read.strip())
 
     try:
-        case.points("0", "flyr")["x"]
+        case.points("99", "flyr")["x"]
         said = ""
     except FileNotFoundError as error:
         said = str(error)
