@@ -199,6 +199,15 @@ class Facts:
         numbers = isinstance(g, list) and all(isinstance(v, (int, float)) for v in g)
         return np.array(g if numbers and len(g) == 3 else (0, 0, 0), float)
 
+    def conditions(self, field):
+        """Patches: the dictionary of their condition, by name or by pattern."""
+        given = {key: of for key, of in self.case.get(field).get("boundaryField", {}).items()
+                 if isinstance(of, dict)}
+        found = {p: of for key, of in given.items() for p in self.patches
+                 if re.fullmatch(key, p)}
+        found.update({p: given[p] for p in self.patches if p in given})
+        return found
+
     def number(self, name, default):
         """A number of fvSolution.materialPoints."""
         value = self.solution.get(name, default)
@@ -341,6 +350,22 @@ def wavesLeave(facts):
                           "fluids.md#open-boundaries")
 
 
+def holders(facts, name):
+    """Words on the sides that hold the points of a phase: fixedValue in its 0/U."""
+    field = "0/U." + str(facts.of(name).get("velocityField", name))
+    phase = facts.phases[name]
+    if not phase.n or not os.path.exists(facts.case.file(field)):
+        return ""
+    fixed = [p for p, of in facts.conditions(field).items() if of.get("type") == "fixedValue"]
+    x, words = readField(facts.case.file("constant/polyMesh/points")), []
+    for patch, corners in _patchPoints(facts.case, x, fixed).items():
+        gap = np.maximum(0, np.maximum(phase.low - corners, corners - phase.high))[:, facts.axes]
+        gap = float(np.sqrt((gap**2).sum(axis=1)).min())
+        words.append(f"held by {patch}" if gap < facts.width else
+                     f"{patch}, which would hold it, is {gap:.3g} m away")
+    return "".join("; " + w for w in words)
+
+
 def _patchPoints(case, x, patches):
     """Corners of the faces of some patches."""
     faces = readLists(case.file("constant/polyMesh/faces"))
@@ -364,12 +389,8 @@ def runsOut(facts):
     g = facts.g()
     if not liquids or not np.linalg.norm(g) or not os.path.exists(facts.case.file("0/U")):
         return
-    lets = {}
-    for key, of in facts.case.get("0/U").get("boundaryField", {}).items():
-        if isinstance(of, dict):        # patterns too
-            lets.update({p: of.get("type") for p in facts.patches
-                         if p == key or re.fullmatch(key.strip('"'), p)})
-    lets = {p: kind for p, kind in lets.items() if kind in LETS_OUT}
+    lets = {p: of["type"] for p, of in facts.conditions("0/U").items()
+            if of.get("type") in LETS_OUT}
     alpha = sum(facts.case.field("0", "alpha." + n)*np.ones(facts.nCells) for n in liquids)
     x = readField(facts.case.file("constant/polyMesh/points"))
     faces = readLists(facts.case.file("constant/polyMesh/faces"))
