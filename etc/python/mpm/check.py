@@ -215,7 +215,7 @@ class Check:
             self._line(name, f"{phase.n} points of {phase.law}"
                        + (f", wave speed {phase.speed:.4g} m/s" if phase.speed else "")
                        + (f"; in a cell {phase.least} to {phase.most}, mean {phase.mean:.3g}"
-                          if phase.n else ""))
+                          if phase.n else "") + checkRules.holders(facts, name))
         if facts.points:
             self._line("points", f"{facts.points} in all")
             self._line("scheme", facts.scheme)

@@ -32,6 +32,8 @@ LIQUIDS = ("NewtonianFluid",)
 OPEN = ("farField", "waveTransmissive", "advective", "zeroGradient")
 #: Types of patches through which nothing shall go
 CLOSED = ("empty", "wedge", "cyclic", "symmetry", "symmetryPlane", "wall")
+#: Conditions of U through which a fluid leaves
+LETS_OUT = ("zeroGradient", "inletOutlet", "pressureInletOutletVelocity", *OPEN[:3])
 
 
 @dataclass
@@ -191,6 +193,21 @@ class Facts:
     def end(self):
         return float(self.control.get("endTime", math.nan))
 
+    def g(self):
+        """Gravity [m/s2]; zero without its file, or where it is no list of numbers."""
+        g = self._may("constant/g").get("value", [])
+        numbers = isinstance(g, list) and all(isinstance(v, (int, float)) for v in g)
+        return np.array(g if numbers and len(g) == 3 else (0, 0, 0), float)
+
+    def conditions(self, field):
+        """Patches: the dictionary of their condition, by name or by pattern."""
+        given = {key: of for key, of in self.case.get(field).get("boundaryField", {}).items()
+                 if isinstance(of, dict)}
+        found = {p: of for key, of in given.items() for p in self.patches
+                 if re.fullmatch(key, p)}
+        found.update({p: given[p] for p in self.patches if p in given})
+        return found
+
     def number(self, name, default):
         """A number of fvSolution.materialPoints."""
         value = self.solution.get(name, default)
@@ -239,8 +256,8 @@ def waveSpeeds(facts):
             what = ("too slow: a modulus in MPa or GPa?" if phase.speed < 10 else
                     "too fast (diamond 18000): a density in g/cm3?")
             yield Finding("warning", PHASES, f"{name}.constitutiveModel", f"a wave speed of "
-                          f"{phase.speed:.4g} m/s: {what}", "moduli in Pa: 70e9 for 70 GPa, 70e9 "
-                          "for 70000 MPa; rho in kg/m3", "troubleshooting.md",
+                          f"{phase.speed:.4g} m/s: {what}", "moduli in Pa: 1e6 for 1 MPa, 70e9 for "
+                          "70 GPa; rho in kg/m3", "troubleshooting.md",
                           rf"phase {name} has a wave speed")
 
 
@@ -270,12 +287,7 @@ def meshSize(facts):
 
 
 def gravity(facts):
-    path = "constant/g"
-    if not os.path.exists(facts.case.file(path)):
-        return
-    g = facts.case.get(path).get("value", [])
-    g = math.sqrt(sum(v*v for v in g)) if isinstance(g, list) and all(
-        isinstance(v, (int, float)) for v in g) else 0
+    path, g = "constant/g", float(np.linalg.norm(facts.g()))
     if g and _outside(g, "g"):
         yield Finding("warning", path, "value", f"{g:g} m/s2; the earth has 9.81",
                       "m/s2: 9.81 for 9810 mm/s2", "materials.md#body-forces",
@@ -338,14 +350,70 @@ def wavesLeave(facts):
                           "fluids.md#open-boundaries")
 
 
+def holders(facts, name):
+    """Words on the sides that hold the points of a phase: fixedValue in its 0/U."""
+    field = "0/U." + str(facts.of(name).get("velocityField", name))
+    phase = facts.phases[name]
+    if not phase.n or not os.path.exists(facts.case.file(field)):
+        return ""
+    fixed = [p for p, of in facts.conditions(field).items() if of.get("type") == "fixedValue"]
+    x, words = readField(facts.case.file("constant/polyMesh/points")), []
+    for patch, corners in _patchPoints(facts.case, x, fixed).items():
+        gap = np.maximum(0, np.maximum(phase.low - corners, corners - phase.high))[:, facts.axes]
+        gap = float(np.sqrt((gap**2).sum(axis=1)).min())
+        words.append(f"held by {patch}" if gap < facts.width else
+                     f"{patch}, which would hold it, is {gap:.3g} m away")
+    return "".join("; " + w for w in words)
+
+
 def _patchPoints(case, x, patches):
     """Corners of the faces of some patches."""
     faces = readLists(case.file("constant/polyMesh/faces"))
+    return {name: x[np.unique(np.concatenate(faces[start:start + n]))]
+            for name, (start, n) in _patchFaces(case).items() if n and name in patches}
+
+
+def _patchFaces(case):
+    """Patches: first face and number of faces."""
     with open(case.file("constant/polyMesh/boundary"), "rb") as f:
         rows = re.findall(r"(\S+)\s*\{[^}]*?nFaces\s+(\d+);\s*startFace\s+(\d+);",
                           f.read().decode("latin-1"))
-    return {name: x[np.unique(np.concatenate(faces[int(s):int(s) + int(n)]))]
-            for name, n, s in rows if int(n) and name in patches}
+    return {name: (int(start), int(n)) for name, n, start in rows}
+
+
+def runsOut(facts):
+    """Sides below or beside a liquid under gravity through which it leaves."""
+    liquids = [n for n in facts.media if isinstance(facts.of(n).get("equationOfState"), dict)
+               and facts.of(n)["equationOfState"].get("type") in ("stiffenedGas", "Tait")
+               and os.path.exists(facts.case.file("0", "alpha." + n))]
+    g = facts.g()
+    if not liquids or not np.linalg.norm(g) or not os.path.exists(facts.case.file("0/U")):
+        return
+    lets = {p: of["type"] for p, of in facts.conditions("0/U").items()
+            if of.get("type") in LETS_OUT}
+    alpha = sum(facts.case.field("0", "alpha." + n)*np.ones(facts.nCells) for n in liquids)
+    x = readField(facts.case.file("constant/polyMesh/points"))
+    faces = readLists(facts.case.file("constant/polyMesh/faces"))
+    owner = readLists(facts.case.file("constant/polyMesh/owner"))
+    for patch, (start, n) in _patchFaces(facts.case).items():
+        wet = [f for f in range(start, start + n) if alpha[owner[f]] > 0.5] \
+            if patch in lets else []
+        down = [_normal(x[faces[f]]) @ g/np.linalg.norm(g) for f in wet]
+        if not wet or max(down) < -0.1:
+            continue
+        below = max(down) > 0.1
+        yield Finding("warning" if below else "note", "0/U", f"boundaryField.{patch}",
+                      f"{lets[patch]} lets {' and '.join(liquids)} out: {len(wet)} faces of "
+                      f"{patch} ({facts.patches.get(patch)}) are {'below' if below else 'beside'} "
+                      "it", "a wall has type wall in constant/polyMesh/boundary (setFluids gives "
+                      "it slip), or slip in 0.orig/U; then setFluids again",
+                      "meshes.md#what-patches-need")
+
+
+def _normal(corners):
+    """Unit normal of a polygon, to the side from which its corners go left about."""
+    area = np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
+    return area/max(np.linalg.norm(area), 1e-300)
 
 
 # --- schemes -------------------------------------------------------------------
@@ -480,7 +548,7 @@ def writing(facts):
 
 
 RULES = (densities, waveSpeeds, strengths, meshSize, gravity, pressure, duration, wavesLeave,
-         locking, courant, transfers, shapes, shocks, pointsInCells, damage, writing)
+         runsOut, locking, courant, transfers, shapes, shocks, pointsInCells, damage, writing)
 
 
 def findings(facts):

@@ -22,10 +22,11 @@ energyResidual, steps and seconds make some.
 
 Each run is a folder of its own in `folder`. Runs that have ended well are not run anew, unless
 their dictionaries have changed; their quantities are read anew. A run that failed is a row that
-says why, and is tried again by the next call.
+says why, and is tried again by the next call. A quantity that fails is nan; state says why.
 """
 
 import csv
+import fnmatch
 import hashlib
 import inspect
 import itertools
@@ -94,6 +95,7 @@ class Study:
         """Run what has not run, so many at a time (all cores); the table."""
         jobs = jobs or len(os.sched_getaffinity(0))
         os.makedirs(self.folder, exist_ok=True)
+        print(f"{_runs(len(self.points))} in {self.folder}, {jobs} at a time", flush=True)
         with ThreadPoolExecutor(jobs) as pool:
             waiting = [pool.submit(self._row, i) for i in range(len(self.points))]
             try:
@@ -117,14 +119,26 @@ class Study:
             if row["state"] == "ran":
                 self._run(case)
             said = f"{row['state']}, {time.monotonic() - start:.0f} s"
-            for name, quantity in self.quantities.items():
-                row[name] = quantity(case)
+            wrong = self._read(case, row)
+            if wrong:
+                row["state"] = said = "; ".join([row["state"], *wrong])
         except Exception as error:      # of any function of a user: a row, not the end
             what = "" if isinstance(error, RunFailed) else type(error).__name__ + ": "
             said = (what + str(error)).replace(os.path.abspath(self.folder), self.folder)
             row["state"] = said = "failed: " + " ".join(said.split())
         print(f"{i + 1}/{len(self.points)} {self._name(point)}: {said}", flush=True)
         return row
+
+    def _read(self, case, row):
+        """The quantities into a row, nan of those that fail; what these say."""
+        wrong = []
+        for name, quantity in self.quantities.items():
+            try:
+                row[name] = quantity(case)
+            except Exception as error:  # of any function of a user: a column, not the run
+                what = "" if isinstance(error, RunFailed) else type(error).__name__ + ": "
+                wrong.append(f"quantity {name}: " + " ".join(f"{what}{error}".split()))
+        return wrong
 
     def _start(self, case, point):
         """Make the case with its values. True: it has ended well with these files before."""
@@ -212,6 +226,10 @@ def _key(value):
     return value if isinstance(value, (int, float, str, bool)) else foamText(value)
 
 
+def _runs(n):
+    return "1 run" if n == 1 else f"{n} runs"
+
+
 def _text(value):
     return f"{value:.6g}" if isinstance(value, (float, np.floating)) else str(value)
 
@@ -271,16 +289,28 @@ class Results:
 # --- quantities --------------------------------------------------------------
 
 def last(table, column):
-    """The last value of a column of a table (Case.table)."""
-    return lambda case: float(case.table(table)[column][-1])
+    """The last value of a column of a table (Case.table). The name may be a pattern of one
+    column, "displacement_x*"."""
+    return lambda case: float(_column(case, table, column)[-1])
 
 
 def largest(table, column):
-    return lambda case: float(np.max(case.table(table)[column]))
+    return lambda case: float(np.max(_column(case, table, column)))
 
 
 def least(table, column):
-    return lambda case: float(np.min(case.table(table)[column]))
+    return lambda case: float(np.min(_column(case, table, column)))
+
+
+def _column(case, table, column):
+    """A column by its name, or by a pattern (*, ?) that only one matches."""
+    columns = case.table(table)
+    names = [n for n in columns if fnmatch.fnmatchcase(n, column)]
+    if column in columns or not names:
+        return columns[column]          # an error lists those that are
+    if len(names) > 1:
+        raise RunFailed(f"{column} of {table} is each of {', '.join(names)}")
+    return columns[names[0]]
 
 
 def period(table, column, about=0.0):
@@ -288,7 +318,7 @@ def period(table, column, about=0.0):
     between two rows."""
     def of(case):
         columns = case.table(table)
-        t, v = next(iter(columns.values())), columns[column] - about
+        t, v = next(iter(columns.values())), _column(case, table, column) - about
         i = np.nonzero(v[:-1]*v[1:] < 0)[0]
         if len(i) < 2:
             raise RunFailed(f"{column} of {table} crosses {about} only {len(i)} times: no period")
@@ -300,7 +330,8 @@ def period(table, column, about=0.0):
 def energyResidual(case):
     """Last residual of the energy budget over the largest energy of the points, from the log;
     with energyBudget yes in materialPoints."""
-    rows = case.numbers(r"^Energy: .* total N\n(?:.*\n)?Energy budget: .*residual N")
+    # With a gas or fluids the budget has lines of its own below, the residual on the last
+    rows = case.numbers(r"^Energy: .* total N\n(?:.*\n)?Energy budget: (?:.*\n    )*?.*residual N")
     if not len(rows):
         raise RunFailed("no energy budget in the log: energyBudget yes; in materialPoints of "
                         "system/fvSolution")

@@ -3,6 +3,8 @@
 
 template    etc/caseTemplate: nothing found, exit code 0, nothing in the case is changed or new
 mistakes    one wrong unit or choice each in the template: found, with file and entry
+leaks       water on a floor of type patch, to which setFluids gives zeroGradient: found; sides
+            that hold a body
 codes       exit codes of the command: 0, 1, 2; 2 with the solver's own words
 trial       steps foretold of three cases against those of the run: within 30 %; memory; two ranks
 tutorials   all tutorials: the warnings are those listed here with what is true of them
@@ -115,6 +117,31 @@ def mistakes(table):
                         "wrong unit of the shape" in hits[0].remedy, hits[0].remedy)
 
 
+def leaks(table):
+    """damBreak, whose walls are a side for each direction: as they are and as patches."""
+    case = FoamCase("check", "leaks", os.path.join(PROJECT, "tutorials/damBreak"))
+    case.change(MESH, r"(?s)    walls\n.*?    \}\n", """
+    floor { type wall; faces ((0 1 5 4)); }
+    left  { type wall; faces ((0 4 7 3)); }
+    rest  { type wall; faces ((1 2 6 5) (3 7 6 2)); }
+""")
+    for kind, expected in (("wall", []), ("patch", [("warning", "floor"), ("note", "left")])):
+        case.change(MESH, r"type\s+(wall|patch);", f"type {kind};")
+        check = Check(case.path, trial=False)
+        check.run()
+        hits = [(f.kind, f.entry.split(".")[-1]) for f in check.findings if " out: " in f.text]
+        table.check(f"leaks: water beside sides of type {kind}", hits == expected, found(check))
+
+    # A bar that is clamped at its end, and 2 m off it
+    case = FoamCase("check", "clamped", os.path.join(PROJECT, "tutorials/vibratingBar"))
+    for low, words in ((0, "; held by wall"), (2, "; wall, which would hold it, is 2.")):
+        case.set(REGIONS, "bar.min", (low, 0, 0))
+        check = Check(case.path, trial=False)
+        check.run()
+        said = dict(check.lines)["bar"]
+        table.check(f"leaks: what holds a body, {low} m off the wall", words in said, said)
+
+
 def command(case, *options):
     run = subprocess.run([os.path.join(PROJECT, "etc/bin/mpmCheck"), case, *options], timeout=120,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -203,4 +230,4 @@ def tutorials(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("check", template, mistakes, codes, trial, tutorials))
+    sys.exit(runParts("check", template, mistakes, leaks, codes, trial, tutorials))

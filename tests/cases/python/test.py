@@ -24,7 +24,7 @@ from bar import L, T, V0, barRun
 from foamCase import PROJECT, RUN, FoamCase, runParts, writeField
 from mpm.case import RunFailed
 from mpm.dictionaries import DictionaryError, getEntry, parse, setEntry
-from mpm.study import Study, last, period, steps
+from mpm.study import Study, energyResidual, largest, last, period, steps
 
 
 def guide(table):
@@ -162,6 +162,36 @@ def stopped(case):
         f.write("\nSignal 15 (Terminated) was received.\n")
 
 
+#: The budget of a case with fluids in the log, and a table with a probe's columns
+LOG = """Energy: kinetic 1, strain 3, total {total}
+Energy budget: transfer -1, boundary 0, remap -1e-10
+    gas 1602.58, gained 2.5e-05, rigid 0, dry 0, fix-ups 0
+    to points: pressure 2.7e-07, drag -7e-10
+    last step -5e-10, laws 2e-20, exchange 7e-09, residual {residual}
+Failed points: 0, steps redone: 0
+"""
+
+
+def budget(table):
+    """Quantities of a log and a table that are given."""
+    case = FoamCase("python", "budget", os.path.join(PROJECT, "etc/caseTemplate"))
+    with open(case.file("log.materialPointFoam"), "w") as f:
+        f.write(LOG.format(total=8, residual=0.5) + LOG.format(total=4, residual=0.2))
+    table.row("study: energyResidual beside fluids", 0.2/8, energyResidual(case), 1e-12)
+    os.makedirs(case.file("postProcessing/tip/0"))
+    with open(case.file("postProcessing/tip/0/displacement.dat"), "w") as f:
+        f.write("# Time\tdisplacement_x(199)\tdisplacement_y(199)\n0\t1\t5\n1\t3\t4\n")
+    table.row("study: a column by a pattern", 3, largest(
+        "tip/displacement.dat", "displacement_x*")(case), 0)
+    try:
+        largest("tip/displacement.dat", "displacement*")(case)
+        said = ""
+    except RunFailed as error:
+        said = str(error)
+    table.check("study: a pattern of two columns is an error with both",
+                "each of displacement_x(199), displacement_y(199)" in said, said[:100])
+
+
 def study(table):
     base = barRun("python", "bar", {"shapeFunction": "GIMP", "transfer": "FLIP"}, 32)[0]
     base.set("system/controlDict", "endTime", 2.5*T)
@@ -191,6 +221,14 @@ def study(table):
 
     ended = [Study(base.path, {}, {}, folder=os.path.join(folder, "stopped"),
                    steps=stopped).run()["state"][0] for _ in range(2)]
+    def wrong(case):
+        raise KeyError("no such thing")
+    mixed = Study(base.path, {}, {"bad": wrong, "steps": steps}, folder=folder,
+                  steps=lambda case: case.write("log.materialPointFoam", {})).run()
+    table.check("study: a quantity that fails is nan, with its reason, and no other is",
+                np.isnan(mixed["bad"][0]) and not np.isnan(mixed["steps"][0]) and mixed["state"][0]
+                == "ran; quantity bad: KeyError: 'no such thing'", mixed["state"][0])
+
     table.check("study: a run that a signal has ended has not run", all(
         state.startswith("failed: Signal 15") for state in ended), ended)
 
@@ -212,6 +250,7 @@ def study(table):
         said = str(error)
     table.check("study: a column that is not there is an error with those that are",
                 "Px" in said and "kinetic" in said, said[:100])
+    budget(table)
     rows.write(os.path.join(folder, "table"))
     rows.plot("E", "period", file=os.path.join(folder, "period.svg"), log="xy")
     with open(os.path.join(folder, "table.csv")) as f:
