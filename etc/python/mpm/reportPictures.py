@@ -154,6 +154,10 @@ class Scene:
             flat.append(min((a for a in range(3) if a not in flat), key=lambda a: size[a]))
         return flat
 
+    def normal(self):
+        """The first direction that the pictures leave out."""
+        return [a for a in range(3) if a not in self.axes][0]
+
     def shows(self, time):
         """Are there points, or the field of the gas?"""
         field = gasField(self)
@@ -300,17 +304,19 @@ def gasField(scene):
 class Automatic:
     """Figures of a scene in 2D or 3D, points over a section of the gas."""
 
-    def __init__(self, scene, times):
+    def __init__(self, scene, times, others):
         self.scene, self.times = scene, times
         some = choose(times, 5)         # for the limits of colours
         self.column = columnOf(scene, some) if scene.phases else None
+        if self.column:
+            self.column = (*self.column[:4], joined(self.column[4], others, self.column[0]))
         self.gas = gasField(scene)
         self.section, self.gasLimits = None, None
         self.seen = Oblique(scene) if scene.nDim == 3 and not self.gas else None
         if self.gas:
-            out = [a for a in range(3) if a not in scene.axes][0]
-            self.section = Section(scene, out)
-            self.gasLimits = span([self.section.cells(t, self.gas[0])[1] for t in some])
+            self.section = Section(scene, scene.normal())
+            self.gasLimits = joined(gasRange(scene, self.section, self.gas[0], some), others,
+                                    self.gas[0])
             low, high = self.gasLimits
             if high - low < 1e-6*max(abs(low), abs(high)) or high == low:
                 self.gasLimits = low - 0.01*(abs(low) or 1), high + 0.01*(abs(high) or 1)
@@ -326,7 +332,7 @@ class Automatic:
             words.append(self.gas[1])
         failed = any("damage" in c for c in (
             self.scene.cloud(self.times[-1], p) for p in self.scene.phases) if c is not None)
-        return "automatic choice: " + ", ".join(words or ["points"]) + (
+        return "automatic choice (your own: a view.py in the case): " + ", ".join(words or ["points"]) + (
             " (dark red: failed)" if failed and self.column and self.column[0] != "damage"
             else "")
 
@@ -364,6 +370,12 @@ class Automatic:
         from mpm import pictures
         return getattr(pictures, column[2]) if isinstance(column[2], str) else column[2]
 
+    def gasColours(self):
+        """Under points of colour blue: of a share of a liquid dark where it is."""
+        if not self.column:
+            return VALUES
+        return "Blues" if self.gas[0].startswith("alpha.") else "Blues_r"
+
     def bars(self):
         if self.column:
             factor, unit = unitOf(self.column[0], self.column[4])
@@ -371,7 +383,7 @@ class Automatic:
             self.bar(self.colours(self.column), limits, self.column[1], unit)
         if self.gasLimits:
             factor, unit = unitOf(self.gas[0], self.gasLimits)
-            self.bar("Blues_r" if self.column else VALUES,
+            self.bar(self.gasColours(),
                      [factor*v for v in self.gasLimits], self.gas[1], unit)
 
     def bar(self, cmap, limits, label, unit):
@@ -392,7 +404,7 @@ class Automatic:
             corners, values = self.section.cells(time, self.gas[0])
             some = [self.length[0]*c[:, self.scene.axes] for c in corners]
             self.ax.add_collection(PolyCollection(
-                some, array=values, cmap="Blues_r" if self.column else VALUES,
+                some, array=values, cmap=self.gasColours(),
                 norm=Normalize(*self.gasLimits), edgecolors="face", linewidths=0.3,
                 rasterized=True, zorder=GAS))
         for phase, cloud, some in self.clouds(time):
@@ -538,10 +550,11 @@ def visible(clouds):
 
 # --- all of them ---------------------------------------------------------------------
 
-def pictures(case, dictionary, n, known=None, notes=None):
+def pictures(case, dictionary, n, known=None, notes=None, beside=()):
     """Pictures with n frames at most, of a case without written times none. known: frames of
     an earlier call by (title, time), which are not drawn again; notes: what is said of
-    pictures that cannot be made."""
+    pictures that cannot be made; beside: (case, dictionary) of runs with the same range of
+    colours."""
     known, notes = {} if known is None else known, [] if notes is None else notes
     found = []
     for one in described(case):
@@ -554,7 +567,7 @@ def pictures(case, dictionary, n, known=None, notes=None):
             scene = Scene(case, dictionary)
             times = choose([t for t in scene.times if scene.shows(t)], n)
             if times:
-                automatic = Automatic(scene, times)
+                automatic = Automatic(scene, times, ranges(beside, n))
                 found.append(Picture(automatic.title(), times, automatic.draw,
                                      lambda: plt.close(automatic.figure)))
         except Exception as error:      # a page without pictures is better than none
@@ -573,6 +586,33 @@ def pictures(case, dictionary, n, known=None, notes=None):
         picture.close()
     room(found, notes)
     return [p for p in found if p.frames]
+
+
+def ranges(cases, n):
+    """Limits of colours of other cases: {what: (low, high)}."""
+    found = {}
+    for case, dictionary in cases:
+        if not writtenTimes(case):
+            continue
+        scene = Scene(case, dictionary)
+        times = choose(choose([t for t in scene.times if scene.shows(t)], n), 5)
+        column = columnOf(scene, times) if scene.phases else None
+        if column:
+            found[column[0]] = column[4]
+        gas = gasField(scene)
+        if gas and times:
+            found[gas[0]] = gasRange(scene, Section(scene, scene.normal()), gas[0], times)
+    return found
+
+
+def joined(limits, others, what):
+    """Limits that hold for the others' values of the same, too."""
+    low, high = others.get(what, limits)
+    return min(limits[0], low), max(limits[1], high)
+
+
+def gasRange(scene, section, field, times):
+    return span([section.cells(t, field)[1] for t in times])
 
 
 def room(found, notes):
