@@ -239,7 +239,8 @@ class Table:
             unit = re.search(r"\[([^]]*)\]$", name)
             what = re.search(r"\((\w.*)\)$", name)
             # Heat is so much more that it would hide the kinetic energy
-            key = (unit[1], name.startswith("internal[")) if unit and unit[1] != "-" else (
+            heat = name.startswith(("internal[", "gas["))
+            key = (unit[1], heat) if unit and unit[1] != "-" else (
                 "", what[1] if what else re.sub(r"\W.*|\d+$", "", name))
             found.setdefault(key, []).append(i)
         return [(unit, columns) for (unit, _), columns in found.items()]

@@ -327,8 +327,8 @@ def plotBoxes(plots, first, zoom, draw):
         if zero:
             parts.append(f'<p class="soft">Zero all the time: {esc(", ".join(zero))}</p>')
         if constant:
-            parts.append(f'<p class="soft">The same all the time, to six digits or nearly: {esc("; ".join(constant))}'
-                         "</p>")
+            parts.append('<p class="soft">The same all the time, to six digits or nearly: '
+                         f'{esc("; ".join(constant))}</p>')
     return "".join(parts)
 
 

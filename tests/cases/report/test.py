@@ -40,9 +40,9 @@ from plates import plateCase
 
 sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
 from mpm.reportCase import parse, tables
+from mpm.reportColours import joined
 from mpm.reportLog import _Reader
 from mpm.reportPage import Remedies
-from mpm.reportPictures import joined
 from mpm.reportPlots import probes, tablePlots
 
 TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
