@@ -17,6 +17,7 @@ those of view.py, or an automatic choice.
 
 import argparse
 import os
+import re
 import sys
 import time
 
@@ -29,7 +30,7 @@ from mpm.reportCase import (FILES, Meanings, differences, fields, meshOf, readDi
 from mpm.reportLog import SOLVER, History, logs, readRuns
 from mpm.reportPage import dygraphs, esc, number
 from mpm.reportPictures import pictures, scale, writtenTimes
-from mpm.reportPlots import logPlots, packed, tablePlots, together
+from mpm.reportPlots import logPlots, packed, probes, tablePlots, together
 
 
 def fail(text):
@@ -131,11 +132,15 @@ def balance(content):
     h, found = content.history, []
     total = h.series("Energy", "total")
     if np.isfinite(total).any():
-        found.append(("change of the energy", change(total), "from the first report to the"
-                      " last; its largest is 100 %"))
+        known = total[np.isfinite(total)]
+        found.append(("energy of the points", f"{known[-1]:.4g} J", "at the last report; gravity,"
+                      " gas or fluids do work") if driven(content) else
+                     ("change of the energy", change(total), "of the points, from the first"
+                      " report to the last; its largest is 100 %"))
     mass = h.series("Material points", "mass")
     if np.isfinite(mass).any():
         found.append(("change of the mass", change(mass), "of the points"))
+    found += ofFluids(content)
     low, high = h.series("Theta", "min"), h.series("Theta", "max")
     if np.isfinite(low).any():
         found.append(("sum of volume fractions", f"{np.nanmin(low):.5g} to"
@@ -154,6 +159,55 @@ def balance(content):
                       content.runs[-1].loads[-1]))
     n = sum(m.kind == "warning" for r in content.runs for m in r.messages)
     return found + [("warnings", str(n), "" if n == 0 else "below")]
+
+
+def driven(content):
+    """Does gravity, a gas or do fluids work on the points?"""
+    numbers = re.findall(r"[-+.\de]*\d[-+.\de]*", content.dictionaries["constant/g"].get(
+        "value", ""))
+    return bool(content.history.heads("Gas .*|Fluids")) or any(float(v) for v in numbers)
+
+
+def ofFluids(content):
+    """Cards of the mass of each fluid, by the log, and its kinetic energy, by a table."""
+    h, found = content.history, []
+    for head in h.heads("Gas [^:,]*|Fluids"):
+        for name in h.names(head):
+            words = name.split()
+            if words[:1] == ["mass"] and len(words) == (2 if head == "Fluids" else 1):
+                v = h.series(head, name)
+                found.append((f"mass of {words[-1] if head == 'Fluids' else head[4:]}",
+                              change(v), f"{v[np.isfinite(v)][-1]:.5g} kg"))
+    fluids = {f[0].split()[-1] for f in found}
+    for one in content.tables:
+        name = os.path.splitext(one.name)[0]
+        if name in fluids and one.overTime and "kinetic[J]" in one.columns:
+            found.append((f"kinetic energy of {name}",
+                          f"{one.data[-1, one.columns.index('kinetic[J]')]:.4g} J",
+                          f"{one.function}, last row"))
+    return found
+
+
+def probeParts(content, other):
+    """Largest values of probes as cards, with another run as a table of both."""
+    factor, unit = content.timeScale()
+    mine, theirs = probes(content.tables), probes(other.tables) if other else []
+    if not mine and not theirs:
+        return ""
+    if not other:
+        return '<div class="cards">' + cardBoxes([
+            (what, f"{v:.5g} {u}", f"largest, at {factor*t:.5g} {unit}")
+            for what, v, u, t in mine]) + "</div>\n"
+    known = [{(what, u): f"{v:.5g}" for what, v, u, _ in some} for some in (mine, theirs)]
+    return page.table(["probe", "unit", f"largest of {content.name}", f"largest of {other.name}"],
+                      [page.row(esc(key[0]), esc(key[1]), known[0].get(key, ""),
+                                known[1].get(key, ""))
+                       for key in {**known[0], **known[1]}])
+
+
+def cardBoxes(some):
+    return "".join(f'<div class="card"><span>{esc(what)}</span><b>{esc(figure)}</b>'
+                   f"<span>{esc(comment)}</span></div>" for what, figure, comment in some)
 
 
 def change(v):
@@ -185,9 +239,11 @@ def notices(content):
 def pictureParts(content, other, n, cache, notes):
     """HTML and data of the pictures, of the other run beside."""
     shown = []
-    for run, one in enumerate(c for c in (content, other) if c):
+    runs = [c for c in (content, other) if c]
+    for run, one in enumerate(runs):
+        beside = [(c.case, c.dictionaries[FILES[0]]) for c in runs if c is not one]
         for picture in pictures(one.case, one.dictionaries[FILES[0]], n,
-                                cache.setdefault(run, {}), notes):
+                                cache.setdefault(run, {}), notes, beside):
             shown.append((one, picture))
     if not shown:
         return "", [], []
@@ -278,7 +334,8 @@ def build(content, other, n, output, refresh=None, cache=None):
     said = "".join(f'<div class="note">{t}</div>' for t in notices(content))
     said += "".join(f'<div class="note">{esc(t)}</div>' for t in notes)
     last = content.runs[-1] if content.runs else None
-    sections = [("pictures", "Pictures", shown)]
+    sections = [("pictures", "Pictures", shown),
+                ("probes", "Probes", probeParts(content, other))]
     if other:
         sections.append(("differences", "Comparison", differenceParts(content, other)))
     sections += [
@@ -295,10 +352,9 @@ def build(content, other, n, output, refresh=None, cache=None):
     sections = [s for s in sections if s[2]]
     body = [header(content, refresh), "<main>\n<nav>",
             "".join(f'<a href="#{key}">{title}</a>' for key, title, _ in sections), "</nav>\n",
-            said, '<div class="cards">',
-            "".join(f'<div class="card"><span>{esc(what)}</span><b>{esc(figure)}</b>'
-                    f"<span>{esc(comment)}</span></div>" for what, figure, comment
-                    in cards(content)), "</div>\n",
+            said, f'<div class="cards">{cardBoxes(cards(content))}</div>\n',
+            f'<p class="soft">{esc(other.name)}:</p><div class="cards">'
+            f"{cardBoxes(cards(other))}</div>\n" if other else "",
             page.messages(content.runs, remedies, content.case)]
     for key, title, inside in sections:
         body.append(inside if inside.startswith("<h2") else

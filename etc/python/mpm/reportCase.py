@@ -21,7 +21,12 @@ FILES = ("constant/phaseProperties", "constant/g", "system/setMaterialPointsDict
          "system/decomposeParDict")
 PROJECT = os.path.abspath(os.path.join(os.path.dirname(__file__), "../../.."))
 
-_TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|#[^\n]*|"[^"]*"|[{}();\[\]]|[^\s{}();\[\]"]+', re.S)
+#: What may stand in brackets behind a word, as in reconstruct(p) or div(phi,interpolate(U))
+_WITHIN = r"[^\s(){};\[\]\"]*"
+for _ in range(4):
+    _WITHIN = rf"(?:[^\s(){{}};\[\]\"]|\({_WITHIN}\))*"
+_TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|#[^\n]*|"[^"]*"|[{}();\[\]]'
+                    rf'|[^\s{{}}();\[\]"]+(?:\({_WITHIN}\))*', re.S)
 
 
 def parse(text):
@@ -233,7 +238,9 @@ class Table:
         for i, name in enumerate(self.columns[1:], 1):
             unit = re.search(r"\[([^]]*)\]$", name)
             what = re.search(r"\((\w.*)\)$", name)
-            key = (unit[1], "") if unit and unit[1] != "-" else (
+            # Heat is so much more that it would hide the kinetic energy
+            heat = name.startswith(("internal[", "gas["))
+            key = (unit[1], heat) if unit and unit[1] != "-" else (
                 "", what[1] if what else re.sub(r"\W.*|\d+$", "", name))
             found.setdefault(key, []).append(i)
         return [(unit, columns) for (unit, _), columns in found.items()]

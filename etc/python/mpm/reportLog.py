@@ -17,7 +17,10 @@ import numpy as np
 SOLVER = "materialPointFoam"
 _NUMBER = re.compile(r"(?<![\w.])([-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|nan|inf))(?![\w.])")
 _BROUGHT = re.compile(r"\(energy (\S+) added, mass (\S+) held back.*?\)")
+_LEFT = re.compile(r"about ([\d.]+) (min\w*|h|hours?|days?) left")
 _RANK = re.compile(r"\[\d+\] ?")
+#: Seconds of the units of the time left
+SECONDS = {"m": 60, "h": 3600, "d": 86400}
 #: Seconds without a line after which a run whose process is not seen counts as stopped
 QUIET = 60
 
@@ -199,6 +202,7 @@ class _Reader:
         """Numbers of a line; of lines with the same words the names are found once."""
         line = line.replace("where theta > 0.5: p", "where gas: p")
         line = _BROUGHT.sub(r", energy added \1, mass held back \2", line)
+        line = _LEFT.sub(lambda m: f"about {float(m[1])*SECONDS[m[2][0]]:g} s left", line)
         parts = _NUMBER.split(line)
         key = self.last, *parts[::2]
         if key not in self.known:

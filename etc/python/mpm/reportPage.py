@@ -76,13 +76,16 @@ class Remedies:
                         self.rows.append((re.compile(r"\s*.{0,120}?\s*".join(parts)), len(p),
                                           cells[1], section.replace(" ", "-")))
 
-    def find(self, text):
-        """HTML of the remedy of a message, "" if the page has none."""
+    def find(self, text, later=False):
+        """HTML of the remedy of a message, "" if the page has none; later: after steps, for
+        which a remedy of the start is none."""
         words = " ".join(text.split())
         found = [r for r in self.rows if r[0].search(words)]
         if not found:
             return ""
         _, _, remedy, section = max(found, key=lambda r: r[1])
+        if later and remedy.startswith("at the start: "):
+            remedy = remedy.split("; later: ")[1] if "; later: " in remedy else ""
         remedy = esc(re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", remedy), quote=False)
         remedy = re.sub("`([^`]*)`", r"<code>\1</code>", remedy)
         return (f'<p>{remedy} <a href="{esc(self.link)}#{section}">troubleshooting</a></p>')
@@ -95,6 +98,7 @@ def messages(runs, remedies, case):
         for m in run.messages:
             key = m.kind, re.sub(r"[-+]?\d[\d.e+-]*", "#", m.text)
             found.setdefault(key, []).append(m)
+            m.later = m.kind == "error" and bool(run.rows)
     parts = []
     for (kind, _), all_ in sorted(found.items(), key=lambda item: item[0][0] != "error"):
         m = all_[0]
@@ -104,7 +108,7 @@ def messages(runs, remedies, case):
         text = m.text if len(m.text) < 3000 else m.text[:3000] + " ..."
         parts.append(f'<div class="{css}" data-line="{m.line}"><b>{kind}</b> '
                      f'<code>{esc(where)}</code>{more}<pre>{esc(text)}</pre>'
-                     f"{remedies.find(m.text)}</div>\n")
+                     f"{remedies.find(m.text, m.later)}</div>\n")
     return "".join(parts)
 
 
@@ -323,8 +327,8 @@ def plotBoxes(plots, first, zoom, draw):
         if zero:
             parts.append(f'<p class="soft">Zero all the time: {esc(", ".join(zero))}</p>')
         if constant:
-            parts.append(f'<p class="soft">The same all the time: {esc("; ".join(constant))}'
-                         "</p>")
+            parts.append('<p class="soft">The same all the time, to six digits or nearly: '
+                         f'{esc("; ".join(constant))}</p>')
     return "".join(parts)
 
 

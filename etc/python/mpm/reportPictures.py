@@ -16,8 +16,9 @@ import PIL.Image
 from mpm import animate, views
 from mpm.case import Case
 from mpm.files import readField, readLists
-from mpm.pictures import (BODY, GAS, SIGNED, VALUES, Normalize, PolyCollection, ScalarMappable,
+from mpm.pictures import (BODY, GAS, VALUES, Normalize, PolyCollection, ScalarMappable,
                           _pixels, colourBar, drawPoints, frame, layOut, plt)
+from mpm.reportColours import columnOf, gasField, joined, span, unitOf
 
 #: Dots per inch of the pictures
 DPI = 110
@@ -154,6 +155,10 @@ class Scene:
             flat.append(min((a for a in range(3) if a not in flat), key=lambda a: size[a]))
         return flat
 
+    def normal(self):
+        """The first direction that the pictures leave out."""
+        return [a for a in range(3) if a not in self.axes][0]
+
     def shows(self, time):
         """Are there points, or the field of the gas?"""
         field = gasField(self)
@@ -165,57 +170,6 @@ class Scene:
         """The points of a phase, None where there are none."""
         cloud = self.case.points(time, phase)
         return cloud if "x" in cloud and len(cloud["x"]) else None
-
-
-#: What points are coloured by: column, label, colours, expression; the first that has values
-COLUMNS = (("plasticStrain", "plastic strain", VALUES, lambda v: v),
-           ("damage", "damage", "DAMAGE", lambda v: v),
-           ("sigmaEq", "von Mises stress", VALUES, lambda v: v),
-           ("pPoint", "pressure", SIGNED, lambda v: v),
-           ("U", "speed", VALUES, lambda v: np.linalg.norm(v, axis=1)))
-UNITS = {"sigmaEq": "Pa", "pPoint": "Pa", "p": "Pa", "U": "m/s"}
-
-
-def span(parts):
-    """Limits of colours: without the outermost 0.5 % of the values."""
-    found = [np.percentile(v, (0.5, 99.5)) for v in parts if len(v)]
-    found = [f for f in found if np.isfinite(f).all()]
-    return (min(f[0] for f in found), max(f[1] for f in found)) if found else (0.0, 0.0)
-
-
-def columnOf(scene, times):
-    """What shows most of the points: (column, label, colours, function, limits)."""
-    for column, label, colours, function in COLUMNS:
-        parts = []
-        for time in times:
-            for phase in scene.phases:
-                cloud = scene.cloud(time, phase)
-                if phase not in scene.rigid and cloud is not None and column in cloud:
-                    parts.append(function(cloud[column]))
-        low, high = span(parts)
-        if column == "damage" and parts and not any(
-                ((v > 0.02) & (v < 0.98)).mean() > 0.02 for v in parts if len(v)):
-            continue        # sound or failed, nothing between: that has a colour of its own
-        if UNITS.get(column) == "Pa" and max(abs(low), abs(high)) < 1e-3:
-            continue        # rounding
-        if high > low:
-            if column == "pPoint":
-                low, high = -max(-low, high), max(-low, high)
-            if column in ("plasticStrain", "sigmaEq", "U", "damage"):
-                low = 0.0
-            return column, label, colours, function, (low, high)
-    return None
-
-
-def unitOf(column, limits):
-    """Factor and unit of a column's values."""
-    unit = UNITS.get(column, "")
-    size = max(abs(v) for v in limits)
-    if unit == "Pa":
-        for factor, name in ((1e-9, "GPa"), (1e-6, "MPa"), (1e-3, "kPa")):
-            if size*factor >= 1:
-                return factor, name
-    return 1, unit
 
 
 class Section:
@@ -288,29 +242,22 @@ class Section:
         return corners, np.concatenate(values)
 
 
-def gasField(scene):
-    """Field and label of a gas or fluids: the share of the first liquid, or the pressure."""
-    if not scene.gas:
-        return None
-    if scene.fluids and len(scene.gas) > 1:
-        return f"alpha.{scene.gas[0]}", f"share of {scene.gas[0]}"
-    return "p", "pressure of the gas"
-
-
 class Automatic:
     """Figures of a scene in 2D or 3D, points over a section of the gas."""
 
-    def __init__(self, scene, times):
+    def __init__(self, scene, times, others):
         self.scene, self.times = scene, times
         some = choose(times, 5)         # for the limits of colours
         self.column = columnOf(scene, some) if scene.phases else None
+        if self.column:
+            self.column = (*self.column[:4], joined(self.column[4], others, self.column[0]))
         self.gas = gasField(scene)
         self.section, self.gasLimits = None, None
         self.seen = Oblique(scene) if scene.nDim == 3 and not self.gas else None
         if self.gas:
-            out = [a for a in range(3) if a not in scene.axes][0]
-            self.section = Section(scene, out)
-            self.gasLimits = span([self.section.cells(t, self.gas[0])[1] for t in some])
+            self.section = Section(scene, scene.normal())
+            self.gasLimits = joined(gasRange(scene, self.section, self.gas[0], some), others,
+                                    self.gas[0])
             low, high = self.gasLimits
             if high - low < 1e-6*max(abs(low), abs(high)) or high == low:
                 self.gasLimits = low - 0.01*(abs(low) or 1), high + 0.01*(abs(high) or 1)
@@ -326,7 +273,8 @@ class Automatic:
             words.append(self.gas[1])
         failed = any("damage" in c for c in (
             self.scene.cloud(self.times[-1], p) for p in self.scene.phases) if c is not None)
-        return "automatic choice: " + ", ".join(words or ["points"]) + (
+        choice = "automatic choice (your own: a view.py in the case): "
+        return choice + ", ".join(words or ["points"]) + (
             " (dark red: failed)" if failed and self.column and self.column[0] != "damage"
             else "")
 
@@ -364,6 +312,12 @@ class Automatic:
         from mpm import pictures
         return getattr(pictures, column[2]) if isinstance(column[2], str) else column[2]
 
+    def gasColours(self):
+        """Under points of colour blue: of a share of a liquid dark where it is."""
+        if not self.column:
+            return VALUES
+        return "Blues" if self.gas[0].startswith("alpha.") else "Blues_r"
+
     def bars(self):
         if self.column:
             factor, unit = unitOf(self.column[0], self.column[4])
@@ -371,7 +325,7 @@ class Automatic:
             self.bar(self.colours(self.column), limits, self.column[1], unit)
         if self.gasLimits:
             factor, unit = unitOf(self.gas[0], self.gasLimits)
-            self.bar("Blues_r" if self.column else VALUES,
+            self.bar(self.gasColours(),
                      [factor*v for v in self.gasLimits], self.gas[1], unit)
 
     def bar(self, cmap, limits, label, unit):
@@ -392,7 +346,7 @@ class Automatic:
             corners, values = self.section.cells(time, self.gas[0])
             some = [self.length[0]*c[:, self.scene.axes] for c in corners]
             self.ax.add_collection(PolyCollection(
-                some, array=values, cmap="Blues_r" if self.column else VALUES,
+                some, array=values, cmap=self.gasColours(),
                 norm=Normalize(*self.gasLimits), edgecolors="face", linewidths=0.3,
                 rasterized=True, zorder=GAS))
         for phase, cloud, some in self.clouds(time):
@@ -538,10 +492,11 @@ def visible(clouds):
 
 # --- all of them ---------------------------------------------------------------------
 
-def pictures(case, dictionary, n, known=None, notes=None):
+def pictures(case, dictionary, n, known=None, notes=None, beside=()):
     """Pictures with n frames at most, of a case without written times none. known: frames of
     an earlier call by (title, time), which are not drawn again; notes: what is said of
-    pictures that cannot be made."""
+    pictures that cannot be made; beside: (case, dictionary) of runs with the same range of
+    colours."""
     known, notes = {} if known is None else known, [] if notes is None else notes
     found = []
     for one in described(case):
@@ -554,7 +509,7 @@ def pictures(case, dictionary, n, known=None, notes=None):
             scene = Scene(case, dictionary)
             times = choose([t for t in scene.times if scene.shows(t)], n)
             if times:
-                automatic = Automatic(scene, times)
+                automatic = Automatic(scene, times, ranges(beside, n))
                 found.append(Picture(automatic.title(), times, automatic.draw,
                                      lambda: plt.close(automatic.figure)))
         except Exception as error:      # a page without pictures is better than none
@@ -573,6 +528,27 @@ def pictures(case, dictionary, n, known=None, notes=None):
         picture.close()
     room(found, notes)
     return [p for p in found if p.frames]
+
+
+def ranges(cases, n):
+    """Limits of colours of other cases: {what: (low, high)}."""
+    found = {}
+    for case, dictionary in cases:
+        if not writtenTimes(case):
+            continue
+        scene = Scene(case, dictionary)
+        times = choose(choose([t for t in scene.times if scene.shows(t)], n), 5)
+        column = columnOf(scene, times) if scene.phases else None
+        if column:
+            found[column[0]] = column[4]
+        gas = gasField(scene)
+        if gas and times:
+            found[gas[0]] = gasRange(scene, Section(scene, scene.normal()), gas[0], times)
+    return found
+
+
+def gasRange(scene, section, field, times):
+    return span([section.cells(t, field)[1] for t in times])
 
 
 def room(found, notes):

@@ -33,7 +33,7 @@ class Plot:
     def __init__(self, section, title, unit, lines, log=False, comment=""):
         self.section, self.title, self.unit = section, title, unit
         self.lines, self.log, self.comment = lines, log, comment
-        self.other = []
+        self.other, self.digits = [], 1e-12
 
     def zero(self):
         return all(not np.any(np.nan_to_num(y)) for _, _, y in self.lines + self.other)
@@ -43,15 +43,19 @@ class Plot:
         words = []
         for name, _, y in self.lines + self.other:
             some = y[np.isfinite(y)]
-            if not len(some) or np.ptp(some) > 1e-12*abs(some[0]):
+            if not len(some) or np.ptp(some) > self.digits*abs(some[0]):
                 return ""
-            words.append(f"{name} {some[0]:.6g}")
+            if np.ptp(some) > 1e-12*abs(some[0]):
+                words.append(f"{name} {some.min():.6g} to {some.max():.6g}")
+                continue
+            words.append(f"{name} {some[0]:.6g}" if name != "value" else f"{some[0]:.6g}")
         return f"{self.title} [{self.unit}]: {', '.join(words)}" if self.unit else \
             f"{self.title}: {', '.join(words)}"
 
     def withoutZeros(self):
-        """Lines that are zero all the time only lie over the others' axis: said, not drawn."""
-        zero = [n for n, _, y in self.lines if not np.any(np.nan_to_num(y))]
+        """Lines that are zero, or rounding beside the others, lie over the axis: said."""
+        size = [np.nanmax(np.abs(y)) if np.isfinite(y).any() else 0 for _, _, y in self.lines]
+        zero = [line[0] for line, s in zip(self.lines, size) if s <= 1e-12*max(size)]
         if zero and not self.zero():
             self.lines = [line for line in self.lines if line[0] not in zero]
             self.comment = f"{self.comment} (zero: {', '.join(zero)})".strip()
@@ -131,6 +135,8 @@ def logPlots(history):
         plots.append(Plot(SECTIONS[3], "Courant number", "", [
             (n, history.times, history.series(h)) for n, h in number]))
     plots += speedPlots(history)
+    for plot in plots:
+        plot.digits = 5e-5      # ten times what six digits of the log resolve
     plots.sort(key=lambda p: SECTIONS.index(p.section))
     return plots
 
@@ -158,7 +164,14 @@ def tablePlots(tables):
         for unit, columns in table.groups():
             data = table.data[:, columns]
             heads = [re.sub(r"\[[^]]*\]$", "", table.columns[c]) for c in columns]
-            if len(columns) > LINES:
+            heads = short(heads)
+            kinds = {re.sub(r"\d+|\W", "", h) for h in heads}
+            if len(columns) > LINES and len(kinds) > 3:
+                # Terms of their own: the ten that change most
+                some = np.sort(np.argsort(-np.ptp(data, axis=0), kind="stable")[:LINES])
+                lines = [(heads[k], t, data[:, k]) for k in some]
+                comment = f"the {LINES} of {len(columns)} columns that change most. {table.title}"
+            elif len(columns) > LINES:
                 lines = [(what, t, f(data, axis=1)) for what, f in (
                     ("least", np.min), ("mean", np.mean), ("largest", np.max))]
                 comment = f"of {len(columns)} columns. {table.title}"
@@ -171,6 +184,28 @@ def tablePlots(tables):
             plots.append(Plot(table.function, title, unit, lines,
                               comment=comment).withoutZeros())
     return plots
+
+
+def short(names):
+    """Names of columns without the number of the point, where there is only one."""
+    numbers = {m for n in names for m in re.findall(r"\((\d+)\)$", n)}
+    return [re.sub(r"\(\d+\)$", "", n) for n in names] if len(numbers) == 1 else names
+
+
+def probes(tables):
+    """Largest values of the columns of materialPointProbes: (what, value, unit, time)."""
+    found = []
+    for table in tables:
+        if not (table.overTime and re.match(r"Phase \S+, \d+ points", table.title)):
+            continue
+        for unit, columns in table.groups():
+            heads = short([re.sub(r"\[[^]]*\]$", "", table.columns[c]) for c in columns])
+            for head, c in zip(heads, columns):
+                y = table.data[:, c]
+                if np.isfinite(y).any() and np.nanmax(np.abs(y)) > 0:
+                    k = np.nanargmax(np.abs(y))
+                    found.append((f"{table.function}: {head}", y[k], unit, table.data[k, 0]))
+    return found
 
 
 def together(plots, others):

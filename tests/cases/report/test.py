@@ -7,6 +7,8 @@ pages       small cases in 1D, 2D, 3D and with a gas: the page has the numbers o
 going       a run that goes on, its page made by -watch: the page reloads until the run has
             ended; a restart: both logs are one history
 compared    -with: entries that differ are those that were changed, lines of both
+parts       without a run: words of dictionaries, units of the time left, remedies that belong to
+            the time of an error, probes
 bad         no case, no log, a log that is cut off, an error, processor folders alone, a
             machine without dygraphs: one clear sentence or a page that says it
 browser     in Chromium at two widths: no error, nothing loaded, nothing wider than the page;
@@ -35,6 +37,13 @@ from blockInGas import blockInGas
 from browser import Browser
 from foamCase import PATIENCE, PROJECT, RUN, FoamCase, runParts
 from plates import plateCase
+
+sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
+from mpm.reportCase import parse, tables
+from mpm.reportColours import joined
+from mpm.reportLog import _Reader
+from mpm.reportPage import Remedies
+from mpm.reportPlots import probes, tablePlots
 
 TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
 TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
@@ -214,6 +223,8 @@ def pages(table):
         table.check(f"{name}: plots", {
             "Energy", "Theta", "Gas air: mass", "Gas air: momentum", "Gas air: pressure",
             "time step", "pressure: fieldMinMax"} <= titles, sorted(titles))
+        table.check(f"{name}: cards of the gas and of a driven body", "mass of air" in page.text
+                    and re.search(r"energy of the points\S+ J", page.text))
 
 
 # --- a run that goes on --------------------------------------------------------------
@@ -318,10 +329,44 @@ def compared(table):
         "kinetic", "strain", "total", "kinetic (two)", "strain (two)", "total (two)"], names)
     table.row("-with: last energy of the other in its line",
               lastOf(two, "^Energy: .*total N$"), plot["lines"][5]["y"][-1], 1e-5, "relative")
+    table.check("-with: cards of both", page.text.count("simulated time") == 2)
     table.row("-with: pictures of both", 2, len(page.data["frames"]), 0)
     same = pageOf(one, "-with", one.path)
     table.check("-with itself: no entry differs",
                 "All entries of the dictionaries are the same" in same.text)
+
+
+# --- parts ---------------------------------------------------------------------------
+
+def parts(table):
+    found = parse("a { reconstruct(U) (p) vanLeer; reconstruct(p) upwind;"
+                  " div((nu*dev2(T(grad(U))))) Gauss; b (0 (1 2) 3); }")["a"]
+    table.check("entries with brackets in their names", found == {
+        "reconstruct(U)": "(p) vanLeer", "reconstruct(p)": "upwind",
+        "div((nu*dev2(T(grad(U)))))": "Gauss", "b": "(0 (1 2) 3)"}, found)
+    for words, seconds in (("40 s", 40), ("3 minutes", 180), ("5 hours", 18000),
+                           ("2 days", 172800)):
+        reader = _Reader("")
+        reader.values(f"Progress: 10 %, step 7, about {words} left")
+        table.row(f"time left, {words}", seconds, reader.row["Progress", "about"], 0)
+    text, remedies = "density and rho c^2 must be positive", Remedies("report.html")
+    table.check("an error after steps: no remedy of the start",
+                "at the start" in remedies.find(text) and "maxCoGas" in remedies.find(text, True)
+                and "at the start" not in remedies.find(text, True))
+    table.check("limits of colours of both runs", joined((0, 2), {"U": (1, 5)}, "U") == (0, 5))
+    case = FoamCase("report", "probes", TEMPLATE)
+    folder = case.file("postProcessing/tip/0")
+    os.makedirs(folder)
+    with open(os.path.join(folder, "displacement.dat"), "w") as f:
+        f.write("# Phase flap, 1 points\n# Point 199 was at (0 0 0) at time 0\n"
+                "# Time[s]\tdisplacement_x(199)[m]\tdisplacement_y(199)[m]\n"
+                "0 0 0\n1 0.5 -3\n2 0.25 1\n")
+    found = probes(tables(case))
+    table.check("probes: the largest, its time, short names", found == [
+        ("tip: displacement_x", 0.5, "m", 1), ("tip: displacement_y", -3, "m", 1)], found)
+    names = [n for n, _, _ in tablePlots(list(tables(case)))[0].lines]
+    table.check("probes: short names of lines", names == ["displacement_x", "displacement_y"],
+                names)
 
 
 # --- what is wrong -------------------------------------------------------------------
@@ -486,4 +531,4 @@ def zoom(table, name, page):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("report", pages, going, compared, bad, browser))
+    sys.exit(runParts("report", pages, going, compared, parts, bad, browser))
