@@ -470,12 +470,15 @@ def browser(table):
     if not Browser.find():
         table.skip("the page in a browser", "no chromium here")
         return
-    case = gas("browser", 2)
+    case = template("browser")
+    case.run("materialPointFoam")
     report(case.path)
     path = case.file("report.html")
     with Browser(os.path.join(RUN, "report", "profile")) as chromium:
         for width in (1400, 420):
             page = chromium.open(path, width, 900)
+            # Plots are drawn when they come into view
+            page.evaluate("document.querySelector('.plot').scrollIntoView({block: 'center'})")
             page.wait("Object.keys(mpmReport.graphs).length > 0")
             name = f"{width} pixels"
             table.row(f"{name}: plots are drawn", 1, page.evaluate(
