@@ -115,6 +115,17 @@ class FoamCase(Case):
             "hierarchicalCoeffs": {"n": n, "delta": 0.001, "order": "xyz"}})
         self.run("decomposePar", "-force")
 
+    def solve(self, split=None, before=lambda case: None):
+        """The solver, on the processors of a split if there is one; before: called with the
+        case when that is made."""
+        if split:
+            self.decompose(split)
+        before(self)
+        if split:
+            self.runParallel()
+        else:
+            self.run("materialPointFoam")
+
     def runParallel(self, application="materialPointFoam", *options, limit=None):
         """An application on all processors of the case."""
         try:

@@ -100,6 +100,8 @@ def _entry(text, tokens, name, start, end):
 
 def parse(text):
     """The whole text as an Entry."""
+    if re.match(r"[^{}]*FoamFile\s*\{[^}]*\bformat\s+binary\b", text):
+        raise DictionaryError("its format is binary: only text can be read")
     return Entry("", 0, len(text), _entries(text, _tokens(text), None)[0])
 
 

@@ -21,7 +21,7 @@ Quantities: name: function of the Case that gives a number; last, largest, least
 energyResidual, steps and seconds make some.
 
 Each run is a folder of its own in `folder`. Runs that have ended well are not run anew, unless
-their dictionaries have changed; their quantities are read anew. A run that failed is a row that
+their dictionaries or the programs have changed; their quantities are read anew. A run that failed is a row that
 says why, and is tried again by the next call. A quantity that fails is nan; state says why.
 """
 
@@ -162,8 +162,12 @@ class Study:
         return False
 
     def _digest(self, case):
-        """Of all files of a case before it runs, and of its steps."""
+        """Of all files of a case before it runs, of its steps, and of the build that runs it."""
         made = hashlib.sha256()
+        for folder in ("FOAM_USER_APPBIN", "FOAM_USER_LIBBIN"):
+            if os.path.isdir(os.environ.get(folder, "")):
+                for entry in sorted(os.scandir(os.environ[folder]), key=lambda e: e.name):
+                    made.update(f"{entry.name} {entry.stat().st_mtime_ns}".encode())
         if self.steps:
             try:
                 made.update(inspect.getsource(self.steps).encode())

@@ -174,13 +174,7 @@ def discCase(name, n, end, split=None, control=None, before=lambda case: None, d
                "sides": ("patch", ("y-", "y+"))}
     case = fluidCase("detonation", name, cells, high, {"charge": fluid or lit(), "air": AIR},
                      initial, end, low=low, patches=patches, control=control, **CLOSED)
-    if split:
-        case.decompose(split)
-    before(case)
-    if split:
-        case.runParallel()
-    else:
-        case.run("materialPointFoam")
+    case.solve(split, before)
     return case
 
 

@@ -95,13 +95,7 @@ def burst(name, split=None, before=lambda case: None, fluids=True, end=0.2):
                          **options)
     else:
         case = gasCase("flowOutput", name, cells, high, initial, end, **options)
-    if split:
-        case.decompose(split)
-    before(case)
-    if split:
-        case.runParallel()
-    else:
-        case.run("materialPointFoam")
+    case.solve(split, before)
     return case
 
 

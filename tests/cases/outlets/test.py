@@ -434,13 +434,7 @@ def burst(name, control=None, split=None, before=lambda case: None, points=False
             text = f.read()
         with open(case.file("0/alpha.heavy"), "w") as f:
             f.write(text.replace("inletValue uniform 1", "inletValue uniform 0"))
-    if split:
-        case.decompose(split)
-    before(case)
-    if split:
-        case.runParallel()
-    else:
-        case.run("materialPointFoam")
+    case.solve(split, before)
     return case
 
 

@@ -81,7 +81,7 @@ def dictionaries(table):
     for path in files:
         with open(path, errors="replace") as f:
             text = f.read()
-        if "FoamFile" not in text:
+        if "FoamFile" not in text or re.search(r"format\s+binary", text):     # of a run
             continue
         try:
             for name, entry in leaves(parse(text)):
