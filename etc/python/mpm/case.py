@@ -102,12 +102,11 @@ class Case:
             text = setEntry(self._text(path), entry, value, add)
         except DictionaryError as error:
             raise DictionaryError(f"{self.file(path)}: {error}") from None
-        with open(self.file(path), "w") as f:
-            f.write(text)
+        self._put(path, text)
 
     def _text(self, path):
         try:
-            with open(self.file(path), errors="replace") as f:
+            with open(self.file(path), errors="surrogateescape") as f:
                 return f.read()
         except OSError as error:
             raise DictionaryError(error.strerror) from None
@@ -126,8 +125,12 @@ class Case:
         new, count = re.subn(pattern, text, old, flags=re.M)
         if not count:
             raise RunFailed(f"{pattern} not found in {self.file(path)}")
-        with open(self.file(path) + ".part", "w") as f:
-            f.write(new)
+        self._put(path, new, age)
+
+    def _put(self, path, text, age=0):
+        """A file's new text at once, for runs that read it meanwhile."""
+        with open(self.file(path) + ".part", "w", errors="surrogateescape") as f:
+            f.write(text)
         if age:
             os.utime(f.name, (time.time() - age,)*2)
         shutil.copymode(self.file(path), f.name)
