@@ -32,6 +32,14 @@ Description
     loose ones contract and lose their pressure to the liquid between them.
     Without it the flow keeps its volume.
 
+    collisions: beside friction, the kinetic theory of granularCollisions.H with
+    the volume fraction phi. In the column granularTemperature is T, and the
+    stress gains
+
+        m/v (-(P s^2 - L s div u) I + 2 M s dev(D)).
+
+    3/2 m T counts as stored energy, what collisions lose is dissipated.
+
 Usage
     \table
         Property  | Description                            | Required | Unit
@@ -44,10 +52,12 @@ Usage
         packing   | volume fraction at rho, 0 to 1         | yes      | -
         viscosity | of the liquid in the pores, > 0 (volumeModel grains) | no | Pa s
         dilatancy | phiC (0 to 1), K2 (>= 0), K3 (>= 0)    | no       | -
+        collisions | e (0 to 1), alphaMax (packing to 1),  | no       | -
+                  | granularTemperature at the start (0)   |          | m2/s2
     \endtable
     packing is that of the region: its volumeFraction for volumeModel grains,
     where rho is that of a grain and the stress that of the volume m/rho; else
-    rho/rhoS. With viscosity d is not needed.
+    rho/rhoS. With viscosity d is not needed but by collisions.
 
     References: P. Jop, Y. Forterre, O. Pouliquen, Nature 441 (2006) 727;
     M. Pailha, O. Pouliquen, J. Fluid Mech. 633 (2009) 115 (viscous number,
@@ -56,6 +66,8 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "frictionalLaw.H"
+#include "granularCollisions.H"
+#include <memory>
 
 namespace Foam::mpm
 {
@@ -72,6 +84,8 @@ class muI : public frictionalLaw<muI>
     //- Dilatancy [-]
     bool dilates_;
     scalar phiC_, K2_, K3_;
+
+    std::unique_ptr<granularCollisions> collisions_;
 
     //- Trial pressure p and shear stress t of a point of volume fraction phi to
     //  those after a step of dt [s]
@@ -90,6 +104,15 @@ class muI : public frictionalLaw<muI>
         return t - G_ * select(b < 0.0, 2.0 * c / under, (b + root) / (2 * G_ * a));
     }
 
+    //- Volume fraction of grains of a point
+    scalar fraction(const pointBlock& b, const label p) const
+    {
+        return packing_ * b.mass[p] / (rho() * b.volume[p]);
+    }
+
+    //- Granular temperature after the step; stress of the collisions
+    void collide(pointBlock& b) const;
+
 public:
     TypeName("muI");
 
@@ -98,10 +121,44 @@ public:
     List<historyColumn> history() const override
     {
         List<historyColumn> h(frictionalLaw<muI>::history());
-        const label n = h.size();
-        h.resize(n + 1);
-        h[n] = historyColumn{"openStrain", historyColumn::scalars};
+        h.append(historyColumn{"openStrain", historyColumn::scalars});
+        if (collisions_)
+        {
+            h.append(historyColumn{"granularTemperature", historyColumn::scalars});
+        }
         return h;
+    }
+
+    bool needsWidth() const override { return bool(collisions_); }
+
+    bool waveSpeedVaries() const override { return bool(collisions_); }
+
+    void start(pointBlock& b) const override
+    {
+        if (collisions_)
+        {
+            scalar* T = b.history[nStress(b.nDim) + 2];
+            std::fill(T, T + b.n, collisions_->T0());
+        }
+    }
+
+    void correct(pointBlock& b) const override
+    {
+        frictionalLaw<muI>::correct(b);
+        if (collisions_)
+        {
+            collide(b);
+        }
+    }
+
+    scalar strainEnergy(const pointBlock& b) const override
+    {
+        scalar sum = frictionalLaw<muI>::strainEnergy(b);
+        for (label p = 0; collisions_ && p < b.n; ++p)
+        {
+            sum += 1.5 * b.mass[p] * b.history[nStress(b.nDim) + 2][p];
+        }
+        return sum;
     }
 
     //- See frictionalLaw
@@ -126,7 +183,7 @@ public:
         {
             for (int l = 0; l < g.n; ++l)
             {
-                const double phi = packing_ * b.mass[g.first + l] / (rho() * b.volume[g.first + l]);
+                const double phi = fraction(b, g.first + l);
                 double pl = p[l], tl = t[l];
                 dilate(pl, tl, phi, b.dt);
                 p[l] = pl;
@@ -160,7 +217,8 @@ public:
 
 muI::muI(const dictionary& dict) :
     frictionalLaw<muI>(
-        dict, wordList({"muS", "mu2", "I0", "d", "packing", "viscosity", "dilatancy"})),
+        dict,
+        wordList({"muS", "mu2", "I0", "d", "packing", "viscosity", "dilatancy", "collisions"})),
     muS_(bounded(dict, "muS", 0, GREAT)),
     mu2_(bounded(dict, "mu2", muS_, GREAT)),
     I0_(positive(dict, "I0")),
@@ -182,6 +240,57 @@ muI::muI(const dictionary& dict) :
         K2_ = bounded(d, "K2", 0, GREAT);
         K3_ = bounded(d, "K3", 0, GREAT);
     }
+    if (dict.found("collisions"))
+    {
+        collisions_.reset(new granularCollisions(
+            requiredDict(dict, "collisions"), packing_, positive(dict, "d")));
+    }
+}
+
+void muI::collide(pointBlock& b) const
+{
+    const int D = b.nDim;
+    scalar* column = b.history[nStress(D) + 2];
+    scalar fastest = 0;
+    for (label p = 0; p < b.n; ++p)
+    {
+        // Rate of strain; the missing directions have none but a hoop
+        scalar d[6] = {}, div = 0, dd = 0;
+        for (int i = 0; i < D; ++i)
+        {
+            for (int j = i; j < D; ++j)
+            {
+                d[symmSlot(i, j)] = 0.5 * (b.dL[i * D + j][p] + b.dL[j * D + i][p]) / b.dt;
+            }
+        }
+        d[2] += b.hoop ? b.hoop[p] / b.dt : 0;
+        for (int i = 0; i < 6; ++i)
+        {
+            div += i < 3 ? d[i] : 0;
+            dd += (i < 3 ? 1 : 2) * sqr(d[i]);
+        }
+        const granularCollisions::factors f = collisions_->at(fraction(b, p), b.width[p]);
+        const scalar B = 2 * f.M * (dd - div * div / 3) + f.L * div * div;
+        const scalar s0 = std::sqrt(column[p]);
+        const scalar s = collisions_->advance(s0, f.P, div, B, f.N, b.dt);
+        column[p] = s * s;
+        if (b.dissipated)
+        {
+            const scalar work = 0.5 * b.dt * (B * (s0 + s) - f.P * div * (sqr(s0) + sqr(s)));
+            b.dissipated[p] += b.mass[p] * (work - 1.5 * (sqr(s) - sqr(s0)));
+        }
+        const scalar density = b.mass[p] / b.volume[p];
+        for (int i = 0; i < nStress(D); ++i)
+        {
+            const scalar pressure = f.P * s * s - (f.L - 2 * f.M / 3) * s * div;
+            b.stress[i][p] += density * (2 * f.M * s * d[i] - (i < 3 ? pressure : 0));
+        }
+        // Waves of a gas of spheres, and the diffusion of momentum as in NewtonianFluid
+        fastest = max(
+            fastest,
+            s * (std::sqrt(f.P + 2.0 / 3 * sqr(f.P)) + 2 * D * (4.0 / 3 * f.M + f.L) / b.width[p]));
+    }
+    b.waveSpeed = max(b.waveSpeed, waveSpeed() + fastest);
 }
 
 void muI::dilate(double& p, double& t, const double phi, const double dt) const
