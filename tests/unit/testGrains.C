@@ -194,3 +194,113 @@ TEST_CASE("muI, dilatancy at constant pressure: the way to the critical state")
         CHECK(-meanStress(p, 0) == doctest::Approx(pressure).epsilon(1e-2));
     }
 }
+
+namespace
+{
+
+//- Grains of e and density 1500 at packing 0.6 with collisions, of volume fraction phi
+points colliding(const int D, const constitutiveModel& law, const scalar phi)
+{
+    points p(D, 5, law.rho());
+    std::fill(p.volume.begin(), p.volume.end(), 0.6 / phi);
+    // Parted: friction has nothing to say
+    std::fill(
+        p.history[law.columnOf("openStrain", D)].begin(),
+        p.history[law.columnOf("openStrain", D)].end(), 10);
+    pointBlock b(p.block());
+    law.start(b);
+    return p;
+}
+
+std::string collisions(const std::string& e, const std::string& T0)
+{
+    return "collisions { e " + e + "; alphaMax 0.65; granularTemperature " + T0 + "; }";
+}
+
+//- Radial distribution at contact
+scalar g0(const scalar phi) { return 1 / (1 - std::cbrt(phi / 0.65)); }
+
+const scalar pi = 4 * std::atan(1.0);
+
+}
+
+TEST_CASE("muI, collisions: grains at rest cool after Haff's law, at any step")
+{
+    for (const scalar phi : {0.01, 0.3, 0.6})
+        for (const scalar dt : {1e-4, 1e-2})
+        {
+            const auto law(lawOf(grains(collisions("0.9", "0.25"))));
+            points p(colliding(3, *law, phi));
+            p.dt = dt;
+            const int T = law->columnOf("granularTemperature", 3), n = int(0.1 / dt + 0.5);
+            std::vector<scalar> lost(p.n, 0);
+            const scalar before = law->strainEnergy(p.block());
+            for (int i = 0; i < n; ++i)
+            {
+                pointBlock b(p.block());
+                b.dissipated = lost.data();
+                law->correct(b);
+            }
+            // dT/dt = -8 (1 - e^2) phi g0 T^(3/2)/(d sqrt(pi)) from T0 = 0.25
+            const scalar rate = 4 * (1 - 0.81) * phi * g0(phi) / (d * std::sqrt(pi));
+            const scalar exact = 0.25 / sqr(1 + rate * 0.5 * 0.1);
+            CHECK(p.history[T][2] == doctest::Approx(exact).epsilon(1e-10));
+            CHECK(-meanStress(p, 2) > p.mass[2] / p.volume[2] * exact);
+            CHECK(
+                lost[0] * p.n + law->strainEnergy(p.block())
+                == doctest::Approx(before).epsilon(1e-12));
+        }
+}
+
+TEST_CASE("muI, collisions: steady shear has the temperature and stress of Lun et al.")
+{
+    // Production mu g^2 = loss: T = M g^2/N, from any start
+    for (const scalar phi : {0.05, 0.2, 0.4, 0.55})
+        for (const std::string start : {"0", "1"})
+            for (int D = 2; D <= 3; ++D)
+            {
+                const auto law(lawOf(grains(collisions("0.8", start))));
+                points p(colliding(D, *law, phi));
+                const scalar rate = 50, k = 1.8, g = phi * g0(phi);
+                p.dt = 2e-4;
+                std::vector<scalar> L(9, 0), lost(p.n, 0);
+                L[1] = rate * p.dt;
+                for (int i = 0; i < 20000; ++i)
+                    p.apply(*law, L);
+                const scalar M = 10 * d * std::sqrt(pi) / (96 * k * g) * sqr(1 + 0.8 * k * g)
+                    + 0.8 * g * d * k / std::sqrt(pi);
+                const scalar N = 12 * (1 - 0.64) * g / (d * std::sqrt(pi));
+                const scalar T = M * sqr(rate) / N, rho = 2500 * phi;
+                CHECK(
+                    p.history[law->columnOf("granularTemperature", D)][1]
+                    == doctest::Approx(T).epsilon(1e-6));
+                CHECK(
+                    p.stress[3][1] == doctest::Approx(rho * M * std::sqrt(T) * rate).epsilon(1e-6));
+                CHECK(
+                    -meanStress(p, 1) == doctest::Approx(rho * T * (1 + 2 * k * g)).epsilon(1e-6));
+                pointBlock b(p.block());
+                b.dissipated = lost.data();
+                law->correct(b);
+                CHECK(
+                    lost[1]
+                    == doctest::Approx(p.volume[1] * p.stress[3][1] * rate * p.dt).epsilon(1e-6));
+            }
+}
+
+TEST_CASE("muI, collisions: thin elastic grains are a gas of gamma 5/3")
+{
+    const auto law(lawOf(grains(collisions("1", "0.25"))));
+    for (int D = 1; D <= 3; ++D)
+    {
+        points p(colliding(D, *law, 1e-7));
+        const int T = law->columnOf("granularTemperature", D), n = 4000;
+        std::vector<scalar> L(9, 0);
+        for (int k = 0; k < D; ++k)
+            L[k * (D + 1)] = std::log(0.5) / D;
+        // So slow that viscosity does nothing
+        p.dt = 1e8;
+        walk(p, *law, L, n);
+        CHECK(p.volume[0] == doctest::Approx(0.5 * 0.6 / 1e-7).epsilon(1e-9));
+        CHECK(p.history[T][0] == doctest::Approx(0.25 * std::pow(2, 2.0 / 3)).epsilon(1e-3));
+    }
+}
