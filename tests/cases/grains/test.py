@@ -5,6 +5,7 @@ bagnold    steady flow down a rough slope: Bagnold's profile, exact, on three me
            three transfers
 column     columns as high as wide and twice as high collapse: run-out
 again      restart and two processors
+bubble     tutorials/fluidisedBed: size of the bubble beside that by twoPhaseEulerFoam
 immersed   loose and dense columns in a viscous liquid: sign of the pore pressure, run-out
 
 MPM_VERIFY=1: also a high column, constant friction, FLIP with PIC, columns without dilatancy,
@@ -20,6 +21,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from foamCase import (PROJECT, VERIFY, FoamCase, boxMesh, controlDict, foamText,
                       noSchemes, runParts, velocityFile)
+import bubble as beds
 
 
 G = 9.81
@@ -148,12 +150,14 @@ def column(table):
         print(f"column, aspect ratio 2, friction muS: {runout(slow, '0.6', 5e-3)}")
 
 
-COLUMNS = ("x", "U", "m", "V", "sigma", "openStrain", "plasticStrain")
+COLUMNS = ("x", "U", "m", "V", "sigma", "openStrain", "plasticStrain",
+           "granularTemperature")
 
 
 def again(table):
-    """A column with dilatancy: restart and two processors."""
-    law = {"dilatancy": {"phiC": 0.58, "K2": 0.2, "K3": 4}}
+    """A column with dilatancy and collisions: restart and two processors."""
+    law = {"dilatancy": {"phiC": 0.58, "K2": 0.2, "K3": 4},
+           "collisions": {"e": 0.9, "alphaMax": 0.65}}
     case, second, two = (columnRun(f"again-{n}", 1, 0.3, 1e-2, law) for n in range(3))
     case.run("materialPointFoam")
     shutil.copytree(case.file("0.2"), second.file("0.2"))
@@ -249,8 +253,28 @@ def immersed(table):
               runs["dense"][0]/runs["loose"][0], 0.5, "atMost")
 
 
+def bubble(table):
+    """Diameter of the bubble that a jet blows, 10 % of that by twoPhaseEulerFoam. MPM_VERIFY=1:
+    that computed anew, both on cells of half the size; ours without collisions."""
+    end = 0.3 if VERIFY else 0.2
+    case, found = beds.ours("bed", 1, end)
+    reference = beds.RESULTS.REFERENCE
+    for t in (0.1, 0.2):
+        table.row(f"bubble in a bed at {t} s: diameter over twoPhaseEulerFoam's", 1,
+                  found[t][0]/reference[t][0], 0.1)
+    if VERIFY:
+        no = [(r"collisions\s*\{[^}]*\}", "")]
+        for name, run in (("ours", found), ("ours, no collisions", beds.ours("bed-no", 1, end, no)[1]),
+                          ("ours, 3.75 mm", beds.ours("bed-2", 2, end)[1]),
+                          ("twoPhaseEulerFoam", beds.twoPhase("two", 1, end)[1]),
+                          ("twoPhaseEulerFoam, 3.75 mm", beds.twoPhase("two-2", 2, end)[1])):
+            print(f"bed, {name}: diameter, lowest and highest place at",
+                  *(f"{t} s {d:.4f} {low:.4f} {high:.4f} m;" for t, (d, low, high) in run.items()
+                    if t in reference))
+
+
 def main():
-    return runParts("grains", bagnold, column, again, immersed)
+    return runParts("grains", bagnold, column, again, bubble, immersed)
 
 
 if __name__ == "__main__":
