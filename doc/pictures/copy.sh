@@ -11,6 +11,7 @@ for pair in spall/plates vibratingBar/vibratingBar twoDisks/disks obliqueTransla
     brazilianDisc/crack halfCylinder/crack taylorBar/strain projectile/materials \
     spallInAir/plates blockInAir/moving freePiston/piston shockOnSlab/cylinder \
     dustyShockTube/dustyShockTube houimOran/dense darcyFlow/darcy fluidisedColumn/fluidised \
+    fluidisedBed/fluidisedBed \
     ballThroughPlate/debris blastWall/blast kirsch/kirsch spallOnTriangles/spallOnTriangles \
     bracket/bracket pipeBlast/pipe refinedImpact/impact adaptiveImpact/impact \
     sphereOnSphere/spheres \

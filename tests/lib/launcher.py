@@ -5,8 +5,8 @@
     ended.seconds    of one core
 
 The first run of a program loads it into a server (forkServer.C), which every run forks.
-Programs that are not OpenFOAM's and those with sanitizers are started as usual, and all
-with MPM_FORK=0.
+Programs that are not OpenFOAM's, those with sanitizers and those whose libraries lack symbols
+(setExprFields of v1912) are started as usual, and all with MPM_FORK=0.
 """
 
 import atexit
@@ -59,11 +59,15 @@ class _Server:
             env={**environment, "LD_PRELOAD": preload, "LD_BIND_NOW": "1"})
 
     def run(self, command, folder, log, limit, session):
+        """None: the program did not start."""
         words = (folder, log, "session" if session else "", *command)
         text = b"".join(os.fsencode(w) + b"\0" for w in words)
         self.process.stdin.write(b"%d\n" % len(text) + text)
         out = self.process.stdout
-        pid = int(out.readline())
+        first = out.readline()
+        if not first:
+            return None
+        pid = int(first)
         stopped = not select.select([out], [], [], limit)[0]
         if stopped:
             # It may have ended meanwhile
@@ -99,8 +103,9 @@ def launch(command, folder, log, limit=None, session=False, environment=None):
             idle = _servers.setdefault(key, [])
             server = idle.pop() if idle else _Server(program, environment)
             ended = server.run(command, folder, log, limit, session)
-            idle.append(server)
-            return ended
+            if ended:
+                idle.append(server)
+                return ended
     return _start(command, folder, log, limit, session, environment)
 
 

@@ -55,6 +55,8 @@ def ours(name, n, end, law=None):
     """The tutorial on n times as many cells in each direction; law: changes of its law, pairs of
     expression and text. Diameter, lowest and highest place of the bubble at each time."""
     case = FoamCase("grains", name, os.path.join(PROJECT, "tutorials/fluidisedBed"))
+    for time in case.times():
+        shutil.rmtree(case.file(time))
     shutil.copytree(case.file("0.orig"), case.file("0"))
     for across in (1, 19):
         case.change("system/blockMeshDict", rf"\({across} 72 1\)", f"({across*n} {72*n} 1)")
