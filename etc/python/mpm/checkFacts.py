@@ -133,7 +133,7 @@ class Facts:
         x = cloud["x"]
         phase.low, phase.high = x.min(axis=0), x.max(axis=0)
         phase.U = float(np.sqrt((cloud["U"]**2).sum(axis=1)).max())
-        phase.mass = float(cloud["mass"].sum()) if "mass" in cloud else 0.0
+        phase.mass = float(cloud["m"].sum()) if "m" in cloud else 0.0
         where = _cells(self.case.file(time, "lagrangian", name, "coordinates"))
         if len(self.widths) and len(where):
             phase.width = float(np.median(self.widths[where]))

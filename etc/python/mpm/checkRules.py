@@ -203,7 +203,8 @@ def softened(facts):
     size = np.linalg.norm(g)
     if not size:
         return
-    rows = [(n, f"{n}.constitutiveModel", p.speed, p.low, p.high)
+    down = g/size
+    rows = [(n, f"{n}.constitutiveModel", p.speed, float(abs(down) @ (p.high - p.low)))
             for n, p in facts.phases.items() if p.n and p.law in LIQUIDS]
     for name in facts.media:
         state = facts.of(name).get("equationOfState")
@@ -211,10 +212,10 @@ def softened(facts):
         wet = facts.share(name) > 0.5 if kind in ("stiffenedGas", "Tait") else np.zeros(1, bool)
         if wet.any() and facts.sounds[name]:
             entry = next((e for e in ("soundSpeed", "pInf", "K") if e in state), "type")
+            width = float(np.median(facts.widths[wet])) if len(facts.widths) else 0.0
             rows.append((name, f"{name}.equationOfState.{entry}", facts.sounds[name],
-                         facts.centres[wet].min(axis=0), facts.centres[wet].max(axis=0)))
-    for name, entry, c, low, high in rows:
-        height = float(abs(g)/size @ (high - low))
+                         float(np.ptp(facts.centres[wet] @ down)) + width))
+    for name, entry, c, height in rows:
         fall = math.sqrt(2*size*height)
         if fall > 0.1*c:
             yield Finding("warning", PHASES, entry, f"the sound of {name}, {c:.4g} m/s, is not ten "
