@@ -66,7 +66,6 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
             rho(density), replace(phases, r"E +1e6;", f"E {E};"))), None, said)
         for name, density, E, said in (
             ("rubber in MPa", "1000", "1", {"has": "a layer 0.000113 m high " + soft}),
-            ("steel in MPa", "7800", "210e3", {"has": "a layer 3.05 m high " + soft}),
             ("soft rubber", "1000", "1e5", {"warnings": 0}),
             ("heavy rubber", "4000", "1e6", {"warnings": 0}))]
     rows += [
