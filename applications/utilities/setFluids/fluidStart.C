@@ -12,7 +12,17 @@
 
 void Foam::mpm::fluidStart::readRegions(const dictionary& dict)
 {
-    checkKeywords(dict, {"default", "regions", "hydrostatic"});
+    // Other words are variables of the user, as in setMaterialPointsDict
+    const wordList valid({"default", "regions", "hydrostatic"});
+    for (const word& key : dict.toc())
+    {
+        if (!valid.found(key) && !nearWord(key, valid).empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown keyword " << key << meant(key, valid).c_str() << nl << nl
+                << "Valid keywords are: " << flatOutput(valid) << exit(FatalIOError);
+        }
+    }
     const dictionary& rest = requiredDict(dict, "default");
     regions_.append(new fluidRegion(grid_, mixture_, rest, false));
     if (dict.found("regions"))

@@ -16,9 +16,11 @@ import shutil
 import sys
 import tempfile
 
+import numpy as np
+
 from mpm import checkRules
 from mpm.case import Case, RunFailed
-from mpm.checkRules import Facts, Finding
+from mpm.checkFacts import Facts, Finding
 from mpm.dictionaries import DictionaryError
 from mpm.trial import Trial
 
@@ -124,6 +126,10 @@ class Check:
             if os.path.exists(case.file("system/adaptiveMeshDict")):
                 self._program("adaptMesh")
         if self.hasPoints:
+            try:
+                case.run("setMaterialPoints", "-count")     # its table of bodies
+            except RunFailed:
+                pass
             return
         if os.path.exists(case.file("system/setFluidsDict")):
             self._program("setFluids")
@@ -210,17 +216,41 @@ class Check:
     def _tell(self, facts):
         size = " x ".join(f"{s:.4g}" for s in facts.size[:facts.nDim])
         self._line("mesh", f"{facts.nCells} cells, {facts.nDim}D, {size} m"
+                   + (f", {facts.thickness:.4g} m thick" if facts.thickness else "")
                    + (f", {facts.mesh}" if facts.mesh else ""))
+        if len(facts.widths) and np.ptp(facts.widths) > 1e-3*facts.widths.max():
+            least = int(facts.widths.argmin())
+            place = " ".join(f"{v:.4g}" for v in facts.centres[least])
+            self._line("", f"smallest cell {facts.widths[least]:.3g} m at ({place}), mean "
+                       f"{facts.widths.mean():.3g} m, largest {facts.widths.max():.3g} m")
+        for k, (patches, words) in enumerate(facts.sides()):
+            self._line("" if k else "patches", f"{patches}: {words}")
         for name, phase in facts.phases.items():
             self._line(name, f"{phase.n} points of {phase.law}"
+                       + (f", mass {phase.mass:.4g} kg" if phase.mass else "")
                        + (f", wave speed {phase.speed:.4g} m/s" if phase.speed else "")
                        + (f"; in a cell {phase.least} to {phase.most}, mean {phase.mean:.3g}"
                           if phase.n else "") + checkRules.holders(facts, name))
+            self._tellBodies(facts, name)
         if facts.points:
             self._line("points", f"{facts.points} in all")
             self._line("scheme", facts.scheme)
         for name in facts.media:
             self._line(name, facts.media[name])
+
+    def _tellBodies(self, facts, phase):
+        """Cells over the thinnest side of each body's box, of many only of the thinnest."""
+        width = facts.phases[phase].width
+        found = []
+        for name, kind, size in re.findall(
+                r"^    (\S+): (\w+) of \(([^)]*)\) m from ", self._log("setMaterialPoints"), re.M):
+            region = facts.regions.get(name, {})
+            sides = np.array(size.split(), float)[facts.axes]
+            if width and isinstance(region, dict) and region.get("phase") == phase:
+                found.append((float(sides.min()), name, "" if kind == "box" else " of its box"))
+        for thin, name, of in sorted(found)[:1 if len(found) > 8 else 8]:
+            self._line("", f"{name}: {thin/width:.2g} cells across the thinnest side{of}, "
+                       f"{thin:.4g} m")
 
     def _try(self):
         """Some steps of the copy: on one processor, then on the ranks."""

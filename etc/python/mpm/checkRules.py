@@ -1,6 +1,6 @@
 """What is probably wrong with a case, by its dictionaries and what the solver says at its start.
 
-    facts = Facts(case)             # a case with mesh and points, after materialPointFoam -dry-run
+    # Facts (mpm.checkFacts) of a case with mesh and points, after materialPointFoam -dry-run
     for finding in findings(facts): ...
 
 Limits of units: bounds of what matter and laboratories have (BOUNDS), not of what the method can
@@ -11,11 +11,11 @@ that gives its findings.
 import math
 import os
 import re
-from dataclasses import dataclass, field
 
 import numpy as np
 
-from mpm.dictionaries import DictionaryError, readDictionary
+from mpm.checkFacts import (CONTROL, LIQUIDS, PHASES, REGIONS, SOLUTION, Finding, patchFaces,
+                            patchPoints)
 from mpm.files import readField, readLists
 
 #: Lowest and highest of what is no mistake
@@ -24,211 +24,13 @@ BOUNDS = {"rho": (0.1, 25000), "speed": (10, 20000), "length": (1e-6, 1e3), "g":
 LOCKS = 0.45
 #: Steps from which a motion is long for a transfer that dissipates in each
 LONG = 20000
-PHASES, REGIONS = "constant/phaseProperties", "system/setMaterialPointsDict"
-SOLUTION, CONTROL = "system/fvSolution", "system/controlDict"
 PLASTIC = ("J2Plasticity", "JohnsonCook")
-LIQUIDS = ("NewtonianFluid",)
 #: Conditions of p that let most of a wave out (doc/guide/fluids.md), or have it at a wall
 OPEN = ("farField", "waveTransmissive", "advective", "zeroGradient")
 #: Types of patches through which nothing shall go
 CLOSED = ("empty", "wedge", "cyclic", "symmetry", "symmetryPlane", "wall")
 #: Conditions of U through which a fluid leaves
 LETS_OUT = ("zeroGradient", "inletOutlet", "pressureInletOutletVelocity", *OPEN[:3])
-
-
-@dataclass
-class Finding:
-    """kind: error, warning, note. unless: not told if a text with this pattern is there."""
-    kind: str
-    file: str
-    entry: str
-    text: str
-    remedy: str = ""
-    page: str = ""
-    unless: str = ""
-
-
-@dataclass
-class Phase:
-    """What the solver says of the points of a phase, and how many are in a cell."""
-    n: int
-    law: str
-    speed: float = 0.0
-    least: int = 0
-    most: int = 0
-    mean: float = 0.0
-    low: np.ndarray = field(default_factory=lambda: np.zeros(3))
-    high: np.ndarray = field(default_factory=lambda: np.zeros(3))
-    U: float = 0.0
-
-
-class Facts:
-    """A case as it starts."""
-
-    def __init__(self, case):
-        self.case, self.trial = case, None
-        self.properties = case.get(PHASES)
-        self.control = case.get(CONTROL)
-        self.solution = self._may(SOLUTION).get("materialPoints", {})
-        self.regions = self._may(REGIONS).get("regions", {})
-        self.log = case.log()
-        self._readMesh()
-        self._readPhases()
-        self._readMedia()
-
-    def _may(self, path):
-        """A dictionary that may be missing."""
-        return self.case.get(path) if os.path.exists(self.case.file(path)) else {}
-
-    def of(self, phase):
-        """The dictionary of a phase."""
-        found = self.properties.get(phase, {})
-        return found if isinstance(found, dict) else {}
-
-    def lawOf(self, phase):
-        found = self.of(phase).get("constitutiveModel", {})
-        return found if isinstance(found, dict) else {}
-
-    def _readMesh(self):
-        x = readField(self.case.file("constant/polyMesh/points"))
-        self.low, self.high = x.min(axis=0), x.max(axis=0)
-        self.nCells = self.case.nCells()
-        with open(self.case.file("constant/polyMesh/boundary"), "rb") as f:
-            text = re.sub(r"/\*.*?\*/|//[^\n]*", "", f.read().decode("latin-1"), flags=re.S)
-        self.patches = dict(re.findall(r"(\S+)\s*\{[^}]*?\btype\s+(\w+);", text.split("}", 1)[1]))
-        flat = "empty" in self.patches.values()
-        self.axes = [d for d in range(3) if not flat or len(np.unique(
-            np.round(x[:, d]/max(np.ptp(x), 1e-300), 9))) > 2]
-        if "wedge" in self.patches.values():
-            # The direction around has the least extent
-            self.axes = sorted(set(self.axes) - {int(np.argmin(np.ptp(x, axis=0)))})
-        self.size = (self.high - self.low)[self.axes]
-        self.nDim = len(self.axes)
-        self.mesh = ""
-        said = re.search(r"^Material points: .*, ((?:axisymmetric )?)(\d)D, \d+ nodes, (.*)$",
-                         self.log, re.M)
-        self.lattice = bool(said) and said[3] == "lattice"
-        if said:
-            self.nDim = int(said[2])
-            self.mesh = said[1] + ("boxes" if self.lattice else said[3])
-        #: Width of a cell by volume [m]
-        volume = float(np.prod(self.size))
-        self.width = (volume/self.nCells)**(1/max(self.nDim, 1))
-
-    def _readPhases(self):
-        self.phases = {}
-        for name, n, rest in re.findall(r"^Phase (\S+): (\d+) points of (.*)$", self.log, re.M):
-            speed = re.search(r"wave speed ([\d.e+-]+) m/s", rest)
-            law = rest.split(",")[0]
-            phase = Phase(int(n), law, float(speed[1]) if speed else 0.0)
-            if phase.n:
-                self._readPoints(name, phase)
-            self.phases[name] = phase
-        self.points = sum(p.n for p in self.phases.values())
-        shape = re.search(r"shape function (\w+),.*? stress update (\w+)", self.log)
-        transfer = re.search(r"^ *transfer (\w+)( of order \d+)?", self.log, re.M)
-        self.shape, self.update = shape.groups() if shape else ("", "")
-        self.transfer = transfer[1] if transfer else ""
-        self.scheme = f"{self.shape}, {self.transfer}{transfer[2] or ''}, {self.update}" \
-            if shape and transfer else ""
-
-    def _readPoints(self, name, phase):
-        time = self.case.times("lagrangian")[-1]
-        cloud = self.case.points(time, name)
-        x = cloud["x"]
-        phase.low, phase.high = x.min(axis=0), x.max(axis=0)
-        phase.U = float(np.sqrt((cloud["U"]**2).sum(axis=1)).max())
-        count = np.bincount(_cells(self.case.file(time, "lagrangian", name, "coordinates")))
-        count = count[count > 0]
-        if len(count):
-            phase.least, phase.most, phase.mean = count.min(), count.max(), count.mean()
-
-    def _readMedia(self):
-        """Gas and fluids: name: text; speed of sound where it is simple."""
-        self.media, self.sound, self.p = {}, 0.0, {}
-        for name in self.properties.get("phases", ()):
-            of = self.of(name)
-            if of.get("type") not in ("gas", "fluid"):
-                continue
-            state = of.get("equationOfState", {})
-            kind = of.get("thermo") or (state.get("type") if isinstance(state, dict) else "")
-            text, c = f"{of['type']}, {kind}", 0.0
-            if kind == "perfectGas":
-                c = self._soundOfGas(name, of)
-            elif isinstance(state, dict):
-                c = self._soundOfLiquid(of, state)
-            self.media[name] = text + (f", sound {c:.4g} m/s" if c else "")
-            self.sound = max(self.sound, c)
-        start = os.path.join("0", "p")
-        if self.media and os.path.exists(self.case.file(start)):
-            try:
-                self.p = readDictionary(self.case.file(start), self.case.path)
-            except DictionaryError:
-                pass
-
-    def _soundOfGas(self, name, of):
-        """sqrt(gamma R T) of the largest T of the start."""
-        R = of.get("R") or 8314.46/of["molWeight"] if of.get("R") or of.get("molWeight") else 0
-        gamma = of.get("gamma") or (
-            of["Cp"]/(of["Cp"] - R) if of.get("Cp") else 1 + R/of["Cv"] if of.get("Cv") else 0)
-        path = self.case.file("0", "T." + name)
-        if not (R and gamma and os.path.exists(path)):
-            return 0.0
-        T = np.max(self.case.field("0", "T." + name))
-        return float(np.sqrt(gamma*R*T)) if T > 0 else 0.0
-
-    def _soundOfLiquid(self, of, state):
-        """At rest: C0, soundSpeed, or sqrt(gamma (p0 + pInf)/rho)."""
-        c = state.get("C0", state.get("soundSpeed"))
-        if isinstance(c, (int, float)):
-            return float(c)
-        needed = [state.get("gamma"), state.get("pInf"), of.get("rho")]
-        if state.get("type") != "stiffenedGas" or not all(
-                isinstance(v, (int, float)) for v in needed):
-            return 0.0
-        gamma, pInf, rho = needed
-        return math.sqrt(gamma*(pInf + (state.get("p0") or 0))/rho)
-
-    @property
-    def end(self):
-        return float(self.control.get("endTime", math.nan))
-
-    def g(self):
-        """Gravity [m/s2]; zero without its file, or where it is no list of numbers."""
-        g = self._may("constant/g").get("value", [])
-        numbers = isinstance(g, list) and all(isinstance(v, (int, float)) for v in g)
-        return np.array(g if numbers and len(g) == 3 else (0, 0, 0), float)
-
-    def conditions(self, field):
-        """Patches: the dictionary of their condition, by name or by pattern."""
-        given = {key: of for key, of in self.case.get(field).get("boundaryField", {}).items()
-                 if isinstance(of, dict)}
-        found = {p: of for key, of in given.items() for p in self.patches
-                 if re.fullmatch(key, p)}
-        found.update({p: given[p] for p in self.patches if p in given})
-        return found
-
-    def number(self, name, default):
-        """A number of fvSolution.materialPoints."""
-        value = self.solution.get(name, default)
-        return value if isinstance(value, (int, float)) else default
-
-
-def _cells(path):
-    """Numbers of the cells of points in OpenFOAM's file of coordinates, ascii or binary."""
-    with open(path, "rb") as f:
-        raw = f.read()
-    body = re.sub(rb"\A.*?\n\}\n", b"", raw, count=1, flags=re.S)
-    body = re.sub(rb"\A(\s*//[^\n]*\n)*\s*", b"", body, count=1)
-    head = re.match(rb"(\d+)\s*\(", body)
-    if not head or not int(head[1]):
-        return np.zeros(0, int)
-    if re.search(rb"format\s+binary", raw[:2000]):
-        # A line each: ( and ) around 4 doubles and 3 labels
-        record = np.dtype([("open", "S1"), ("w", "4f8"), ("cell", "3i4"), ("close", "S2")])
-        start = body.index(b"(", head.end())
-        return np.frombuffer(body, record, int(head[1]), start)["cell"][:, 0]
-    return np.array(re.findall(rb"\)\s+(\d+)\s+\d+\s+\d+", body[head.end():]), int)
 
 
 def _outside(value, name):
@@ -253,11 +55,11 @@ def waveSpeeds(facts):
     for name, phase in facts.phases.items():
         soft = phase.law in LIQUIDS or phase.law in ("DruckerPrager", "MohrCoulomb", "muI")
         if phase.speed and _outside(phase.speed, "speed") and not (soft and phase.speed < 10):
-            what = ("too slow: a modulus in MPa or GPa?" if phase.speed < 10 else
-                    "too fast (diamond 18000): a density in g/cm3?")
+            what = (f"a layer {phase.speed**2/9.81:.3g} m high is squeezed flat by its own weight"
+                    if phase.speed < 10 else "too fast (diamond 18000): a density in g/cm3?")
             yield Finding("warning", PHASES, f"{name}.constitutiveModel", f"a wave speed of "
-                          f"{phase.speed:.4g} m/s: {what}", "moduli in Pa: 1e6 for 1 MPa, 70e9 for "
-                          "70 GPa; rho in kg/m3", "troubleshooting.md",
+                          f"{phase.speed:.4g} m/s: {what}", "if it is not meant: moduli in Pa, "
+                          "1e6 for 1 MPa, 70e9 for 70 GPa; rho in kg/m3", "troubleshooting.md",
                           rf"phase {name} has a wave speed")
 
 
@@ -337,7 +139,7 @@ def wavesLeave(facts):
     if not facts.points:
         low = high = (facts.low + facts.high)/2
     x = readField(facts.case.file("constant/polyMesh/points"))
-    for patch, corners in _patchPoints(facts.case, x, sends).items():
+    for patch, corners in patchPoints(facts.case, x, sends).items():
         kind = conditions[patch]["type"]
         gap = np.maximum(0, np.maximum(low - corners, corners - high))[:, facts.axes]
         way = float(np.sqrt((gap**2).sum(axis=1)).min())
@@ -358,27 +160,12 @@ def holders(facts, name):
         return ""
     fixed = [p for p, of in facts.conditions(field).items() if of.get("type") == "fixedValue"]
     x, words = readField(facts.case.file("constant/polyMesh/points")), []
-    for patch, corners in _patchPoints(facts.case, x, fixed).items():
+    for patch, corners in patchPoints(facts.case, x, fixed).items():
         gap = np.maximum(0, np.maximum(phase.low - corners, corners - phase.high))[:, facts.axes]
         gap = float(np.sqrt((gap**2).sum(axis=1)).min())
         words.append(f"held by {patch}" if gap < facts.width else
                      f"{patch}, which would hold it, is {gap:.3g} m away")
     return "".join("; " + w for w in words)
-
-
-def _patchPoints(case, x, patches):
-    """Corners of the faces of some patches."""
-    faces = readLists(case.file("constant/polyMesh/faces"))
-    return {name: x[np.unique(np.concatenate(faces[start:start + n]))]
-            for name, (start, n) in _patchFaces(case).items() if n and name in patches}
-
-
-def _patchFaces(case):
-    """Patches: first face and number of faces."""
-    with open(case.file("constant/polyMesh/boundary"), "rb") as f:
-        rows = re.findall(r"(\S+)\s*\{[^}]*?nFaces\s+(\d+);\s*startFace\s+(\d+);",
-                          f.read().decode("latin-1"))
-    return {name: (int(start), int(n)) for name, n, start in rows}
 
 
 def runsOut(facts):
@@ -395,7 +182,7 @@ def runsOut(facts):
     x = readField(facts.case.file("constant/polyMesh/points"))
     faces = readLists(facts.case.file("constant/polyMesh/faces"))
     owner = readLists(facts.case.file("constant/polyMesh/owner"))
-    for patch, (start, n) in _patchFaces(facts.case).items():
+    for patch, (start, n) in patchFaces(facts.case).items():
         wet = [f for f in range(start, start + n) if alpha[owner[f]] > 0.5] \
             if patch in lets else []
         down = [_normal(x[faces[f]]) @ g/np.linalg.norm(g) for f in wet]
@@ -408,6 +195,33 @@ def runsOut(facts):
                       "it", "a wall has type wall in constant/polyMesh/boundary (setFluids gives "
                       "it slip), or slip in 0.orig/U; then setFluids again",
                       "meshes.md#what-patches-need")
+
+
+def softened(facts):
+    """Liquids whose sound is not ten times what they reach by falling as far as they are high."""
+    g = facts.g()
+    size = np.linalg.norm(g)
+    if not size:
+        return
+    down = g/size
+    rows = [(n, f"{n}.constitutiveModel", p.speed, float(abs(down) @ (p.high - p.low)))
+            for n, p in facts.phases.items() if p.n and p.law in LIQUIDS]
+    for name in facts.media:
+        state = facts.of(name).get("equationOfState")
+        kind = state.get("type") if isinstance(state, dict) else ""
+        wet = facts.share(name) > 0.5 if kind in ("stiffenedGas", "Tait") else np.zeros(1, bool)
+        if wet.any() and facts.sounds[name]:
+            entry = next((e for e in ("soundSpeed", "pInf", "K") if e in state), "type")
+            width = float(np.median(facts.widths[wet])) if len(facts.widths) else 0.0
+            rows.append((name, f"{name}.equationOfState.{entry}", facts.sounds[name],
+                         float(np.ptp(facts.centres[wet] @ down)) + width))
+    for name, entry, c, height in rows:
+        fall = math.sqrt(2*size*height)
+        if fall > 0.1*c:
+            yield Finding("warning", PHASES, entry, f"the sound of {name}, {c:.4g} m/s, is not ten "
+                          f"times {fall:.3g} m/s, to which it falls by its height {height:.3g} m: "
+                          "it is compressed as it flows", f"sound of {10*fall:.2g} m/s or more",
+                          "fluids.md#several-fluids")
 
 
 def _normal(corners):
@@ -548,7 +362,8 @@ def writing(facts):
 
 
 RULES = (densities, waveSpeeds, strengths, meshSize, gravity, pressure, duration, wavesLeave,
-         runsOut, locking, courant, transfers, shapes, shocks, pointsInCells, damage, writing)
+         runsOut, softened, locking, courant, transfers, shapes, shocks, pointsInCells, damage,
+         writing)
 
 
 def findings(facts):

@@ -140,15 +140,56 @@ def differences(case, other):
 
 _UNITS = re.compile(r"(?:list of )?((?:Pa|m|s|kg|J|K|W|N|rad|degrees|1)"
                     r"(?:[/ ](?:Pa|m|s|kg|kmol|J|K|W|N)\d?(?:\^\w+)?|\d)*)(?=$|[,;])")
-#: Words of a path that say in which section of doc/entries.md an entry stands
-_SECTIONS = (("equationOfState", "Equations of state"), ("constitutiveModel", "Laws"),
-             ("failureModel", "Failure models"), ("erosion", "Erosion"), ("drag", "Drag"),
-             ("heatTransfer", "Heat transfer"), ("granularPressure", "Granular pressure"),
-             ("detonation", "Detonation"), ("afterburn", "Afterburn"),
-             ("contact", "Contact"), ("motion", "Motion of rigid phases"),
-             ("bodyForce", "Body forces"), ("surfaceLoads", "Surface loads"),
-             ("damping", "Damping"), ("outflow", "Outflow and parts of the step"),
-             ("fluids", "Fluids"))
+#: Dictionaries of constant/phaseProperties and their section of doc/entries.md
+_SECTIONS = {
+    "equationOfState": "Equations of state", "constitutiveModel": "Laws",
+    "failureModel": "Failure models", "erosion": "Erosion", "drag": "Drag",
+    "heatTransfer": "Heat transfer", "granularPressure": "Granular pressure",
+    "detonation": "Detonation", "afterburn": "Afterburn", "motion": "Motion of rigid phases",
+    "bodyForce": "Body forces", "surfaceLoads": "Surface loads", "damping": "Damping"}
+_BLOCKS = {"contact": "Contact", "outflow": "Outflow and parts of the step",
+           "stepParts": "Outflow and parts of the step", "fluids": "Fluids"}
+#: A fluid has the thermo of a gas
+_KINDS = {"gas": ["Gas"], "fluid": ["Fluids", "Gas"]}
+_WHOLE = ("system/fvSchemes", "system/adaptiveMeshDict", "constant/phaseProperties")
+
+
+def _within(data, words):
+    """The dictionary in which an entry of a path stands."""
+    for word in words[:-1]:
+        data = data.get(word, {})
+    return data
+
+
+def sectionsOf(file, words, data):
+    """Sections of doc/entries.md that may explain the entry of a path in a file: none of those of
+    OpenFOAM, or of words of one's own."""
+    inner = words[1:-1]
+    if file == "constant/phaseProperties" and len(words) > 1:
+        if words[0] in _BLOCKS:
+            return [_BLOCKS[words[0]]]
+        of = _KINDS.get(data[words[0]].get("type"), ["Phases of points"])
+        found = [_SECTIONS[w] for w in inner if w in _SECTIONS]
+        if inner and found:
+            return found[-1:] + (of if words[-2:] == ["erosion", "to"] else [])
+        return of if inner else [*of, file]
+    if file in ("system/setMaterialPointsDict", "system/setFluidsDict"):
+        if len(words) < 3:
+            return [file] if words[0] in ("default", "hydrostatic", "regions") else []
+        if "surface" in inner:      # OpenFOAM's
+            return []
+        return ["Shapes"] if "shapes" in inner else [file, "Shapes"]
+    if file == "system/controlDict" and words[0] == "functions":
+        ours = len(words) > 2 and "mpmFunctionObjects" in str(
+            data["functions"].get(words[1], {}).get("libs"))
+        return ["Function objects"] if ours else []
+    if file == "system/adaptiveMeshDict" and "shape" in inner:
+        return ["Shapes"]
+    if file == "system/decomposeParDict":
+        return ["system/decomposeParDict, loadBalance"] if words[0] == "loadBalance" else []
+    if file == "system/fvSolution":
+        return [file] if words[0] == "materialPoints" else []
+    return [file] if file in _WHOLE or len(words) == 1 else []
 
 
 class Meanings:
@@ -166,19 +207,19 @@ class Meanings:
                 cells = [c.strip() for c in re.split(r"(?<!\\)\|", line)[1:-1]]
                 if len(cells) == 4:
                     for name in re.findall(r"`([^`]+)`", cells[0]):
-                        self.rows.setdefault((section, name), (cells[1], cells[3]))
+                        self.rows.setdefault((section, name), []).append((cells[1], cells[3]))
 
-    def find(self, path, *sections):
-        """(unit, meaning) of the entry of a path "ball.constitutiveModel.rho", looked for in
-        the section that the path names, then in these."""
+    def find(self, file, path, data):
+        """(unit, meaning) of the entry of a path "ball.constitutiveModel.rho" in the dictionary
+        of a file; of several rows that which names the type beside the entry."""
         words = path.split(".")
-        for word, section in _SECTIONS:
-            if word in words[:-1]:
-                sections = section, *sections
-                break
-        for section in sections:
-            if (section, words[-1]) in self.rows:
-                values, meaning = self.rows[section, words[-1]]
+        for section in sectionsOf(file, words, data):
+            rows = self.rows.get((section, words[-1]), [])
+            kind = _within(data, words).get("type")
+            rows = [r for r in rows if isinstance(kind, str) and re.search(
+                rf"\b{re.escape(kind)}\b", r[1])] or rows
+            if rows:
+                values, meaning = rows[0]
                 unit = _UNITS.match(values)
                 meaning = re.sub(r"\[([^]]*)\]\([^)]*\)|`", r"\1", meaning)
                 return unit[1] if unit else "", meaning

@@ -99,7 +99,7 @@
       axisLineColor: "#8a949e", dateWindow: state["zoom " + plot.id] || null,
       axes: {
         x: { axisLabelFormatter: number, valueFormatter: v => page.timeName + " " + number(v) },
-        y: { axisLabelFormatter: number, valueFormatter: number, axisLabelWidth: 62 }
+        y: { axisLabelFormatter: number, valueFormatter: number, axisLabelWidth: 88 }
       },
       drawCallback: (g, first) => {
         box.dataset.from = g.xAxisRange()[0];

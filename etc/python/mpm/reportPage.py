@@ -114,11 +114,11 @@ def messages(runs, remedies, case):
 
 # --- what is computed --------------------------------------------------------------
 
-def entries(name, data, meanings, *sections):
-    """Rows of the entries of a dictionary, with units and meanings."""
+def entries(file, dictionary, meanings, name=""):
+    """Rows of the entries of the dictionary of a file, or of one in it, with units, meanings."""
     rows = []
-    for path, value in flat(data).items():
-        unit, meaning = meanings.find(f"{name}.{path}" if name else path, *sections)
+    for path, value in flat(dictionary[name] if name else dictionary).items():
+        unit, meaning = meanings.find(file, f"{name}.{path}" if name else path, dictionary)
         if len(value) > 400:
             value = value[:400] + " ..."
         rows.append(row(f"<code>{esc(path)}</code>", f"<code>{esc(value)}</code>", esc(unit),
@@ -137,12 +137,10 @@ def computed(dictionaries, meanings, conditions, mesh, head):
     rows = []
     for name, data in phases.items():
         if isinstance(data, dict):
-            kind = data.get("type", "materialPoints")
-            section = {"gas": "Gas", "fluid": "Fluids"}.get(kind, "Phases of points")
             rows.append(f'<tr class="group"><td colspan="4">{esc(name)}</td></tr>\n')
-            rows += entries(name, data, meanings, section, "constant/phaseProperties")
+            rows += entries(FILES[0], phases, meanings, name)
         else:
-            rows += entries("", {name: data}, meanings, "constant/phaseProperties")
+            rows += entries(FILES[0], {name: data}, meanings)
     parts.append(table(columns, rows))
     if mesh:
         parts.append(f"<h3>Mesh</h3><p>{mesh['cells']} cells at the start</p>")
@@ -151,21 +149,19 @@ def computed(dictionaries, meanings, conditions, mesh, head):
             esc(words(conditions[f], p)) for f in fields))
             for p, (kind, n) in mesh["patches"].items()]
         parts.append(table(["patch", "type", "faces", *fields], rows))
-    for title, file, section in (
-            ("Where the points are", "system/setMaterialPointsDict", None),
-            ("Where the fluids are", "system/setFluidsDict", None),
-            ("Schemes", "system/fvSolution", None), ("", "system/fvSchemes", None),
-            ("Time control and output", "system/controlDict", "Function objects"),
-            ("Gravity", "constant/g", None),
-            ("Adaptive mesh", "system/adaptiveMeshDict", None),
-            ("Processors", "system/decomposeParDict", "system/decomposeParDict, loadBalance"),
-            ("Blocks of the mesh", "system/blockMeshDict", None)):
+    for title, file in (
+            ("Where the points are", "system/setMaterialPointsDict"),
+            ("Where the fluids are", "system/setFluidsDict"),
+            ("Schemes", "system/fvSolution"), ("", "system/fvSchemes"),
+            ("Time control and output", "system/controlDict"),
+            ("Gravity", "constant/g"), ("Adaptive mesh", "system/adaptiveMeshDict"),
+            ("Processors", "system/decomposeParDict"),
+            ("Blocks of the mesh", "system/blockMeshDict")):
         if dictionaries.get(file):
             parts.append((f"<h3>{title}</h3>" if title else "")
                          + f'<details{" open" if title in ("Schemes",) else ""}><summary>'
                          f"<code>{file}</code></summary>"
-                         + table(columns, entries("", dictionaries[file], meanings, file,
-                                                  *([section] if section else []), "Shapes"))
+                         + table(columns, entries(file, dictionaries[file], meanings))
                          + "</details>")
     return "".join(parts)
 

@@ -70,22 +70,18 @@ centreOfMass(const PtrList<mpm::materialPointPhase>& phases, const word& field, 
     return mass;
 }
 
-//- The first modulus of a law: "E 70 Pa.", or "its moduli."; with a power "E 70 Pa;
-//  E is in Pa: is 70e9 meant?"
-std::string modulus(const dictionary& law, const char* power = nullptr)
+//- The first modulus of a law: "E 70 Pa", or "its moduli"
+std::string modulus(const dictionary& law)
 {
     for (const word key : {"E", "K", "G", "mu", "K0", "Ks"})
     {
         scalar value;
         if (law.readIfPresent(key, value))
         {
-            const std::string found(key + ' ' + Foam::name(value) + " Pa");
-            return power
-                ? found + "; " + key + " is in Pa: is " + Foam::name(value) + power + " meant?"
-                : found + '.';
+            return key + ' ' + Foam::name(value) + " Pa";
         }
     }
-    return "its moduli.";
+    return "its moduli";
 }
 
 //- Warn of a strength that is probably one in MPa: below 1e-6 of the modulus
@@ -233,9 +229,11 @@ void Foam::mpm::warnOfUnits(const materialPointPhase& phase, const dictionary& d
     const scalar rho = phase.rho();
     const scalar c = phase.law().waveSpeed();
     const bool solid = phase.law().holdsTogether();
-    OStringStream waveSpeed, os;
+    OStringStream waveSpeed, height, os;
     waveSpeed.precision(4);
     waveSpeed << c;
+    height.precision(3);
+    height << sqr(c) / 9.81;
     if (rho < 1e-4 && c > 1000)
     {
         // In mm a solid has 1e-9 t/mm3 or 1e-6 kg/mm3
@@ -252,18 +250,15 @@ void Foam::mpm::warnOfUnits(const materialPointPhase& phase, const dictionary& d
     else if (c > 2e4)
     {
         os << "No matter is that fast (diamond 18 km/s): rho is " << rho << " kg/m3, "
-           << modulus(law).c_str();
+           << modulus(law).c_str() << '.';
     }
-    else if (solid && c < 0.57)
+    else if (solid && (c < 0.57 || (c < 13 && rho > 3000)))
     {
-        os << "No solid is that slow: " << modulus(law, "e9").c_str()
-           << " A modulus in GPa needs e9: 70e9 for 70 GPa.";
-    }
-    else if (solid && c < 20 && rho > 3000)
-    {
-        os << "Matter of rho " << rho << " kg/m3 is not that slow: " << modulus(law, "e6").c_str()
-           << " A modulus in MPa needs e6: 70000e6"
-           << " for 70000 MPa.";
+        // The strain rho g h/(rho c^2) at the foot is 1; dense matter is as soft only if its
+        // modulus is in MPa: of silicon carbide c is 12 m/s then
+        os << "By " << modulus(law).c_str() << " and rho " << rho << " kg/m3 a layer "
+           << height.str().c_str() << " m high is squeezed flat by its own weight on earth."
+           << " Moduli are in Pa: 1e6 for 1 MPa, 1e9 for 1 GPa.";
     }
     if (os.str().size())
     {

@@ -60,6 +60,14 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
         for name, density, E, said in (
             ("tonne, mm, s", "2.7e-9", "70e3", "2.7e-09 t/mm3 are 2700 kg/m3: materialPointFoam"),
             ("kg, mm, ms", "2.7e-6", "70", "2.7e-06 kg/mm3 are 2700 kg/m3"))]
+    soft = "is squeezed flat by its own weight on earth. Moduli are in Pa: 1e6 for 1 MPa"
+    rows += [
+        (f"allowed: {name}", dry, withPoints(several(
+            rho(density), replace(phases, r"E +1e6;", f"E {E};"))), None, said)
+        for name, density, E, said in (
+            ("rubber in MPa", "1000", "1", {"has": "a layer 0.000113 m high " + soft}),
+            ("soft rubber", "1000", "1e5", {"warnings": 0}),
+            ("heavy rubber", "4000", "1e6", {"warnings": 0}))]
     rows += [
         ("allowed: strength in MPa", dry, several(
             replace(phases, r"E +1e6;", "E 70e9;"), replace(phases, "strength +1e5;",

@@ -2,6 +2,8 @@
 """mpmCheck: what it tells of cases before they run.
 
 template    etc/caseTemplate: nothing found, exit code 0, nothing in the case is changed or new
+told        masses, sides, cells across bodies, the smallest cell; a sound too low for the height of
+            the water; files in binary
 mistakes    one wrong unit or choice each in the template: found, with file and entry
 leaks       water on a floor of type patch, to which setFluids gives zeroGradient: found; sides
             that hold a body
@@ -97,6 +99,54 @@ def template(table):
     table.check("template: points in a cell", "4 to 4, mean 4" in said["target"], said["target"])
     table.check("template: what sets the time step", "points of target" in said["time step"],
                 said["time step"])
+
+
+def told(table):
+    check = Check(TEMPLATE, trial=False)
+    check.run()
+    said = "\n".join(f"{n}: {text}" for n, text in check.lines)
+    for words in ("mesh: 2400 cells, 2D, 0.06 x 0.04 m, 0.001 m thick",
+                  "patches: outside: patch, U.target calculated, U.flyer calculated",
+                  # 40 x 10 x 1 mm of 2700 kg/m3, of cells of 1 mm
+                  "linearElastic, mass 0.00108 kg",
+                  "target: 10 cells across the thinnest side, 0.01 m"):
+        table.check(f"told: {words}", words in said, "" if words in said else said.splitlines())
+    table.check("told: equal cells have no smallest", "smallest" not in said)
+
+    # A row of cells 8 times as long at one end as at the other, 1 mm high: lengths are a
+    # geometric series of 60 over 60 mm
+    case = FoamCase("check", "graded", TEMPLATE)
+    case.change(MESH, r"simpleGrading \(1 1 1\)", "simpleGrading (8 1 1)")
+    check = Check(case.path, trial=False)
+    check.run()
+    cell = re.search(r"smallest cell (\S+) m at \((\S+) \S+ \S+\), mean \S+ m, largest (\S+) m",
+                      "\n".join(text for _, text in check.lines))
+    q = 8**(1/59)
+    dx = 60e-3*(q - 1)/(q**60 - 1)
+    for name, value, exact in (("smallest cell, width [m]", cell[1], (dx*1e-3)**0.5),
+                               ("its place along x [m]", cell[2], -30e-3 + dx/2),
+                               ("largest cell, width [m]", cell[3], (8*dx*1e-3)**0.5)):
+        table.row(f"told: {name}", exact, float(value), 6e-3, "relative")    # three digits
+
+    case = FoamCase("check", "told", os.path.join(PROJECT, "tutorials/damBreak"))
+    case.set(CONTROL, "writeFormat", "binary")
+    height = 0.292
+    for factor in (1.05, 0.95):
+        c = factor*10*(2*9.81*height)**0.5
+        case.set(PHASES, "water.equationOfState", {
+            "type": "stiffenedGas", "gamma": 4.4, "soundSpeed": c, "p0": 1e5})
+        check = Check(case.path, trial=False)
+        code = check.run()
+        hits = [f.entry for f in check.findings if "is not ten times" in f.text]
+        table.check(f"told: sound of water {factor} of ten times sqrt(2 g H)",
+                    code == (1 if factor < 1 else 0)
+                    and hits == (["water.equationOfState.soundSpeed"] if factor < 1 else []),
+                    found(check))
+    said = "\n".join(f"{n}: {text}" for n, text in check.lines)
+    mass = re.search(r"^water: .* mass (\S+) kg", said, re.M)
+    table.row("told: mass of water of binary files [kg]", 0.146*height*0.01*1000,
+              float(mass[1]), 1e-3, "relative")
+    table.check("told: sides of binary files", "walls: wall, U slip, p zeroGradient" in said)
 
 
 def mistakes(table):
@@ -230,4 +280,4 @@ def tutorials(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("check", template, mistakes, leaks, codes, trial, tutorials))
+    sys.exit(runParts("check", template, told, mistakes, leaks, codes, trial, tutorials))

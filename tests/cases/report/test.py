@@ -39,7 +39,7 @@ from foamCase import PATIENCE, PROJECT, RUN, FoamCase, runParts
 from plates import plateCase
 
 sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
-from mpm.reportCase import parse, tables
+from mpm.reportCase import Meanings, parse, tables
 from mpm.reportColours import joined
 from mpm.reportLog import _Reader
 from mpm.reportPage import Remedies
@@ -340,6 +340,29 @@ def compared(table):
 
 # --- parts ---------------------------------------------------------------------------
 
+REGIONS = "system/setMaterialPointsDict"
+#: An entry, its dictionary, a word of its meaning; none: of OpenFOAM, or of the user
+MEANINGS = (
+    ("system/blockMeshDict", "scale", "scale 1e-3;", ""),
+    ("system/blockMeshDict", "boundary.outflow.type", "boundary { outflow { type patch; } }", ""),
+    ("constant/g", "value", "value (0 -9.81 0);", ""),
+    ("system/decomposeParDict", "method", "method simple;", ""),
+    ("system/decomposeParDict", "loadBalance.interval", "loadBalance { interval 9; }", "look"),
+    ("system/controlDict", "functions.drag.type", "functions { drag { type forces; } }", ""),
+    ("system/controlDict", "functions.a.phases",
+     "functions { a { type forces; libs (forces); phases (x); } }", ""),
+    ("system/controlDict", "functions.a.fields", "functions { a { type materialPointVTK;"
+     " libs (mpmFunctionObjects); fields (p); } }", "time folder"),
+    (REGIONS, "radius", "radius 2;", ""),
+    (REGIONS, "regions.a.radius", "regions { a { type sphere; radius 2; } }", "sphere"),
+    (REGIONS, "regions.contact.type", "regions { contact { type box; } }", "shape"),
+    (REGIONS, "regions.a.surface.type", "regions { a { surface { type triSurfaceMesh; } } }", ""),
+    ("constant/phaseProperties", "drag.drag.type", "drag { drag { type stick; } }", ""),
+    ("constant/phaseProperties", "drag.velocityField", "drag { velocityField a; }", "share"),
+    ("constant/phaseProperties", "a.equationOfState.soundSpeed",
+     "a { type fluid; equationOfState { type stiffenedGas; soundSpeed 3; } }", "softened"))
+
+
 def parts(table):
     found = parse("a { reconstruct(U) (p) vanLeer; reconstruct(p) upwind;"
                   " div((nu*dev2(T(grad(U))))) Gauss; b (0 (1 2) 3); }")["a"]
@@ -355,6 +378,10 @@ def parts(table):
     table.check("an error after steps: no remedy of the start",
                 "at the start" in remedies.find(text) and "maxCoGas" in remedies.find(text, True)
                 and "at the start" not in remedies.find(text, True))
+    for file, path, data, word in MEANINGS:
+        meaning = Meanings().find(file, path, parse(data))[1]
+        table.check(f"meaning of {path} in {file}: {'has ' + word if word else 'none'}",
+                    word in meaning if word else not meaning, meaning)
     table.check("limits of colours of both runs", joined((0, 2), {"U": (1, 5)}, "U") == (0, 5))
     case = FoamCase("report", "probes", TEMPLATE)
     folder = case.file("postProcessing/tip/0")
@@ -468,6 +495,22 @@ def ranks(table):
 
 # --- in a browser ----------------------------------------------------------------------
 
+#: The first plot with volumes of eleven letters in place of its data: the room that is left
+UNIT = """(() => {
+    const g = Object.values(mpmReport.graphs)[0];
+    g.updateOptions({file: [[0, -1.23451e-10], [1, -1.23459e-10]], labels: ["time", "V"],
+                     series: {}, ylabel: "m3", dateWindow: null});
+    const box = e => {
+        const r = document.createRange();
+        r.selectNodeContents(e);
+        return r.getBoundingClientRect();
+    };
+    const one = g.graphDiv;
+    const numbers = [...one.querySelectorAll(".dygraph-axis-label-y")].map(e => box(e).left);
+    return Math.min(...numbers) - box(one.querySelector(".dygraph-ylabel")).right;
+})()"""
+
+
 def browser(table):
     if not Browser.find():
         table.skip("the page in a browser", "no chromium here")
@@ -489,6 +532,8 @@ def browser(table):
                 "document.documentElement.scrollWidth - window.innerWidth"), 0, "atMost")
             slider(table, name, page)
             zoom(table, name, page)
+            table.row(f"{name}: pixels between the unit and the longest numbers of an axis", 2,
+                      page.evaluate(UNIT), 2, "atLeast")
             page.screenshot(case.file(f"page{width}.png"), whole=True)
             table.check(f"{name}: no error in the console", not page.errors, page.errors)
             others = [u for u in page.requests
@@ -523,9 +568,9 @@ def zoom(table, name, page):
     whole = page.evaluate(span)
     page.drag((x + 0.4*w, y + 0.5*h), (x + 0.7*w, y + 0.5*h))
     part = page.evaluate(span)
-    # The part of the width that the axis of y leaves: 62 pixels and its label's
+    # The part of the width that the axis of y leaves: 88 pixels and its ticks
     table.row(f"{name}: part of the time after a drag over 0.3 of the width",
-              0.3*w/(w - 62 - 17), part/whole, 0.05, "relative")
+              0.3*w/(w - 88 - 6), part/whole, 0.05, "relative")
     page.doubleClick((x + 0.6*w, y + 0.5*h))
     table.row(f"{name}: after a double click", 1, page.evaluate(span)/whole, 0.02)
     page.evaluate(find + ".focus()")

@@ -448,6 +448,8 @@ def wrong(table):
             ("noSound", {"a": {**ball, "p": -7e8}}, None, None, ("speed of sound",)),
             ("defaultMass", {"a": ball}, {"fluid": "air", "p": 1e5, "mass": 1}, None,
              ("mass", "shape")),
+            ("hydrostatik", {"a": ball}, None, {"R": 1, "hydrostatik": {"p": 1e5}},
+             ("hydrostatik; is hydrostatic meant?", "regions")),
             ("notADictionary", {"a": 3}, None, None, ("not a dictionary", "type box"))):
         case = None
         try:
@@ -464,6 +466,12 @@ def wrong(table):
         table.check(f"wrong input: {label}",
                     not missing and text.count("FOAM FATAL") == 1 and "printStack" not in text,
                     f"message lacks {missing}")
+    case = fluidStart("variable", mesh, {"a": ball})
+    case.write("system/setFluidsDict", {"R": 0.2, "default": DEFAULT, "regions": {
+        "a": {**ball, "radius": "$R"}}})
+    case.run("setFluids")
+    table.row("variable of one's own at the top: disc's volume [m3]", 0.1*np.pi*0.2**2,
+              np.sum(case.field("0", "alpha.water"))*0.1/16, 1e-12)
     for T, told in ((20, 1), (300, 0)):
         case = fluidStart(f"T-{T}", mesh, {"a": {**ball, "fluid": "air", "T": T}})
         table.row(f"air of T {T}: warnings of degrees Celsius", told,
