@@ -121,10 +121,12 @@ public:
     List<historyColumn> history() const override
     {
         List<historyColumn> h(frictionalLaw<muI>::history());
-        h.append(historyColumn{"openStrain", historyColumn::scalars});
+        const label n = h.size();
+        h.resize(collisions_ ? n + 2 : n + 1);
+        h[n] = historyColumn{"openStrain", historyColumn::scalars};
         if (collisions_)
         {
-            h.append(historyColumn{"granularTemperature", historyColumn::scalars});
+            h[n + 1] = historyColumn{"granularTemperature", historyColumn::scalars};
         }
         return h;
     }
