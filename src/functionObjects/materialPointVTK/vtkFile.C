@@ -1,7 +1,6 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "vtkFile.H"
-#include "endian.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include <map>
@@ -15,7 +14,7 @@ namespace
 std::string vtkHead(const std::string& type, const std::string& attributes = "")
 {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"1.0\" byte_order=\""
-        + (Foam::endian::isLittle() ? "LittleEndian" : "BigEndian")
+        + (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? "LittleEndian" : "BigEndian")
         + "\" header_type=\"UInt64\">\n<" + type + attributes + ">\n";
 }
 
