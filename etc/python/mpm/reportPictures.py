@@ -515,19 +515,27 @@ def pictures(case, dictionary, n, known=None, notes=None, beside=()):
         except Exception as error:      # a page without pictures is better than none
             notes.append(f"no automatic picture: {type(error).__name__}: {error}")
     for picture in found:
-        for time in choose(picture.times, n):
-            key = picture.title, time
-            if key not in known:
-                try:
-                    known[key] = encode(picture.draw(time))
-                except Exception as error:
-                    notes.append(f"no picture {picture.title} of time {time}:"
-                                 f" {type(error).__name__}: {error}")
-                    continue
-            picture.frames.append((float(time), known[key]))
-        picture.close()
+        drawn(picture, choose(picture.times, n), known, notes)
     room(found, notes)
     return [p for p in found if p.frames]
+
+
+def drawn(picture, times, known, notes):
+    """The frames of a picture; of all errors one note."""
+    wrong = []
+    for time in times:
+        key = picture.title, time
+        if key not in known:
+            try:
+                known[key] = encode(picture.draw(time))
+            except Exception as error:
+                wrong.append(f"time {time}: {type(error).__name__}: {error}")
+                continue
+        picture.frames.append((float(time), known[key]))
+    if wrong:
+        notes.append(f"no picture {picture.title} of {len(wrong)} of {len(times)} times, first"
+                     f" {wrong[0]}")
+    picture.close()
 
 
 def ranges(cases, n):

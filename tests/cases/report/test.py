@@ -460,6 +460,7 @@ def bad(table):
     said = report(case.path)
     table.check("a wrong view.py: said, the page has the automatic choice", "view.py: " in said
                 and Page(case.file("report.html")).data["frames"], said)
+    squares(table)
     ranks(table)
     still = template("still", endTime="10e-6")
     still.run("materialPointFoam")
@@ -469,6 +470,37 @@ def bad(table):
     table.row("no dygraphs: plots as still pictures", 5, page.source.count("<svg"), 5,
               "atLeast")
     table.check("no dygraphs: nothing from elsewhere", not alone(page), alone(page))
+
+
+#: As the table of doc/guide/output.md has it; in brackets what more a layer has
+VIEW = """VIEWS = {{"both": {{"points": [{{"phases": ("target", "flyer"), "field": "%s",
+    "label": "stress [Pa]", "limits": (-1e8, 1e8){}}}]}}}}"""
+
+
+def squares(table):
+    """Points without half-sizes in a view that does not say how thick the body is."""
+    case = template("squares", endTime="1e-6")
+    case.run("materialPointFoam")
+    for name in case.times("lagrangian"):       # as on a mesh of gmsh
+        for phase in ("target", "flyer"):
+            os.remove(case.file(name, "lagrangian", phase, "halfSize"))
+    thick = np.ptp(case.edges()[2])
+    images = []
+    for more in ("", f', "section": {thick}'):
+        with open(case.file("view.py"), "w") as f:
+            f.write(VIEW.format(more) % "sigma_yy")
+        said = report(case.path)
+        images.append(Page(case.file("report.html")).data["frames"][0]["images"])
+        table.check(f"view.py {'with' if more else 'without'} section: no message, all times",
+                    "no picture" not in said and len(images[-1]) == len(
+                        case.times("lagrangian")), said)
+    table.check("view.py: the thickness of the mesh is what section says",
+                images[0] == images[1])
+    with open(case.file("view.py"), "w") as f:
+        f.write(VIEW.format("") % "nothing_yy")
+    said = report(case.path)
+    table.check("view.py: one message of all pictures of a view", said.count("no picture both")
+                == 1 and "times, first time 0" in said, said)
 
 
 def ranks(table):
