@@ -21,8 +21,9 @@ Quantities: name: function of the Case that gives a number; last, largest, least
 energyResidual, steps and seconds make some.
 
 Each run is a folder of its own in `folder`. Runs that have ended well are not run anew, unless
-their dictionaries or the programs have changed; their quantities are read anew. A run that failed is a row that
-says why, and is tried again by the next call. A quantity that fails is nan; state says why.
+their dictionaries or the programs have changed; their quantities are read anew. A run that failed
+is a row that says why, and is tried again by the next call. A quantity that fails is nan; state
+says why.
 """
 
 import csv
