@@ -13,3 +13,13 @@
 
 The guide has a page on it: doc/guide/python.md. etc/bashrc puts it on PYTHONPATH.
 """
+
+import sys
+
+try:
+    import numpy  # noqa: F401
+except ModuleNotFoundError as error:
+    sys.exit(f"mpm: no module {error.name} for {sys.executable}: run the script with a Python that"
+             ' has numpy and matplotlib, . "$MPM_PROJECT_DIR/etc/prepare"; "$MPM_PYTHON" '
+             f"{sys.argv[0] or '<script>'} or /usr/bin/python3 (Debian: apt-get install"
+             " python3-numpy python3-matplotlib)")

@@ -5,6 +5,7 @@ written time.
 """
 
 import os
+import re
 import sys
 
 import numpy as np
@@ -131,7 +132,17 @@ class Drawing:
                    cloud[failed[0]] >= failed[1] if failed else None, scale=self.factor,
                    axes=(self.across, self.up), mirror=self.view.get("mirror"),
                    close=layer.get("close", 0.5), outline=layer.get("outline"),
-                   pixels=self.pixels, section=layer.get("section"))
+                   pixels=self.pixels, section=self.section(cloud, layer))
+
+    def section(self, cloud, layer):
+        """What the sides of points follow from that have no half-sizes: the layer's word, the
+        thickness of a mesh in 2D, or in 3D squares as deep as they are wide."""
+        if "section" in layer or "halfSize" in cloud:
+            return layer.get("section")
+        out = 3 - self.across - self.up
+        with open(self.case.file("constant/polyMesh/boundary"), errors="replace") as f:
+            flat = re.search(r"\btype\s+(empty|wedge);", f.read())
+        return float(np.ptp(self.edges[out])) if flat else np.cbrt(cloud["V"])
 
     def profile(self, time):
         """Fields over x."""

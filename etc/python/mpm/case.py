@@ -50,9 +50,12 @@ class Case:
     def file(self, *parts):
         return os.path.join(self.path, *parts)
 
-    def copy(self, start=None, source=".", mesh=False):
-        """Make the folder anew from another case: constant without its mesh, system and
-        these files of 0; by default all that a user writes, of 0.orig if there is one."""
+    def copy(self, start=None, source=".", mesh=None):
+        """Make the folder anew from another case: constant, system and these files of 0; by
+        default all that a user writes, of 0.orig if there is one. mesh: constant/polyMesh too;
+        by default if there is no blockMeshDict to make it anew."""
+        if mesh is None:
+            mesh = not os.path.exists(os.path.join(source, "system/blockMeshDict"))
         shutil.rmtree(self.path, ignore_errors=True)
         for folder in ("constant", "system"):
             shutil.copytree(os.path.join(source, folder), self.file(folder),
@@ -66,9 +69,17 @@ class Case:
         for name in start:
             shutil.copy(os.path.join(zero, name), self.file("0"))
 
+    def needMesh(self):
+        """An error if there is no mesh, and no blockMeshDict to make it."""
+        if not any(os.path.exists(self.file(name)) for name in (
+                "system/blockMeshDict", "constant/polyMesh/faces", "constant/polyMesh/faces.gz")):
+            raise RunFailed(f"{self.path} has neither constant/polyMesh nor system/blockMeshDict:"
+                            " make its mesh first (gmsh: gmshToFoam)")
+
     def prepare(self):
         """Mesh, fluids and points of the dictionaries that the case has. A mesh that is there
         stays if no blockMeshDict is."""
+        self.needMesh()
         for dictionary, application in (
                 ("blockMeshDict", "blockMesh"), ("adaptiveMeshDict", "adaptMesh"),
                 ("setFluidsDict", "setFluids"), ("setMaterialPointsDict", "setMaterialPoints"),

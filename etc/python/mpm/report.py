@@ -30,7 +30,7 @@ from mpm.reportCase import (FILES, Meanings, differences, fields, meshOf, readDi
 from mpm.reportLog import SOLVER, History, logs, readRuns
 from mpm.reportPage import dygraphs, esc, number
 from mpm.reportPictures import pictures, scale, writtenTimes
-from mpm.reportPlots import logPlots, packed, probes, tablePlots, together
+from mpm.reportPlots import heldBack, logPlots, packed, probes, tablePlots, together
 
 
 def fail(text):
@@ -90,8 +90,12 @@ class Content:
         return factor, prefix + "s"
 
 
+#: Where the guide says what fix-ups are
+FIXUPS = "doc/guide/fluids.md"
+
+
 def cards(content):
-    """The most important figures: (what, figure, comment)."""
+    """The most important figures: (what, figure, comment, page of the guide that says more)."""
     h = content.history
     if not h.rows:
         return []
@@ -108,7 +112,8 @@ def cards(content):
                       if ("deltaT", "") in last else ""))
     points, cells = h.size()
     cells = np.broadcast_to(cells, points.shape)
-    for what, n in (("points", points), ("cells of the gas or fluids", cells)):
+    flow = "fluids" if h.heads("Fluids") else "gas"
+    for what, n in (("points", points), (f"cells of the {flow}", cells)):
         if np.isfinite(n[-1]):
             found.append((what, f"{n[-1]:.0f}", f"{n[0]:.0f} at the start"
                           if n[0] != n[-1] else ""))
@@ -141,6 +146,13 @@ def balance(content):
     if np.isfinite(mass).any():
         found.append(("change of the mass", change(mass), "of the points"))
     found += ofFluids(content)
+    for head in h.heads("Gas [^:,]*|Fluids"):
+        held = heldBack(h, head)
+        n = [h.series(head, name)[-1] for name in ("outflow limited", "theta kept")]
+        if np.isfinite(held) and any(n):
+            found.append(("mass held back by fix-ups", f"{held:.3g} %",
+                          f"of the mass beside it, over the whole run: outflow limited {n[0]:.0f}"
+                          f" times, theta kept {n[1]:.0f} times", "fix-ups"))
     low, high = h.series("Theta", "min"), h.series("Theta", "max")
     if np.isfinite(low).any():
         found.append(("sum of volume fractions", f"{np.nanmin(low):.5g} to"
@@ -205,9 +217,12 @@ def probeParts(content, other):
                        for key in {**known[0], **known[1]}])
 
 
-def cardBoxes(some):
-    return "".join(f'<div class="card"><span>{esc(what)}</span><b>{esc(figure)}</b>'
-                   f"<span>{esc(comment)}</span></div>" for what, figure, comment in some)
+def cardBoxes(some, guide=""):
+    """Cards; guide: link to the page of the guide, whose section a card may name."""
+    return "".join(
+        f'<div class="card"><span>{esc(what)}</span><b>{esc(figure)}</b><span>{esc(comment)}'
+        + "".join(f' <a href="{esc(guide)}#{a}">{a}</a>' for a in more) + "</span></div>"
+        for what, figure, comment, *more in some)
 
 
 def change(v):
@@ -297,8 +312,10 @@ def header(content, refresh):
         started = " ".join(run.header.get(k, "") for k in ("Date", "Time")).strip()
         if started:
             line.append(esc(f"started {started}"))
-        line += [esc(w) for w in (run.version, f"OpenFOAM {run.header['Build']}"
-                                  if "Build" in run.header else "") if w]
+        build = run.header.get("Build", "")
+        number = re.search(r"OPENFOAM=(\d+)", build)
+        line += [esc(w) for w in (run.version, "OpenFOAM " + (f"v{number[1]}" if number else build)
+                                  if build else "") if w]
         if len(content.runs) > 1:
             line.append(f"{len(content.runs)} starts")
         if state == "running":
@@ -317,6 +334,7 @@ def build(content, other, n, output, refresh=None, cache=None):
     """The page's text, and what is to be said on the terminal."""
     notes = []
     remedies = page.Remedies(output)
+    guide = page.linkTo(FIXUPS, output)
     shown, frames, times = pictureParts(content, other, n,
                                         {} if cache is None else cache, notes)
     if not shown and writtenTimes(content.case) in ([], ["0"]):
@@ -344,17 +362,17 @@ def build(content, other, n, output, refresh=None, cache=None):
         ("output", "Function objects", page.plotBoxes(more, len(plots), zoom, still)
          + page.xtDiagrams(content.tables) + page.otherTables(content.tables)),
         ("numbers", "Numbers of the log", page.numbers(
-            content.history, other.history if other else None, other.name if other else "")
-         if content.history.rows else ""),
+            content.history, other.history if other else None, other.name if other else "",
+            guide) if content.history.rows else ""),
         ("case", "What is computed", page.computed(
             content.dictionaries, Meanings(), fields(content.case), meshOf(content.case),
             last.head if last else []))]
     sections = [s for s in sections if s[2]]
     body = [header(content, refresh), "<main>\n<nav>",
             "".join(f'<a href="#{key}">{title}</a>' for key, title, _ in sections), "</nav>\n",
-            said, f'<div class="cards">{cardBoxes(cards(content))}</div>\n',
+            said, f'<div class="cards">{cardBoxes(cards(content), guide)}</div>\n',
             f'<p class="soft">{esc(other.name)}:</p><div class="cards">'
-            f"{cardBoxes(cards(other))}</div>\n" if other else "",
+            f"{cardBoxes(cards(other), guide)}</div>\n" if other else "",
             page.messages(content.runs, remedies, content.case)]
     for key, title, inside in sections:
         body.append(inside if inside.startswith("<h2") else

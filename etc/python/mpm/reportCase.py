@@ -228,10 +228,14 @@ class Meanings:
 
 # --- tables of postProcessing ----------------------------------------------------
 
+#: Units of fields that are probed
+UNITS = {"p": "Pa", "T": "K", "rho": "kg/m3"}
+
+
 class Table:
     """A table of a function object: names of its columns, numbers, what its head says."""
 
-    def __init__(self, function, name, paths):
+    def __init__(self, function, name, paths, fluids=False):
         self.function, self.name, self.paths = function, name, paths
         comments, rows = [], []
         for path in paths:
@@ -250,8 +254,26 @@ class Table:
         self.data = np.array(rows, float, ndmin=2) if rows else np.zeros((0, 0))
         self.title = comments[0] if len(comments) > 1 else ""
         self.columns = self.head(comments[-1] if comments else "")
+        self.places = self.placesOf(comments)
+        if fluids:
+            self.title = re.sub("^Gas fluids", "Fluids", re.sub(
+                "^Gas and", "Fluids and", self.title))
+            if self.title.startswith("Energy budget"):
+                self.columns = [re.sub("^gas", "fluids", c) for c in self.columns]
         self.overTime = self.columns[:1] and self.columns[0].startswith("Time")
         self.bins = any("bins" in c for c in comments[:2])
+
+    def placesOf(self, comments):
+        """Are the columns probes of a field, of blastProbes or OpenFOAM? Their names are then the
+        places and patches."""
+        said = " ".join(c for c in comments if re.match(r"Probes?[: ]", c))
+        found = re.findall(r"\b\d+ (?:at )?(\([^)]*\)|patch [^,]+)", said)
+        if not found or len(found) != len(self.columns) - 1:
+            return []
+        unit = UNITS.get(os.path.splitext(self.name)[0], "-")
+        self.columns[1:] = [f"{place}[{unit}]" for place in found]
+        self.title = "".join(re.findall(r"field \w+$", self.title))
+        return found
 
     @staticmethod
     def numbers(line):
@@ -280,16 +302,31 @@ class Table:
             unit = re.search(r"\[([^]]*)\]$", name)
             what = re.search(r"\((\w.*)\)$", name)
             # Heat is so much more that it would hide the kinetic energy
-            heat = name.startswith(("internal[", "gas["))
-            key = (unit[1], heat) if unit and unit[1] != "-" else (
-                "", what[1] if what else re.sub(r"\W.*|\d+$", "", name))
+            heat = name.startswith(("internal[", "gas[", "fluids["))
+            # Ends of a material and its centre, one direction after the other
+            along = re.match(r"(?:min|max|centre)_([xyz])\[m\]", name)
+            key = (unit[1], along[1] if along else heat) if unit and unit[1] != "-" else (
+                "", "" if self.places else what[1] if what else re.sub(r"\W.*|\d+$", "", name))
             found.setdefault(key, []).append(i)
         return [(unit, columns) for (unit, _), columns in found.items()]
+
+
+def units(summary, names):
+    """The columns of blastProbes' summary with the unit of their field, whose table is beside."""
+    field = next((os.path.splitext(n)[0] for n in names if n != summary.name), "")
+    unit = UNITS.get(field, "")
+    if unit and summary.columns[0] == "Probe":
+        summary.columns = [
+            c + f"[{unit}]" if c in ("ambient", "peak") else
+            c + f"[{unit} s]" if c.endswith("Impulse") else c for c in summary.columns]
+        summary.title += f", field {field}"
 
 
 def tables(case):
     """All tables of postProcessing, later starts of the run behind the earlier ones."""
     root = case.file("postProcessing")
+    fluids = any(isinstance(d, dict) and d.get("type") == "fluid"
+                 for d in readDictionary(case, FILES[0]).values())
     for function in sorted(os.listdir(root)) if os.path.isdir(root) else ():
         files = {}
         folder = os.path.join(root, function)
@@ -301,9 +338,11 @@ def tables(case):
                     files.setdefault(name, []).append(os.path.join(where, name))
         for name, paths in files.items():
             try:
-                table = Table(function, name, paths)
+                table = Table(function, name, paths, fluids)
             except (ValueError, OSError):
                 continue
+            if name == "summary.dat":
+                units(table, files)
             if table.data.size:
                 yield table
 

@@ -109,8 +109,9 @@ def heads(line, last):
         return (match[1], rest[match.end():]) if match else ("", "")
     if match:
         return f"{last.split(',')[0]}, {match[1]}", rest[match.end():]
-    if rest.startswith("gas ") and last.startswith("Energy budget"):
-        return "Energy budget, gas", rest[3:]
+    for what in ("gas", "fluids"):
+        if rest.startswith(what + " ") and last.startswith("Energy budget"):
+            return f"Energy budget, {what}", rest[len(what):]
     return last.split(",")[0], rest
 
 
@@ -120,7 +121,7 @@ class _Reader:
     def __init__(self, path):
         self.path, self.runs = path, []
         self.row, self.last, self.message, self.part = {}, "", None, "header"
-        self.known = {}
+        self.known, self.fluids = {}, False
 
     def read(self):
         with open(self.path, errors="replace") as f:
@@ -136,7 +137,7 @@ class _Reader:
             self.store()
             self.message = None
             self.runs.append(Run(self.path, number))
-            self.part = "header"
+            self.part, self.fluids = "header", False
         if not self.runs:
             return
         run = self.runs[-1]
@@ -153,6 +154,7 @@ class _Reader:
                 self.part = "steps"
             elif line and not line.startswith("Create "):
                 run.head.append(line)
+                self.fluids = self.fluids or line.startswith("Fluids with")
         else:
             self.report(line, run)
 
@@ -183,10 +185,12 @@ class _Reader:
         return False
 
     def report(self, line, run):
+        if self.fluids:         # the log has one word for both
+            line = re.sub(r"\bthe gas\b|^    gas\b", lambda m: m[0].replace("gas", "fluids"), line)
         if line.startswith("Courant Number mean"):
             self.store()
         if line.startswith("Parts of the steps"):
-            run.parts = line
+            run.parts = re.sub(r"\bgas\b", "fluids", line) if self.fluids else line
         elif line.startswith("Load: "):
             run.loads.append(line[6:])
         elif line.startswith("Steps: "):

@@ -52,10 +52,19 @@
   }
 
   // --- plots
-  const number = v => {
-    const a = Math.abs(v);
-    return v === 0 || a >= 1e-3 && a < 1e5 ? String(Number(v.toPrecision(5)))
-      : String(Number(v.toPrecision(5)).toExponential());
+  const digits = (v, n) => {
+    const a = Math.abs(v), w = Number(v.toPrecision(n));
+    return v === 0 || a >= 1e-3 && a < (n > 5 ? 1e8 : 1e5) ? String(w) : String(w.toExponential());
+  };
+  const number = v => digits(v, 5);
+  // Ticks that five digits do not tell apart get more
+  const ticker = (a, b, pixels, options, graph, values) => {
+    const ticks = Dygraph.numericTicks(a, b, pixels, options, graph, values);
+    const shown = ticks.filter(tick => tick.label);
+    for (let n = 6; n < 16 && new Set(shown.map(t => t.label)).size < shown.length; ++n) {
+      shown.forEach(tick => { tick.label = digits(tick.v, n); });
+    }
+    return ticks;
   };
   const COLOURS = ["#1b62a5", "#d0701c", "#22763d", "#8a3d96", "#b02a2a", "#0d8a8a", "#8a6d00",
     "#4a4a4a", "#5f7fd0", "#c2568f"];
@@ -98,8 +107,13 @@
       animatedZooms: false, highlightCircleSize: 2.5, gridLineColor: "#e3e8ed",
       axisLineColor: "#8a949e", dateWindow: state["zoom " + plot.id] || null,
       axes: {
-        x: { axisLabelFormatter: number, valueFormatter: v => page.timeName + " " + number(v) },
-        y: { axisLabelFormatter: number, valueFormatter: number, axisLabelWidth: 88 }
+        x: {
+          ticker: ticker, axisLabelFormatter: number,
+          valueFormatter: v => page.timeName + " " + number(v)
+        },
+        y: {
+          ticker: ticker, axisLabelFormatter: number, valueFormatter: number, axisLabelWidth: 98
+        }
       },
       drawCallback: (g, first) => {
         box.dataset.from = g.xAxisRange()[0];

@@ -13,7 +13,7 @@ import zlib
 import numpy as np
 
 from mpm.reportCase import FILES, PROJECT, flat
-from mpm.reportPlots import label, quantities
+from mpm.reportPlots import heldBack, label, quantities
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 #: dygraphs of Debian's package libjs-dygraphs, or a copy of it that MPM_DYGRAPHS names
@@ -53,13 +53,18 @@ def table(head, rows):
             + "</table></div>\n")
 
 
+def linkTo(path, output):
+    """A file of the project as seen from the page."""
+    return urllib.request.pathname2url(os.path.relpath(
+        os.path.join(PROJECT, path), os.path.dirname(os.path.abspath(output))))
+
+
 class Remedies:
     """Cause and remedy of messages, from doc/guide/troubleshooting.md."""
 
     def __init__(self, output):
         self.rows, self.path = [], os.path.join(PROJECT, "doc/guide/troubleshooting.md")
-        self.link = urllib.request.pathname2url(
-            os.path.relpath(self.path, os.path.dirname(os.path.abspath(output))))
+        self.link = linkTo(self.path, output)
         section = ""
         if not os.path.exists(self.path):
             return
@@ -184,8 +189,14 @@ def words(patches, name):
 
 # --- numbers -------------------------------------------------------------------------
 
-def numbers(history, other, name):
-    """All numbers of the log: at the first and last report, smallest and largest."""
+#: Numbers of the log that count fix-ups, or what they did
+FIXUPS = ("outflow limited", "theta kept", "pressure of relaxation kept", "isentropic", "voids",
+          "energy added", "mass held back", "kept positive at faces")
+
+
+def numbers(history, other, name, guide):
+    """All numbers of the log: at the first and last report, smallest and largest. guide: link to
+    the page with the section on fix-ups."""
     of = {(h, n): v for h, n, _, v in quantities(other)} if other else {}
     rows, group = [], None
     for head, quantity, unit, v in quantities(history):
@@ -193,20 +204,27 @@ def numbers(history, other, name):
         if not len(some):
             continue
         if head != group:
-            rows.append(f'<tr class="group"><td colspan="{7 if other else 6}">'
+            rows.append(f'<tr class="group"><td colspan="{9 if other else 6}">'
                         f"{esc(head)}</td></tr>\n")
             group = head
         cells = [number(x) for x in (some[0], some[-1], some.min(), some.max())]
         if other:
             w = of.get((head, quantity), np.zeros(0))
             w = w[np.isfinite(w)]
-            cells.append(number(w[-1]) if len(w) else "")
+            cells += [number(x) for x in (w[-1], w.min(), w.max())] if len(w) else [""]*3
+        what = esc(label(quantity))
+        if quantity in FIXUPS and re.match("Gas |Fluids", head):
+            what = f'<a href="{esc(guide)}#fix-ups">{what}</a>'
+            share = heldBack(history, head)
+            if quantity == "mass held back" and np.isfinite(share):
+                what += f", {share:.3g} % of the mass"
         rows.append(f'<tr data-key="{esc(head)}|{esc(quantity)}">'
-                    f"<td>{esc(label(quantity))}</td>"
+                    f"<td>{what}</td>"
                     f"<td>{esc(unit)}</td>" + "".join(f'<td class="n">{c}</td>' for c in cells)
                     + "</tr>\n")
     return table(["quantity", "unit", "first report", "last", "smallest", "largest"]
-                 + ([f"last of {name}"] if other else []), rows)
+                 + ([f"{x} of {name}" for x in ("last", "smallest", "largest")]
+                    if other else []), rows)
 
 
 def limiters(history):
@@ -268,7 +286,7 @@ def otherTables(tables):
     for one in tables:
         if one.overTime or one.bins or one.data.shape[0] > 200 or one.data.shape[1] > 40:
             continue
-        rows = [row(*(number(v) for v in r)) for r in one.data]
+        rows = [row(*(f"{v:.6g}" if np.isfinite(v) else "" for v in r)) for r in one.data]
         parts.append(f"<h3>{esc(one.function)}: {esc(one.name)}</h3>"
                      f'<p class="soft">{esc(one.title)}</p>' + table(one.columns, rows))
     return "".join(parts)

@@ -51,10 +51,17 @@ def encode(figure):
 
 
 def choose(times, n):
-    """n of the times, evenly, with the first and the last."""
+    """n of the times or some fewer, evenly, with the first and the last."""
     if len(times) <= n:
         return list(times)
     values = np.array([float(t) for t in times])
+    steps = np.diff(values)
+    if n > 2 and np.ptp(steps) < 0.01*steps.mean():
+        # The same number of written times between two, if one fits
+        last = len(times) - 1
+        each = next((last//m for m in range(n - 1, n//2, -1) if last % m == 0),
+                    -(-last//(n - 1)))
+        return [*times[:1], *times[last % each or each::each]]
     wanted = np.linspace(values[0], values[-1], n)
     return [times[i] for i in sorted({int(abs(values - w).argmin()) for w in wanted})]
 
@@ -515,19 +522,27 @@ def pictures(case, dictionary, n, known=None, notes=None, beside=()):
         except Exception as error:      # a page without pictures is better than none
             notes.append(f"no automatic picture: {type(error).__name__}: {error}")
     for picture in found:
-        for time in choose(picture.times, n):
-            key = picture.title, time
-            if key not in known:
-                try:
-                    known[key] = encode(picture.draw(time))
-                except Exception as error:
-                    notes.append(f"no picture {picture.title} of time {time}:"
-                                 f" {type(error).__name__}: {error}")
-                    continue
-            picture.frames.append((float(time), known[key]))
-        picture.close()
+        drawn(picture, choose(picture.times, n), known, notes)
     room(found, notes)
     return [p for p in found if p.frames]
+
+
+def drawn(picture, times, known, notes):
+    """The frames of a picture; of all errors one note."""
+    wrong = []
+    for time in times:
+        key = picture.title, time
+        if key not in known:
+            try:
+                known[key] = encode(picture.draw(time))
+            except Exception as error:
+                wrong.append(f"time {time}: {type(error).__name__}: {error}")
+                continue
+        picture.frames.append((float(time), known[key]))
+    if wrong:
+        notes.append(f"no picture {picture.title} of {len(wrong)} of {len(times)} times, first"
+                     f" {wrong[0]}")
+    picture.close()
 
 
 def ranges(cases, n):

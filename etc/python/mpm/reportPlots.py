@@ -124,6 +124,12 @@ def logPlots(history):
                 "s": "time", "J": "" if head.startswith("Energy") else "energy"}.get(unit, "")
         plots.append(Plot(section(head, unit), head + (f": {what}" if what else ""), unit,
                           lines).withoutZeros())
+        held = heldBack(history, head) if not unit else np.nan
+        if np.isfinite(held) and {"outflow limited", "theta kept"} & {
+                name for name, _, _ in plots[-1].lines} and not plots[-1].zero():
+            plots[-1].comment = (
+                "Fix-ups are counts, one for each cell and step. The mass held back by all of them"
+                f" is {held:.3g} % of the mass. {plots[-1].comment}").strip()
     step = history.series("deltaT")
     if np.isfinite(step).any():
         plots.append(Plot(SECTIONS[3], "time step", "s", [("deltaT", history.times, step)],
@@ -141,6 +147,16 @@ def logPlots(history):
     return plots
 
 
+def heldBack(history, head):
+    """Mass that the limits of the outflow held back by all fix-ups until now [% of the mass beside
+    it] of a gas or the fluids; nan of others."""
+    held = history.series(head, "mass held back")
+    mass = sum((history.series(head, n) for n in history.names(head)
+                if re.fullmatch(r"mass( [\w.]+)?", n)), np.zeros(len(held)))
+    known = np.isfinite(held) & (mass > 0)
+    return 100*held[known][-1]/mass[known][-1] if known.any() else np.nan
+
+
 def speedPlots(history):
     rate, _ = history.rate()
     if not np.isfinite(rate).any():
@@ -150,7 +166,7 @@ def speedPlots(history):
         ("point-steps", points), ("cell-steps", np.broadcast_to(cells, rate.shape)))
         if np.isfinite(n).any()]
     return [Plot(SECTIONS[3], "speed", "million a second", lines,
-                 comment="steps times points (cells of gas) over CPU time")] if lines else []
+                 comment="steps times points (cells) over CPU time")] if lines else []
 
 
 def tablePlots(tables):
@@ -179,6 +195,12 @@ def tablePlots(tables):
                 lines = [(h, t, data[:, k]) for k, h in enumerate(heads)]
                 comment = table.title
             what = heads[0] if len(columns) == 1 else ""
+            along = {h[-2:] for h in heads if re.match("(min|max|centre)_[xyz]$", h)}
+            if len(along) == 1 and len(heads) == 3:
+                what = f"along {along.pop()[-1]}"
+                if np.ptp(data) <= 1e-9*np.abs(table.data[:, 1:10]).max():
+                    continue        # the direction that a case in 2D has not
+                lines = [(h[:-2], t, v) for h, t, v in lines]
             title = f"{table.function}: {name}"
             title += f", {what}" if what not in (name, "") else ""
             plots.append(Plot(table.function, title, unit, lines,

@@ -21,8 +21,9 @@ Quantities: name: function of the Case that gives a number; last, largest, least
 energyResidual, steps and seconds make some.
 
 Each run is a folder of its own in `folder`. Runs that have ended well are not run anew, unless
-their dictionaries or the programs have changed; their quantities are read anew. A run that failed is a row that
-says why, and is tried again by the next call. A quantity that fails is nan; state says why.
+their dictionaries or the programs have changed; their quantities are read anew. A run that failed
+is a row that says why, and is tried again by the next call. A quantity that fails is nan; state
+says why.
 """
 
 import csv
@@ -44,6 +45,7 @@ from mpm.case import Case, RunFailed
 from mpm.files import foamText
 
 RECORD = "study.json"
+BUDGET = "energyBudget yes; in materialPoints of system/fvSolution"
 
 
 class Study:
@@ -93,6 +95,7 @@ class Study:
 
     def run(self, jobs=None):
         """Run what has not run, so many at a time (all cores); the table."""
+        self._check()
         jobs = jobs or len(os.sched_getaffinity(0))
         os.makedirs(self.folder, exist_ok=True)
         print(f"{_runs(len(self.points))} in {self.folder}, {jobs} at a time", flush=True)
@@ -105,7 +108,23 @@ class Study:
                 for w in waiting:
                     w.cancel()
                 raise
-        return Results(rows, list(self.parameters), list(self.quantities))
+        results = Results(rows, list(self.parameters), list(self.quantities))
+        if results.failed:
+            print(results.summary(), flush=True)
+        return results
+
+    def _check(self):
+        """Before anything runs: has the case a mesh, and what the quantities need? Functions
+        of the user may make it in the copies."""
+        if self.steps or not all(p.entry for p in self.parameters.values()):
+            return
+        base = Case(self.base)
+        base.needMesh()
+        for name, quantity in self.quantities.items():
+            need = getattr(quantity, "need", None)
+            wrong = need and need(base, [p.entry for p in self.parameters.values()])
+            if wrong:
+                raise ValueError(f"quantity {name}: {wrong}")
 
     def _row(self, i):
         """One row of the table."""
@@ -143,8 +162,7 @@ class Study:
     def _start(self, case, point):
         """Make the case with its values. True: it has ended well with these files before."""
         new = Case(case.path + ".new")
-        new.copy(source=self.base, mesh=not os.path.exists(
-            os.path.join(self.base, "system/blockMeshDict")))
+        new.copy(source=self.base)
         for name, value in point.items():
             self.parameters[name].apply(new, value)
         digest = self._digest(new)
@@ -244,6 +262,14 @@ class Results:
     def __init__(self, rows, parameters, quantities):
         self.rows, self.parameters, self.quantities = rows, parameters, quantities
         self.columns = [*parameters, *quantities, "state"]
+        self.failed = [row for row in rows if row["state"].startswith("failed")]
+
+    def summary(self):
+        """How many runs failed, and what the first of them said."""
+        first = self.failed[0]
+        values = ", ".join(f"{p} {_text(first[p])}" for p in self.parameters)
+        return f"{len(self.failed)} of {len(self.rows)} failed, the first: " \
+            + (values and values + ": ") + first["state"]
 
     def __getitem__(self, name):
         """A column as an array."""
@@ -258,18 +284,23 @@ class Results:
         return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
     def write(self, name):
-        """<name>.csv and <name>.md."""
+        """<name>.csv and <name>.md. If all runs failed an error is raised when they are there."""
         with open(name + ".csv", "w", newline="") as f:
             writer = csv.writer(f)
             writer.writerow(self.columns)
             writer.writerows([row[c] for c in self.columns] for row in self.rows)
         with open(name + ".md", "w") as f:
             f.write(str(self) + "\n")
+        if len(self.failed) == len(self.rows):
+            raise RunFailed(self.summary())
 
     def plot(self, x, y, by=None, file=None, log="", xlabel=None, ylabel=None):
         """y over x, a line for each value of another column; to a file by its ending. log: axes
-        with logarithms, "x", "y", "xy". The figure and its axes."""
+        with logarithms, "x", "y", "xy". The figure and its axes. Without a value an error."""
         from mpm.pictures import plt, save
+        if self[y].dtype.kind in "fi" and not np.isfinite(self[y]).any():
+            raise RunFailed(f"no value of {y}, no picture: " + (
+                self.summary() if self.failed else self.rows[0]["state"]))
         figure, ax = plt.subplots(figsize=(5, 3.5))
         lines = {}
         for xi, yi, key in zip(self[x], self[y], self[by] if by else [""]*len(self.rows)):
@@ -295,15 +326,29 @@ class Results:
 def last(table, column):
     """The last value of a column of a table (Case.table). The name may be a pattern of one
     column, "displacement_x*"."""
-    return lambda case: float(_column(case, table, column)[-1])
+    return _ofTable(table, lambda case: float(_column(case, table, column)[-1]))
 
 
 def largest(table, column):
-    return lambda case: float(np.max(_column(case, table, column)))
+    return _ofTable(table, lambda case: float(np.max(_column(case, table, column))))
 
 
 def least(table, column):
-    return lambda case: float(np.min(_column(case, table, column)))
+    return _ofTable(table, lambda case: float(np.min(_column(case, table, column))))
+
+
+def _ofTable(table, quantity):
+    """A quantity with what it needs: the function object that writes the table. need(case,
+    entries that the study sets) says what the case lacks."""
+    def need(case, entries):
+        name = table.split("/")[0]
+        functions = case.get("system/controlDict").get("functions") or {}
+        if name in functions or any("functions" in entry for _, entry in entries):
+            return ""
+        return (f"no function object {name} in {case.file('system/controlDict')} to write the"
+                f" table {table}; there are: {' '.join(functions) or 'none'}")
+    quantity.need = need
+    return quantity
 
 
 def _column(case, table, column):
@@ -328,7 +373,7 @@ def period(table, column, about=0.0):
             raise RunFailed(f"{column} of {table} crosses {about} only {len(i)} times: no period")
         zero = t[i] - v[i]*(t[i + 1] - t[i])/(v[i + 1] - v[i])
         return float(2*(zero[-1] - zero[0])/(len(zero) - 1))
-    return of
+    return _ofTable(table, of)
 
 
 def energyResidual(case):
@@ -337,9 +382,18 @@ def energyResidual(case):
     # With a gas or fluids the budget has lines of its own below, the residual on the last
     rows = case.numbers(r"^Energy: .* total N\n(?:.*\n)?Energy budget: (?:.*\n    )*?.*residual N")
     if not len(rows):
-        raise RunFailed("no energy budget in the log: energyBudget yes; in materialPoints of "
-                        "system/fvSolution")
+        raise RunFailed("no energy budget in the log: " + BUDGET)
     return float(rows[-1, 1]/np.max(np.abs(rows[:, 0])))
+
+
+def _needBudget(case, entries):
+    points = case.get("system/fvSolution").get("materialPoints") or {}
+    if points.get("energyBudget") or any("energyBudget" in entry for _, entry in entries):
+        return ""
+    return f"energyResidual needs the energy budget, and {case.path} has none: {BUDGET}"
+
+
+energyResidual.need = _needBudget
 
 
 def steps(case):

@@ -37,7 +37,8 @@ for ParaView (etc/paraview/show).
     log        True: colours by the logarithm
     colour     in place of a field: "BODY", "RIGID", "FAILED" or any of matplotlib's names
     failed     column and value from which on points have the colour of failed matter
-    close, outline, section     as in pictures.drawPoints
+    close, outline, section     as in pictures.drawPoints; of points without half-sizes section
+               is by default the thickness of the mesh in 2D (in ParaView it must be given)
 
 Components are named by their directions: sigma_yy, U_x, U.air_x.
 """

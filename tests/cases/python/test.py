@@ -7,6 +7,8 @@ dictionaries  entries of the tutorials as foamDictionary reads them; setting an 
               is leaves the file as it was, to another value changes only that
 study         a bar that vibrates: its period by the exact one, 4 L/c; runs that have ended are
               not run anew but when the case has changed, one that fails is a row that says why
+mistakes      a mesh without blockMeshDict is copied; a study that cannot give what it is asked
+              for stops before its runs, one in which all fail says so; a Python without numpy
 """
 
 import glob
@@ -22,7 +24,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
 from bar import L, T, V0, barRun
 from foamCase import PROJECT, RUN, FoamCase, runParts, writeField
-from mpm.case import RunFailed
+from mpm.case import Case, RunFailed
 from mpm.dictionaries import DictionaryError, getEntry, parse, setEntry
 from mpm.study import Study, energyResidual, largest, last, period, steps
 
@@ -258,5 +260,85 @@ def study(table):
     table.check("study: picture as SVG", os.path.getsize(os.path.join(folder, "period.svg")) > 1000)
 
 
+# --- mistakes -------------------------------------------------------------------
+
+def said(call):
+    """What an error of a call says, "" if there is none."""
+    try:
+        call()
+    except (RunFailed, ValueError) as error:
+        return str(error)
+    return ""
+
+
+def fails(case):
+    raise RunFailed("no disk")
+
+
+def ofGmsh(table):
+    """As a mesh of gmsh: in constant, without blockMeshDict."""
+    case = FoamCase("python", "noDict", os.path.join(PROJECT, "etc/caseTemplate"))
+    nothing = FoamCase("python", "noMesh", os.path.join(PROJECT, "etc/caseTemplate"))
+    for one in (case, nothing):
+        one.set("system/controlDict", "endTime", 2e-7)
+    case.run("blockMesh")
+    for one in (case, nothing):
+        os.remove(one.file("system/blockMeshDict"))
+    case.run("setMaterialPoints")
+    copied = Case(case.path + "Copy")
+    copied.copy(source=case.path)
+    table.check("copy: a mesh without blockMeshDict is taken, points are not",
+                os.path.exists(copied.file("constant/polyMesh/faces"))
+                and not os.path.exists(copied.file("0/lagrangian")))
+    folder = os.path.join(RUN, "python", "gmshStudy")
+    shutil.rmtree(folder, ignore_errors=True)
+    E = {"E": ("constant/phaseProperties", "target.E", [70e9])}
+    rows = Study(copied.path, E, {"steps": steps}, folder=folder).run(1)
+    table.check("study: of the copy runs", rows["state"][0] == "ran" and rows["steps"][0] > 0,
+                rows["state"][0])
+    words = said(Study(nothing.path, E, {}, folder=folder + "None").run)
+    table.check("study: without a mesh it stops before its runs", words.startswith(
+        f"{nothing.path} has neither constant/polyMesh nor system/blockMeshDict")
+        and not os.path.exists(folder + "None"), words)
+
+
+def mistakes(table):
+    ofGmsh(table)
+    case = FoamCase("python", "asked", os.path.join(PROJECT, "etc/caseTemplate"))
+    folder = os.path.join(RUN, "python", "asked", "study")
+    words = said(Study(case.path, {}, {"strain": largest("energy/target.dat", "strain")},
+                       folder=folder).run)
+    table.check("study: a table that no function object writes", "no function object energy in"
+                in words and "there are: balance" in words, words)
+    case.set("system/fvSolution", "materialPoints.energyBudget", False)
+    words = said(Study(case.path, {}, {"residual": energyResidual}, folder=folder).run)
+    table.check("study: energyResidual without energyBudget", "needs the energy budget" in words
+                and "energyBudget yes; in materialPoints of system/fvSolution" in words, words)
+    table.check("study: neither has run anything", not os.path.exists(folder))
+
+    rows = Study(case.path, {"E": ("constant/phaseProperties", "target.E", [1.0, 2.0])},
+                 {"steps": steps}, folder=folder, steps=fails).run(1)
+    name = os.path.join(folder, "table")
+    for what, call in (("write", lambda: rows.write(name)),
+                       ("plot", lambda: rows.plot("E", "steps", file=name + ".png"))):
+        words = said(call)
+        table.check(f"study: all fail, {what} is an error with the first", "2 of 2 failed, the"
+                    " first: E 1: failed: no disk" in words, words)
+    table.check("study: all fail, a table and no picture",
+                os.path.exists(name + ".csv") and not os.path.exists(name + ".png"))
+
+    # In place of numpy, as in a Python without it
+    os.makedirs(case.file("without/numpy"))
+    with open(case.file("without/numpy/__init__.py"), "w") as f:
+        f.write("raise ModuleNotFoundError('No module named numpy', name='numpy')\n")
+    run = subprocess.run(
+        [sys.executable, "-c", "from mpm.study import Study"], stderr=subprocess.PIPE,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(
+            [case.file("without"), os.path.join(PROJECT, "etc/python")])})
+    words = run.stderr.decode()
+    table.check("without numpy: one line with the remedy", run.returncode == 1 and words.count(
+        "\n") == 1 and "no module numpy" in words and "MPM_PYTHON" in words, words)
+
+
 if __name__ == "__main__":
-    sys.exit(runParts("python", guide, dictionaries, study))
+    sys.exit(runParts("python", guide, dictionaries, study, mistakes))

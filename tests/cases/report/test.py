@@ -41,9 +41,10 @@ from plates import plateCase
 sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
 from mpm.reportCase import Meanings, parse, tables
 from mpm.reportColours import joined
-from mpm.reportLog import _Reader
-from mpm.reportPage import Remedies
-from mpm.reportPlots import probes, tablePlots
+from mpm.reportLog import History, _Reader
+from mpm.reportPage import Remedies, numbers
+from mpm.reportPictures import choose
+from mpm.reportPlots import heldBack, logPlots, probes, tablePlots
 
 TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
 TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
@@ -331,6 +332,10 @@ def compared(table):
         "kinetic", "strain", "total", "kinetic (two)", "strain (two)", "total (two)"], names)
     table.row("-with: last energy of the other in its line",
               lastOf(two, "^Energy: .*total N$"), plot["lines"][5]["y"][-1], 1e-5, "relative")
+    energy = np.array(page.keys["Energy|kinetic"][7:], float)
+    table.row("-with: least and largest of the other", 0, np.abs(energy - [f(two.numbers(
+        "^Energy: kinetic N,")) for f in (np.min, np.max)]).max(), 1e-9)
+    table.check("the header names the version", re.search(r"OpenFOAM v\d{4}\s", page.text))
     table.check("-with: cards of both", page.text.count("simulated time") == 2)
     table.row("-with: pictures of both", 2, len(page.data["frames"]), 0)
     same = pageOf(one, "-with", one.path)
@@ -390,12 +395,102 @@ def parts(table):
         f.write("# Phase flap, 1 points\n# Point 199 was at (0 0 0) at time 0\n"
                 "# Time[s]\tdisplacement_x(199)[m]\tdisplacement_y(199)[m]\n"
                 "0 0 0\n1 0.5 -3\n2 0.25 1\n")
-    found = probes(tables(case))
+    ofTables(table, case)
+    ofFluids(table)
+    spread(table)
+    found = probes(t for t in tables(case) if t.function == "tip")
     table.check("probes: the largest, its time, short names", found == [
         ("tip: displacement_x", 0.5, "m", 1), ("tip: displacement_y", -3, "m", 1)], found)
-    names = [n for n, _, _ in tablePlots(list(tables(case)))[0].lines]
+    names = [n for n, _, _ in tablePlots(
+        [t for t in tables(case) if t.function == "tip"])[0].lines]
     table.check("probes: short names of lines", names == ["displacement_x", "displacement_y"],
                 names)
+
+
+#: Tables as blastProbes, OpenFOAM's probes and materialPointExtent write them
+TABLES = {
+    "gauges/0/p.dat": "# Probes: 0 at (-1 0 2.5), 1 at (1 0 0), 2 patch wall, field p\n"
+                      "# Time[s]\t0\t1\t2\n0 1 2 3\n1 2 3 4\n",
+    "gauges/0/summary.dat": "# At 1 s. Probes are places, then patches\n"
+                            "# Probe\tx[m]\tambient\tpeak\tpositiveImpulse\n0 -1 1e5 2e5 3\n",
+    "probes/0/T": "# Probe 0 (-1 0 2)\n# Probe 1 (1 0 0)\n#       Probe             0            1\n"
+                  "#        Time\n 0 300 400\n 1 301 402\n",
+    "extent/0/rod.dat": "# Phase rod, coordinates of points\n# Time[s]\t" + "\t".join(
+        f"{what}_{d}[m]" for what in ("min", "max", "centre") for d in "xyz") + "\n"
+                        "0 0 1 1e-19 2 3 1e-19 1 2 1e-19\n1 4 1 0 6 3 0 5 2 0\n"}
+
+
+def ofTables(table, case):
+    """Names of the lines, columns and plots of tables of function objects."""
+    for path, text in TABLES.items():
+        path = case.file("postProcessing", path)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w") as f:
+            f.write(text)
+    found = {(t.function, t.name): t for t in tables(case)}
+    plots = {f"{p.title} [{p.unit}]": [n for n, _, _ in p.lines]
+             for p in tablePlots(list(found.values()))}
+    for what, title, names in (
+            ("blastProbes", "gauges: p [Pa]", ["(-1 0 2.5)", "(1 0 0)", "patch wall"]),
+            ("OpenFOAM's probes", "probes: T [K]", ["(-1 0 2)", "(1 0 0)"]),
+            ("extent", "extent: rod, along x [m]", ["min", "max", "centre"])):
+        table.check(f"{what}: lines named by {'direction' if what == 'extent' else 'place'}",
+                    plots.get(title) == names, plots)
+    table.check("extent: no z in 2D", [t for t in plots if t.startswith("extent")] == [
+        "extent: rod, along x [m]", "extent: rod, along y [m]"], list(plots))
+    units = found["gauges", "summary.dat"].columns
+    table.check("blastProbes: units of the summary", units == [
+        "Probe", "x[m]", "ambient[Pa]", "peak[Pa]", "positiveImpulse[Pa s]"], units)
+
+
+#: What the log has of fluids, with fix-ups
+FLUIDS = """Build  : OPENFOAM=1912 patch=200626
+Exec   : materialPointFoam
+materialPointFoam 0.9.0
+Fluids with one velocity and one pressure, 3600 cells:
+Starting time loop
+Courant Number mean: 0.6 max: 0.6
+Courant Number of points: 0.2, of the gas: 0.6
+deltaT = 1e-8
+deltaT set by the gas: Courant number 0.6
+Time = 1e-6
+Energy budget: transfer 0, residual 1
+    gas 7782, gained 0
+Fluids: mass water 3 air 1, momentum (0 0 0), energy 5
+    p 1 to 2, cells at interfaces 9, outflow limited 70, theta kept 8, isentropic 0, voids 0 """ \
+    """(energy 0.5 added, mass 0.002 held back, 0 dropped)
+Progress: 5 %, step 20, about 23 s left
+"""
+
+
+def ofFluids(table):
+    reader = _Reader("")
+    for i, line in enumerate(FLUIDS.split("\n"), 1):
+        reader.line(i, line)
+    reader.store()
+    history = History(reader.runs)
+    heads = {h for h, _ in history.keys} | {who for who, _, _, _ in history.limiters()}
+    table.check("fluids: no head says gas", {"Energy budget, fluids", "the fluids"} <= {
+        h.split(":")[0] for h in heads} and not any("gas" in h for h in heads), heads)
+    table.row("fix-ups: mass held back, % of the mass", 100*0.002/4, heldBack(history, "Fluids"),
+              1e-12, "relative")
+    text = numbers(history, None, "", "fluids.md")
+    table.check("fix-ups: share and link beside the numbers", '<a href="fluids.md#fix-ups">mass'
+                " held back</a>, 0.05 % of the mass" in text and '#fix-ups">outflow limited</a>'
+                in text)
+    comment = next(p.comment for p in logPlots(history) if p.title == "Fluids")
+    table.check("fix-ups: share beside their plot", "0.05 % of the mass" in comment, comment)
+
+
+def spread(table):
+    """The pictures' times: evenly, of any number of written times."""
+    worst = 0.0
+    for n in (13, 21, 24, 60, 101):
+        some = [float(t) for t in choose([f"{i/(n - 1):.6g}" for i in range(n)], 12)]
+        steps = np.diff(some)[1:]
+        worst = max(worst, np.ptp(steps)/steps.mean() if (some[0], some[-1]) == (0, 1)
+                    and 6 < len(some) <= 12 else np.inf)
+    table.row("times of pictures: relative difference of steps behind the first", 0, worst, 1e-3)
 
 
 # --- what is wrong -------------------------------------------------------------------
@@ -460,6 +555,7 @@ def bad(table):
     said = report(case.path)
     table.check("a wrong view.py: said, the page has the automatic choice", "view.py: " in said
                 and Page(case.file("report.html")).data["frames"], said)
+    squares(table)
     ranks(table)
     still = template("still", endTime="10e-6")
     still.run("materialPointFoam")
@@ -469,6 +565,37 @@ def bad(table):
     table.row("no dygraphs: plots as still pictures", 5, page.source.count("<svg"), 5,
               "atLeast")
     table.check("no dygraphs: nothing from elsewhere", not alone(page), alone(page))
+
+
+#: As the table of doc/guide/output.md has it; in brackets what more a layer has
+VIEW = """VIEWS = {{"both": {{"points": [{{"phases": ("target", "flyer"), "field": "%s",
+    "label": "stress [Pa]", "limits": (-1e8, 1e8){}}}]}}}}"""
+
+
+def squares(table):
+    """Points without half-sizes in a view that does not say how thick the body is."""
+    case = template("squares", endTime="1e-6")
+    case.run("materialPointFoam")
+    for name in case.times("lagrangian"):       # as on a mesh of gmsh
+        for phase in ("target", "flyer"):
+            os.remove(case.file(name, "lagrangian", phase, "halfSize"))
+    thick = np.ptp(case.edges()[2])
+    images = []
+    for more in ("", f', "section": {thick}'):
+        with open(case.file("view.py"), "w") as f:
+            f.write(VIEW.format(more) % "sigma_yy")
+        said = report(case.path)
+        images.append(Page(case.file("report.html")).data["frames"][0]["images"])
+        table.check(f"view.py {'with' if more else 'without'} section: no message, all times",
+                    "no picture" not in said and len(images[-1]) == len(
+                        case.times("lagrangian")), said)
+    table.check("view.py: the thickness of the mesh is what section says",
+                images[0] == images[1])
+    with open(case.file("view.py"), "w") as f:
+        f.write(VIEW.format("") % "nothing_yy")
+    said = report(case.path)
+    table.check("view.py: one message of all pictures of a view", said.count("no picture both")
+                == 1 and "times, first time 0" in said, said)
 
 
 def ranks(table):
@@ -495,7 +622,15 @@ def ranks(table):
 
 # --- in a browser ----------------------------------------------------------------------
 
-#: The first plot with volumes of eleven letters in place of its data: the room that is left
+#: Labels of the axis up of the first plot with values that differ in their seventh digit
+TICKS = """(() => {
+    const g = Object.values(mpmReport.graphs)[0];
+    g.updateOptions({file: [[0, 101325.01], [1, 101325.06]], labels: ["time", "p"], series: {},
+                     dateWindow: null});
+    return [...g.graphDiv.querySelectorAll(".dygraph-axis-label-y")].map(e => e.textContent);
+})()"""
+
+#: The first plot with volumes of twelve letters in place of its data: the room that is left
 UNIT = """(() => {
     const g = Object.values(mpmReport.graphs)[0];
     g.updateOptions({file: [[0, -1.23451e-10], [1, -1.23459e-10]], labels: ["time", "V"],
@@ -534,6 +669,9 @@ def browser(table):
             zoom(table, name, page)
             table.row(f"{name}: pixels between the unit and the longest numbers of an axis", 2,
                       page.evaluate(UNIT), 2, "atLeast")
+            labels = page.evaluate(TICKS)
+            table.check(f"{name}: no two ticks of an axis have the same label", len(labels) > 2
+                        and len(set(labels)) == len(labels), labels)
             page.screenshot(case.file(f"page{width}.png"), whole=True)
             table.check(f"{name}: no error in the console", not page.errors, page.errors)
             others = [u for u in page.requests
@@ -568,9 +706,9 @@ def zoom(table, name, page):
     whole = page.evaluate(span)
     page.drag((x + 0.4*w, y + 0.5*h), (x + 0.7*w, y + 0.5*h))
     part = page.evaluate(span)
-    # The part of the width that the axis of y leaves: 88 pixels and its ticks
+    # The part of the width that the axis of y leaves: 98 pixels and its ticks
     table.row(f"{name}: part of the time after a drag over 0.3 of the width",
-              0.3*w/(w - 88 - 6), part/whole, 0.05, "relative")
+              0.3*w/(w - 98 - 6), part/whole, 0.05, "relative")
     page.doubleClick((x + 0.6*w, y + 0.5*h))
     table.row(f"{name}: after a double click", 1, page.evaluate(span)/whole, 0.02)
     page.evaluate(find + ".focus()")
