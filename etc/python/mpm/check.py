@@ -300,7 +300,11 @@ class Check:
 
 
 def _place(path):
-    """File and entry of a place as OpenFOAM writes it: constant/phaseProperties.target."""
+    """File and entry of a place as OpenFOAM writes it: constant/phaseProperties.target, newer
+    ones constant/phaseProperties/target."""
+    file = re.match(r"(?:constant/polyMesh|constant|system|0)/[^/]+", path)
+    if file:
+        path = file[0] + path[file.end():].replace("/", ".")
     folder, name = os.path.split(path)
     if folder.split("/")[0] == "0" or name.startswith(("U.", "T.", "rho.", "alpha.")):
         return path.replace(".boundaryField", ""), ""
