@@ -7,6 +7,8 @@ told        masses, sides, cells across bodies, the smallest cell; a sound too l
 mistakes    one wrong unit or choice each in the template: found, with file and entry
 leaks       water on a floor of type patch, to which setFluids gives zeroGradient: found; sides
             that hold a body
+dropped     a block above water: p and velocity at the start; no p of the water's weight, no
+            gravity, no stress, floors of no condition, steps, gauges: found, and where not
 codes       exit codes of the command: 0, 1, 2; 2 with the solver's own words
 trial       steps foretold of three cases against those of the run: within 30 %; memory; two ranks
 tutorials   all tutorials: the warnings are those listed here with what is true of them
@@ -192,6 +194,49 @@ def leaks(table):
         table.check(f"leaks: what holds a body, {low} m off the wall", words in said, said)
 
 
+def basin(name):
+    """A block 0.1 m above water of 0.1 m, which it gets to with 1 m/s: damBreakObstacle's."""
+    case = FoamCase("check", name, os.path.join(PROJECT, "tutorials/damBreakObstacle"))
+    case.set("system/setFluidsDict", "regions.column.max", (1, 0.1, 1))
+    for entry, value in (("min", (0.2, 0.2, 0)), ("max", (0.24, 0.24, 0.005)),
+                         ("velocity", (0, -1, 0))):
+        case.set(REGIONS, "regions.obstacle." + entry, value, add=True)
+    case.change("0.orig/U.solids", "fixedValue;\n *value .*;", "slip;")
+    return case
+
+
+def toldOf(case, word, **options):
+    """Kind and file of the findings with a word, and the check; without a trial."""
+    check = Check(case.path, **{"trial": False, **options})
+    check.run()
+    return [(f.kind, f.file) for f in check.findings if word in f.text], check
+
+
+def dropped(table):
+    case = basin("dropped")
+    hits, check = toldOf(case, "")
+    table.check("dropped: nothing found as it should be", not hits, found(check))
+    atRest(table)
+
+
+def atRest(table):
+    case = basin("noHydrostatic")
+    case.change("system/setFluidsDict", "^hydrostatic.*", "")
+    case.set("system/setFluidsDict", "default.p", 1e4, add=True)
+    hits, check = toldOf(case, "the same p above and below")
+    table.check("dropped: no hydrostatic", hits == [("warning", "system/setFluidsDict")]
+                and any("hydrostatic { point" in f.remedy for f in check.findings), found(check))
+    ring = re.search(r"2 rho g H = (\d+) Pa", " ".join(found(check)))
+    table.row("dropped: 2 rho g H [Pa]", 2*1000*9.81*0.1, float(ring[1]) if ring else 0, 0.05,
+              "relative")        # H in whole cells
+    os.remove(case.file("constant/g"))
+    hits, check = toldOf(case, "there is no gravity")
+    table.check("dropped: no gravity", hits == [("note", "constant/g")], found(check))
+    case.set(CONTROL, "endTime", 0.01)        # it would fall by 0.5 mm
+    hits, check = toldOf(case, "there is no gravity")
+    table.check("dropped: no gravity, too short for it", not hits, found(check))
+
+
 def command(case, *options):
     run = subprocess.run([os.path.join(PROJECT, "etc/bin/mpmCheck"), case, *options], timeout=120,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -280,4 +325,4 @@ def tutorials(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("check", template, told, mistakes, leaks, codes, trial, tutorials))
+    sys.exit(runParts("check", template, told, mistakes, leaks, dropped, codes, trial, tutorials))

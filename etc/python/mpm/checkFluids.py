@@ -1,0 +1,163 @@
+"""Rules of mpmCheck for a gas and fluids: at rest under gravity, around bodies, softened.
+
+A rule is a function of the facts (mpm.checkFacts) that gives its findings, as in mpm.checkRules.
+"""
+
+import math
+import os
+import re
+
+import numpy as np
+
+from mpm.checkFacts import (CONTROL, FLUIDS, GRAVITY, LIQUIDS, PHASES, REGIONS, Finding,
+                            patchFaces)
+from mpm.files import readField, readLists
+
+#: Conditions of U through which a fluid leaves
+LETS_OUT = ("zeroGradient", "inletOutlet", "pressureInletOutletVelocity", "farField",
+            "waveTransmissive", "advective")
+#: Conditions of U of points that prescribe nothing
+FREE = ("calculated", "zeroGradient")
+#: Speed of sound below which a liquid is softened [m/s]
+SOFT = 1000
+#: Steps of fluids over one of the points from which sub-steps pay
+SUBSTEPS = 4
+#: Function objects that measure pressures
+GAUGES = ("blastProbes", "materialPointPatchForces")
+
+
+def number(value):
+    """Pressures without powers of ten where they are short."""
+    return f"{value:.0f}" if 100 <= abs(value) < 1e6 else f"{value:.4g}"
+
+
+def _list(v):
+    return "(" + " ".join(f"{c:.4g}" for c in v) + ")"
+
+
+# --- gravity -------------------------------------------------------------------
+
+def _down(facts):
+    """Direction and size of gravity."""
+    g = facts.g()
+    size = float(np.linalg.norm(g))
+    return (g/size if size else g), size
+
+
+def _liquids(facts):
+    """Fluids and gases whose equation of state is that of a liquid: cells full of each."""
+    for name in facts.media:
+        state = facts.of(name).get("equationOfState")
+        if isinstance(state, dict) and state.get("type") in ("stiffenedGas", "Tait"):
+            wet = facts.share(name) > 0.5
+            if wet.any():
+                yield name, state, wet
+
+
+def _height(facts, wet, down):
+    """From the lowest to the highest of some cells [m]."""
+    width = float(np.median(facts.widths[wet])) if len(facts.widths) else 0.0
+    return float(np.ptp(facts.centres[wet] @ down)) + width
+
+
+def _beside(facts, wet):
+    """Patches: unit normals of their faces at some cells, outward."""
+    x = readField(facts.case.file("constant/polyMesh/points"))
+    faces = readLists(facts.case.file("constant/polyMesh/faces"))
+    owner = readLists(facts.case.file("constant/polyMesh/owner"))
+    return {patch: [_normal(x[faces[f]]) for f in range(first, first + n) if wet[owner[f]]]
+            for patch, (first, n) in patchFaces(facts.case).items()
+            if facts.patches.get(patch) not in ("empty", "wedge")}
+
+
+def noGravity(facts):
+    """A light and a heavy fluid without gravity, as far as the heavy one would fall."""
+    rho = {n: r for n, r in facts.rho.items() if r > 0}
+    fall = 9.81/2*facts.end**2
+    if np.linalg.norm(facts.g()) or len(rho) < 2 or not fall > facts.width \
+            or max(rho.values()) < 10*min(rho.values()):
+        return
+    heavy, light = max(rho, key=rho.get), min(rho, key=rho.get)
+    yield Finding("note", GRAVITY, "", f"there is no gravity, and {heavy} of {rho[heavy]:.4g} "
+                  f"kg/m3 is beside {light} of {rho[light]:.4g}: till endTime it would fall by "
+                  f"{fall:.3g} m", f"if it is meant: value (0 -9.81 0) in {GRAVITY}, and "
+                  f"hydrostatic in {FLUIDS}", "materials.md#body-forces")
+
+
+def notAtRest(facts):
+    """Liquids under gravity whose p at the start does not bear them."""
+    down, size = _down(facts)
+    if not size or not len(facts.pressure) or "hydrostatic" in facts.fluidStart:
+        return
+    for name, _, wet in _liquids(facts):
+        height, p = _height(facts, wet, down), facts.pressure[wet]
+        weight = facts.rho[name]*size*height
+        if not weight or np.ptp(p) > 0.1*weight:
+            continue
+        stands = any(n @ down > 0.1 for patch, normals in _beside(facts, wet).items()
+                     for n in normals)
+        top = facts.centres[np.argmin(facts.centres @ down)]
+        yield Finding("warning" if stands else "note", *(
+            (FLUIDS, "") if facts.fluidStart else ("0/p", "internalField")), f"{name} starts with "
+            f"the same p above and below, {number(p.mean())} Pa: under gravity it sinks until its "
+            f"weight is borne and rings, by up to 2 rho g H = {number(2*weight)} Pa (H "
+            f"{height:.3g} m)", f"hydrostatic {{ point {_list(top)}; p "
+            f"{number(facts.pressure.min())}; }} in {FLUIDS}, in place of p in default",
+            "fluids.md#fluids-at-the-start-setfluids", r"steps of its own .*startValues")
+
+
+def runsOut(facts):
+    """Sides below or beside a liquid under gravity through which it leaves."""
+    down, size = _down(facts)
+    liquids = [n for n, _, _ in _liquids(facts)
+               if os.path.exists(facts.case.file("0", "alpha." + n))]
+    if not liquids or not size or not os.path.exists(facts.case.file("0/U")):
+        return
+    lets = {p: of["type"] for p, of in facts.conditions("0/U").items()
+            if of.get("type") in LETS_OUT}
+    wet = sum(facts.case.field("0", "alpha." + n)*np.ones(facts.nCells) for n in liquids) > 0.5
+    for patch, normals in _beside(facts, wet).items():
+        steepest = max((float(n @ down) for n in normals), default=-1)
+        if patch not in lets or steepest < -0.1:
+            continue
+        below = steepest > 0.1
+        yield Finding("warning" if below else "note", "0/U", f"boundaryField.{patch}",
+                      f"{lets[patch]} lets {' and '.join(liquids)} out: {len(normals)} faces of "
+                      f"{patch} ({facts.patches.get(patch)}) are {'below' if below else 'beside'} "
+                      "it", "a wall has type wall in constant/polyMesh/boundary (setFluids gives "
+                      "it slip), or slip in 0.orig/U; then setFluids again",
+                      "meshes.md#what-patches-need")
+
+
+def _normal(corners):
+    """Unit normal of a polygon, to the side from which its corners go left about."""
+    area = np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
+    return area/max(np.linalg.norm(area), 1e-300)
+
+
+# --- softened liquids ----------------------------------------------------------
+
+def softened(facts):
+    """Liquids whose sound is not ten times what they reach by falling as far as they are high."""
+    down, size = _down(facts)
+    if not size:
+        return
+    rows = [(n, f"{n}.constitutiveModel", p.speed, float(abs(down) @ (p.high - p.low)))
+            for n, p in facts.phases.items() if p.n and p.law in LIQUIDS]
+    for name, state, wet in _liquids(facts):
+        if facts.sounds[name]:
+            entry = next((e for e in ("soundSpeed", "pInf", "K") if e in state), "type")
+            rows.append((name, f"{name}.equationOfState.{entry}", facts.sounds[name],
+                         _height(facts, wet, down)))
+    for name, entry, c, height in rows:
+        fall = math.sqrt(2*size*height)
+        if fall > 0.1*c:
+            yield Finding("warning", PHASES, entry, f"the sound of {name}, {c:.4g} m/s, is not ten "
+                          f"times {fall:.3g} m/s, to which it falls by its height {height:.3g} m: "
+                          "it is compressed as it flows", f"sound of {10*fall:.2g} m/s or more",
+                          "fluids.md#several-fluids")
+
+
+# --- bodies --------------------------------------------------------------------
+
+RULES = (noGravity, notAtRest, runsOut, softened)
