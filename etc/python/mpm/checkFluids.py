@@ -35,6 +35,26 @@ def _list(v):
     return "(" + " ".join(f"{c:.4g}" for c in v) + ")"
 
 
+def start(facts):
+    """Words on gravity, p and the velocity of the bodies at the start."""
+    words = [f"gravity {_list(facts.g())}" if np.linalg.norm(facts.g()) else "no gravity"]
+    if len(facts.pressure):
+        low, high = facts.pressure.min(), facts.pressure.max()
+        words.append(f"p {number(low)} Pa" if high - low < 1e-9*abs(high) else
+                     f"p {number(low)} to {number(high)} Pa")
+    for name, phase in facts.phases.items():
+        if not phase.n:
+            continue
+        size = np.linalg.norm(phase.v, axis=1)
+        if not size.max():
+            words.append(f"{name} at rest")
+        elif np.ptp(phase.v, axis=0).max() < 1e-9*size.max():
+            words.append(f"{name} at {_list(phase.v[0])} m/s")
+        else:
+            words.append(f"{name} at {size.min():.4g} to {size.max():.4g} m/s")
+    return ", ".join(words)
+
+
 # --- gravity -------------------------------------------------------------------
 
 def _down(facts):

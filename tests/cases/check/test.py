@@ -216,6 +216,14 @@ def dropped(table):
     case = basin("dropped")
     hits, check = toldOf(case, "")
     table.check("dropped: nothing found as it should be", not hits, found(check))
+    said = dict(check.lines)["start"]
+    table.check("dropped: gravity and velocity", said.startswith("gravity (0 -9.81 0), p ")
+                and said.endswith("Pa, obstacle at (0 -1 0) m/s"), said)
+    width = 0.3514/71
+    for name, value, exact in zip(("least", "largest"), re.findall(r"(\d+) (?:to|Pa)", said), (
+            1e4, 1e4 + 1.2*9.81*(0.34 - 0.1) + 1000*9.81*(0.1 - width/2))):
+        table.row(f"dropped: {name} p at the start [Pa]", exact, float(value), 1e-3, "relative")
+
     atRest(table)
 
 
@@ -231,7 +239,8 @@ def atRest(table):
               "relative")        # H in whole cells
     os.remove(case.file("constant/g"))
     hits, check = toldOf(case, "there is no gravity")
-    table.check("dropped: no gravity", hits == [("note", "constant/g")], found(check))
+    table.check("dropped: no gravity", hits == [("note", "constant/g")]
+                and dict(check.lines)["start"].startswith("no gravity, p 10000 Pa"), found(check))
     case.set(CONTROL, "endTime", 0.01)        # it would fall by 0.5 mm
     hits, check = toldOf(case, "there is no gravity")
     table.check("dropped: no gravity, too short for it", not hits, found(check))
