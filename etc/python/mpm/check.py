@@ -70,6 +70,8 @@ class Check:
         finally:
             self._allrun()
         facts = Facts(self.case)
+        for finding in self.findings:
+            checkFluids.nameFluid(finding, facts, self._log("setMaterialPoints"))
         self._tell(facts)
         if self.withTrial:
             self._try()

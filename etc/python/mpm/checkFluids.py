@@ -180,4 +180,28 @@ def softened(facts):
 
 # --- bodies --------------------------------------------------------------------
 
+def nameFluid(finding, facts, log):
+    """Of a body without stress: the fluids in which it lies, and their pressure there."""
+    said = re.match(r"Region (\S+) lies in the gas \S+ and starts without stress", finding.text)
+    region = facts.regions.get(said[1]) if said else None
+    phase = facts.phases.get(region.get("phase")) if isinstance(region, dict) else None
+    box = re.search(rf"^    {said[1]}: \w+ of \([^)]*\) m from \(([^)]*)\) to \(([^)]*)\) m", log,
+                    re.M) if phase else None
+    if not box or not len(facts.pressure) or len(phase.cells) != len(phase.x):
+        return
+    low, high = (np.array(b.split(), float) for b in box.groups())
+    at = facts.axes         # of a mesh of one layer the box is flat
+    inside = phase.cells[((phase.x >= low) & (phase.x <= high))[:, at].all(axis=1)]
+    if not len(inside):
+        return
+    shares = {n: float(facts.share(n)[inside].mean()) for n in facts.media}
+    around = " and ".join(n for n, share in shares.items() if share > 0.01)
+    p = number(facts.pressure[inside].mean())
+    finding.text = (f"Region {said[1]} lies in {around}, whose p is {p} Pa there, and starts "
+                    "without stress: it is pressed together at once (setMaterialPoints)")
+    finding.remedy = (f"stress ambient; pressure {p}; in the region (never of an explosive with "
+                      f"E0), or referencePressure {p}; in the phase of what is soft or light")
+    finding.file, finding.entry = REGIONS, "regions." + said[1]
+
+
 RULES = (noGravity, notAtRest, runsOut, softened)

@@ -225,6 +225,7 @@ def dropped(table):
         table.row(f"dropped: {name} p at the start [Pa]", exact, float(value), 1e-3, "relative")
 
     atRest(table)
+    around(table)
 
 
 def atRest(table):
@@ -244,6 +245,18 @@ def atRest(table):
     case.set(CONTROL, "endTime", 0.01)        # it would fall by 0.5 mm
     hits, check = toldOf(case, "there is no gravity")
     table.check("dropped: no gravity, too short for it", not hits, found(check))
+
+
+def around(table):
+    case = basin("noStress")
+    case.change(REGIONS, " *(stress|pressure) .*\n", "")
+    hits, check = toldOf(case, "lies in air, whose p is 100")
+    table.check("dropped: no stress, in air of 1e4 Pa", hits == [("warning", REGIONS)] and any(
+        re.search(r"referencePressure 100\d\d;", f.remedy) for f in check.findings), found(check))
+    case.set(REGIONS, "regions.obstacle.min", (0.2, 0.02, 0))
+    case.set(REGIONS, "regions.obstacle.max", (0.24, 0.06, 0.005))
+    hits, check = toldOf(case, "lies in water, whose p is 10")
+    table.check("dropped: no stress, in water", len(hits) == 1, found(check))
 
 
 def command(case, *options):
