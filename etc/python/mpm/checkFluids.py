@@ -204,4 +204,26 @@ def nameFluid(finding, facts, log):
     finding.file, finding.entry = REGIONS, "regions." + said[1]
 
 
-RULES = (noGravity, notAtRest, runsOut, softened)
+def subSteps(facts):
+    """Stiff solids whose step is far below that of the gas or fluids around them."""
+    control = facts.control
+    if not facts.sound or control.get("adjustTimeStep") not in ("yes", "on", "true", True) \
+            or control.get("maxSubSteps", 1) != 1 or control.get("maxGasSubSteps", 1) != 1:
+        return
+    solids = {n: p for n, p in facts.phases.items() if p.n and p.speed}
+    if not solids or (facts.trial and not facts.trial.setBy.startswith("points of ")):
+        return
+    co, coGas = (v if isinstance(v, (int, float)) else d for v, d in (
+        (control.get("maxCo"), 0.4), (control.get("maxCoGas"), 0.4)))
+    name = max(solids, key=lambda n: solids[n].speed/(solids[n].width or facts.width))
+    solid = co*(solids[name].width or facts.width)/(solids[name].speed + solids[name].U)
+    solid = facts.trial.deltaT if facts.trial else solid
+    fluid = coGas*(float(facts.widths.min()) if len(facts.widths) else facts.width)/facts.sound
+    if fluid >= SUBSTEPS*solid:
+        yield Finding("note", CONTROL, "maxSubSteps", f"{name} sets the step, about {solid:.2g} s; "
+                      f"{' and '.join(facts.media)} would bear {fluid:.2g} s, {fluid/solid:.2g} "
+                      "times as much", f"maxSubSteps {min(10, int(fluid/solid))}: so many steps of "
+                      "the points in one of the gas or fluids", "fluids.md#points-in-a-gas")
+
+
+RULES = (noGravity, notAtRest, runsOut, softened, subSteps)

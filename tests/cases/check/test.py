@@ -226,6 +226,7 @@ def dropped(table):
 
     atRest(table)
     around(table)
+    steps(table)
 
 
 def atRest(table):
@@ -257,6 +258,19 @@ def around(table):
     case.set(REGIONS, "regions.obstacle.max", (0.24, 0.06, 0.005))
     hits, check = toldOf(case, "lies in water, whose p is 10")
     table.check("dropped: no stress, in water", len(hits) == 1, found(check))
+
+
+def steps(table):
+    case = basin("stiff")
+    case.set(PHASES, "obstacle.E", 1e10)
+    word = "obstacle sets the step"
+    for name, options in (("without a trial", {}), ("after a trial", {"trial": True, "steps": 5})):
+        hits, check = toldOf(case, word, **options)
+        table.check(f"dropped: stiff, {name}", hits == [("note", CONTROL)] and any(
+            f.remedy.startswith("maxSubSteps 10") for f in check.findings), found(check))
+    case.set(CONTROL, "maxSubSteps", 10, add=True)
+    hits, check = toldOf(case, word)
+    table.check("dropped: stiff, with maxSubSteps", not hits, found(check))
 
 
 def command(case, *options):
