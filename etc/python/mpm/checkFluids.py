@@ -226,4 +226,96 @@ def subSteps(facts):
                       "the points in one of the gas or fluids", "fluids.md#points-in-a-gas")
 
 
-RULES = (noGravity, notAtRest, runsOut, softened, subSteps)
+def _way(centres, d, low, high):
+    """From a box along d to each of some places [m]; inf: not in its way."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        a, b = (centres - low)/d, (centres - high)/d
+    inside = (centres >= low) & (centres <= high)
+    near = np.where(d == 0, np.where(inside, -np.inf, np.inf), np.minimum(a, b)).max(axis=1)
+    far = np.where(d == 0, np.inf, np.maximum(a, b)).min(axis=1)
+    return np.where((near <= far) & (far >= 0), np.maximum(near, 0), np.inf)
+
+
+def _time(way, speed, g):
+    """Until a body has gone so far [s]."""
+    if way == 0:
+        return 0.0
+    root = speed*speed + 2*g*way
+    return 2*way/(speed + math.sqrt(root)) if root > 0 and speed + math.sqrt(root) > 0 else math.inf
+
+
+def _closed(facts):
+    """Patches that are walls of a mesh, or of what flows in it."""
+    fields = [f for f in ("0/U", *(f"0/U.{n}" for n in facts.media))
+              if os.path.exists(facts.case.file(f))]
+    walls = {p for p, kind in facts.patches.items() if kind == "wall"}
+    for field in fields if facts.media else ():
+        walls |= {p for p, of in facts.conditions(field).items() if facts.patches[p] == "patch"
+                  and of.get("type") in ("slip", "noSlip", "fixedValue")}
+    return walls
+
+
+def leavesMesh(facts):
+    """Walls without a condition for the points or contact, in the way of a body."""
+    walls = _closed(facts)
+    contacts = [c for c in facts.properties.get("contact", {}).values() if isinstance(c, dict)]
+    x = readField(facts.case.file("constant/polyMesh/points"))
+    faces, shapes = patchFaces(facts.case), readLists(facts.case.file("constant/polyMesh/faces"))
+    fields = {n: str(facts.of(n).get("velocityField", n)) for n in facts.phases}
+    rigid = {field for n, field in fields.items() if facts.of(n).get("type") == "rigid"}
+    for name, phase in facts.phases.items():
+        field = fields[name]
+        if not phase.n or field in rigid \
+                or not os.path.exists(facts.case.file("0/U." + field)):
+            continue
+        given = facts.conditions("0/U." + field)
+        held = [p for p, of in given.items() if of.get("type") == "fixedValue"
+                and _gap(facts, phase, x, shapes, faces.get(p)) < facts.width]
+        for patch in sorted(walls & {p for p, of in given.items() if of.get("type") in FREE}):
+            touched = any(c.get("patch") == patch and field in c.get("fields", [field])
+                          for c in contacts)
+            if touched or held or not faces[patch][1]:
+                continue
+            first, n = faces[patch]
+            time = _arrival(facts, name, np.array(
+                [x[s].mean(axis=0) for s in shapes[first:first + n]]))
+            if time < facts.end:
+                yield Finding("note", "0/U." + field, f"boundaryField.{patch}", f"{name} may get "
+                              f"to {patch} from {time:.2g} s on, and {given[patch]['type']} "
+                              "prescribes nothing there: without contact it leaves the mesh",
+                              f"slip, or contact {{ wall {{ type Coulomb; mu 0.3; fields ({field});"
+                              f" patch {patch}; }} }} in {PHASES}", "bodies.md#contact")
+
+
+def _gap(facts, phase, x, shapes, where):
+    """Between the box of a phase and a patch [m]."""
+    if not where or not where[1]:
+        return math.inf
+    corners = x[np.unique(np.concatenate(shapes[where[0]:where[0] + where[1]]))]
+    gap = np.maximum(0, np.maximum(phase.low - corners, corners - phase.high))[:, facts.axes]
+    return float(np.sqrt((gap**2).sum(axis=1)).min())
+
+
+def _arrival(facts, name, centres):
+    """Of a phase at faces: by its velocity or by gravity, nothing else in between [s]."""
+    phase, (down, size) = facts.phases[name], _down(facts)
+    v = phase.v.mean(axis=0)
+    speed = float(np.linalg.norm(v))
+    flat = [d for d in range(3) if d not in facts.axes]
+    low, high = phase.low - facts.width/2, phase.high + facts.width/2
+    low[flat], high[flat] = -np.inf, np.inf
+    first = math.inf
+    for d in ([v/speed] if speed else []) + ([down] if size else []):
+        way = float(_way(centres, d, low, high).min())
+        if not math.isfinite(way):
+            continue
+        end = way*d
+        between = [p for n, p in facts.phases.items() if n != name and p.n and all(
+            p.low[k] < phase.high[k] + max(end[k], 0) and p.high[k] > phase.low[k] + min(end[k], 0)
+            for k in facts.axes)]
+        if not between:
+            first = min(first, _time(way, float(v @ d), size*float(down @ d)))
+    return first
+
+
+RULES = (noGravity, notAtRest, runsOut, softened, subSteps, leavesMesh)

@@ -226,6 +226,7 @@ def dropped(table):
 
     atRest(table)
     around(table)
+    floors(table)
     steps(table)
 
 
@@ -258,6 +259,27 @@ def around(table):
     case.set(REGIONS, "regions.obstacle.max", (0.24, 0.06, 0.005))
     hits, check = toldOf(case, "lies in water, whose p is 10")
     table.check("dropped: no stress, in water", len(hits) == 1, found(check))
+
+
+def floors(table):
+    case = basin("floors")
+    case.change("0.orig/U.solids", "slip;", "calculated;")
+    hits, check = toldOf(case, "obstacle may get to floor")
+    table.check("dropped: nothing on the floor", hits == [("note", "0/U.solids")], found(check))
+    # From 0.2 m with 1 m/s down, less half a cell
+    time = re.search(r"floor from (\S+) s", " ".join(found(check)))
+    table.row("dropped: time of the fall [s]", ((1 + 2*9.81*0.2)**0.5 - 1)/9.81,
+              float(time[1]) if time else 0, 0.05, "relative")
+    case.set(PHASES, "contact", {"floor": {"type": "frictionless", "fields": ["solids"],
+                                           "patch": "floor"}}, add=True)
+    hits, check = toldOf(case, "may get to")
+    table.check("dropped: contact with the floor", not hits, found(check))
+    case = basin("upwards")
+    case.change("0.orig/U.solids", "slip;", "calculated;")
+    case.set(REGIONS, "regions.obstacle.velocity", (0, 1, 0))
+    case.set(CONTROL, "endTime", 0.2)         # it is back at its place then
+    hits, check = toldOf(case, "may get to")
+    table.check("dropped: thrown up", not hits, found(check))
 
 
 def steps(table):
