@@ -178,6 +178,25 @@ def softened(facts):
                           "fluids.md#several-fluids")
 
 
+def gaugesInSoftened(facts):
+    """Pressures are measured in a liquid whose sound is not its own."""
+    functions = facts.control.get("functions", {})
+    gauges = [n for n, of in functions.items() if isinstance(of, dict)
+              and of.get("type") in GAUGES] if isinstance(functions, dict) else []
+    down, size = _down(facts)
+    for name, state, wet in _liquids(facts):
+        c = facts.sounds[name]
+        if not gauges or "soundSpeed" not in state or not 0 < c < SOFT:
+            continue
+        rings = f", and it rings with the period 4 H/c = {4*_height(facts, wet, down)/c:.2g} s" \
+            if size else ""
+        yield Finding("note", CONTROL, f"functions.{gauges[0]}", f"measures pressures in {name} "
+                      f"softened to {c:.4g} m/s: an impact of v presses with up to rho c v, "
+                      f"{number(facts.rho[name]*c)} Pa for 1 m/s{rings}; neither is that of the "
+                      "real liquid", "compare a run with another soundSpeed before you use peaks",
+                      "fluids.md#several-fluids")
+
+
 # --- bodies --------------------------------------------------------------------
 
 def nameFluid(finding, facts, log):
@@ -318,4 +337,4 @@ def _arrival(facts, name, centres):
     return first
 
 
-RULES = (noGravity, notAtRest, runsOut, softened, subSteps, leavesMesh)
+RULES = (noGravity, notAtRest, runsOut, softened, gaugesInSoftened, subSteps, leavesMesh)

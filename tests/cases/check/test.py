@@ -228,6 +228,7 @@ def dropped(table):
     around(table)
     floors(table)
     steps(table)
+    gauges(table)
 
 
 def atRest(table):
@@ -293,6 +294,22 @@ def steps(table):
     case.set(CONTROL, "maxSubSteps", 10, add=True)
     hits, check = toldOf(case, word)
     table.check("dropped: stiff, with maxSubSteps", not hits, found(check))
+
+
+def gauges(table):
+    case = basin("gauges")
+    case.set(CONTROL, "functions.gauges", {
+        "type": "blastProbes", "libs": ["mpmFunctionObjects"],
+        "probeLocations": [(0.22, 0.01, 0.0025)]}, add=True)
+    hits, check = toldOf(case, "measures pressures in water softened to 35 m/s")
+    table.check("dropped: gauges in softened water", hits == [("note", CONTROL)]
+                and "35000 Pa for 1 m/s" in " ".join(found(check)), found(check))
+    period = re.search(r"4 H/c = (\S+) s", " ".join(found(check)))
+    table.row("dropped: period 4 H/c [s]", 4*0.1/35, float(period[1]) if period else 0, 0.06,
+              "relative")        # two digits, H in whole cells
+    case.set(PHASES, "water.soundSpeed", 1482)
+    hits, check = toldOf(case, "measures pressures")
+    table.check("dropped: gauges in water of its own sound", not hits, found(check))
 
 
 def command(case, *options):
