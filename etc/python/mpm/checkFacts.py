@@ -59,7 +59,10 @@ class Facts:
         self.control = case.get(CONTROL)
         self.solution = self._may(SOLUTION).get("materialPoints", {})
         self.regions = self._may(REGIONS).get("regions", {})
-        self.fluidStart = self._may(FLUIDS)
+        try:
+            self.fluidStart = self._may(FLUIDS)
+        except DictionaryError:     # #calc and the like: what is in it is not known
+            self.fluidStart = {"hydrostatic": {}}
         self.log = case.log()
         self._readMesh()
         self._readPhases()
