@@ -18,7 +18,7 @@ import tempfile
 
 import numpy as np
 
-from mpm import checkRules
+from mpm import checkFluids, checkRules
 from mpm.case import Case, RunFailed
 from mpm.checkFacts import Facts, Finding
 from mpm.dictionaries import DictionaryError
@@ -70,6 +70,8 @@ class Check:
         finally:
             self._allrun()
         facts = Facts(self.case)
+        for finding in self.findings:
+            checkFluids.nameFluid(finding, facts, self._log("setMaterialPoints"))
         self._tell(facts)
         if self.withTrial:
             self._try()
@@ -237,6 +239,7 @@ class Check:
             self._line("scheme", facts.scheme)
         for name in facts.media:
             self._line(name, facts.media[name])
+        self._line("start", checkFluids.start(facts))
 
     def _tellBodies(self, facts, phase):
         """Cells over the thinnest side of each body's box, of many only of the thinnest."""

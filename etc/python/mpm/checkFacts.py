@@ -15,6 +15,7 @@ from mpm.files import readField, readLists, readRaw
 
 PHASES, REGIONS = "constant/phaseProperties", "system/setMaterialPointsDict"
 SOLUTION, CONTROL = "system/fvSolution", "system/controlDict"
+FLUIDS, GRAVITY = "system/setFluidsDict", "constant/g"
 LIQUIDS = ("NewtonianFluid",)
 
 
@@ -44,6 +45,9 @@ class Phase:
     U: float = 0.0
     mass: float = 0.0
     width: float = 0.0      # of the cells in which its points are [m]
+    x: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
+    v: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
+    cells: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
 
 
 class Facts:
@@ -55,6 +59,10 @@ class Facts:
         self.control = case.get(CONTROL)
         self.solution = self._may(SOLUTION).get("materialPoints", {})
         self.regions = self._may(REGIONS).get("regions", {})
+        try:
+            self.fluidStart = self._may(FLUIDS)
+        except DictionaryError:     # #calc and the like: what is in it is not known
+            self.fluidStart = {"hydrostatic": {}}
         self.log = case.log()
         self._readMesh()
         self._readPhases()
@@ -132,11 +140,13 @@ class Facts:
         cloud = self.case.points(time, name)
         x = cloud["x"]
         phase.low, phase.high = x.min(axis=0), x.max(axis=0)
+        phase.x, phase.v = x, cloud["U"]
         phase.U = float(np.sqrt((cloud["U"]**2).sum(axis=1)).max())
         phase.mass = float(cloud["m"].sum()) if "m" in cloud else 0.0
         where = _cells(self.case.file(time, "lagrangian", name, "coordinates"))
         if len(self.widths) and len(where):
             phase.width = float(np.median(self.widths[where]))
+        phase.cells = where
         count = np.bincount(where)
         count = count[count > 0]
         if len(count):
@@ -144,7 +154,7 @@ class Facts:
 
     def _readMedia(self):
         """Gas and fluids: name: text; speed of sound where it is simple."""
-        self.media, self.sounds, self.sound, self.p = {}, {}, 0.0, {}
+        self.media, self.sounds, self.sound, self.p, self.rho = {}, {}, 0.0, {}, {}
         for name in self.properties.get("phases", ()):
             of = self.of(name)
             if of.get("type") not in ("gas", "fluid"):
@@ -157,12 +167,17 @@ class Facts:
             elif isinstance(state, dict):
                 c = self._soundOfLiquid(of, state)
             mass = self._massOf(name, of)
+            room = float((self.share(name)*self.V).sum()) if mass else 0.0
+            self.rho[name] = mass/room if room > 0 else 0.0
             self.media[name] = text + (f", sound {c:.4g} m/s" if c else "") + (
                 f", mass {mass:.4g} kg" if mass else "")
             self.sounds[name] = c
             self.sound = max(self.sound, c)
+        self.pressure = np.zeros(0)
         if self.media and os.path.exists(self.case.file("0/p")):
             self.p = {"boundaryField": self.boundary("0/p")}
+            #: Of the cells at the start [Pa]
+            self.pressure = self.case.field("0", "p")*np.ones(self.nCells)
 
     def share(self, name):
         """Share of a gas or fluid in the cells at the start; of a fluid without file the rest."""
@@ -218,7 +233,7 @@ class Facts:
 
     def g(self):
         """Gravity [m/s2]; zero without its file, or where it is no list of numbers."""
-        g = self._may("constant/g").get("value", [])
+        g = self._may(GRAVITY).get("value", [])
         numbers = isinstance(g, list) and all(isinstance(v, (int, float)) for v in g)
         return np.array(g if numbers and len(g) == 3 else (0, 0, 0), float)
 

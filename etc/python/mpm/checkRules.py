@@ -14,9 +14,9 @@ import re
 
 import numpy as np
 
-from mpm.checkFacts import (CONTROL, LIQUIDS, PHASES, REGIONS, SOLUTION, Finding, patchFaces,
-                            patchPoints)
-from mpm.files import readField, readLists
+from mpm import checkFluids
+from mpm.checkFacts import CONTROL, LIQUIDS, PHASES, REGIONS, SOLUTION, Finding, patchPoints
+from mpm.files import readField
 
 #: Lowest and highest of what is no mistake
 BOUNDS = {"rho": (0.1, 25000), "speed": (10, 20000), "length": (1e-6, 1e3), "g": (0.1, 1000)}
@@ -29,8 +29,6 @@ PLASTIC = ("J2Plasticity", "JohnsonCook")
 OPEN = ("farField", "waveTransmissive", "advective", "zeroGradient")
 #: Types of patches through which nothing shall go
 CLOSED = ("empty", "wedge", "cyclic", "symmetry", "symmetryPlane", "wall")
-#: Conditions of U through which a fluid leaves
-LETS_OUT = ("zeroGradient", "inletOutlet", "pressureInletOutletVelocity", *OPEN[:3])
 
 
 def _outside(value, name):
@@ -168,68 +166,6 @@ def holders(facts, name):
     return "".join("; " + w for w in words)
 
 
-def runsOut(facts):
-    """Sides below or beside a liquid under gravity through which it leaves."""
-    liquids = [n for n in facts.media if isinstance(facts.of(n).get("equationOfState"), dict)
-               and facts.of(n)["equationOfState"].get("type") in ("stiffenedGas", "Tait")
-               and os.path.exists(facts.case.file("0", "alpha." + n))]
-    g = facts.g()
-    if not liquids or not np.linalg.norm(g) or not os.path.exists(facts.case.file("0/U")):
-        return
-    lets = {p: of["type"] for p, of in facts.conditions("0/U").items()
-            if of.get("type") in LETS_OUT}
-    alpha = sum(facts.case.field("0", "alpha." + n)*np.ones(facts.nCells) for n in liquids)
-    x = readField(facts.case.file("constant/polyMesh/points"))
-    faces = readLists(facts.case.file("constant/polyMesh/faces"))
-    owner = readLists(facts.case.file("constant/polyMesh/owner"))
-    for patch, (start, n) in patchFaces(facts.case).items():
-        wet = [f for f in range(start, start + n) if alpha[owner[f]] > 0.5] \
-            if patch in lets else []
-        down = [_normal(x[faces[f]]) @ g/np.linalg.norm(g) for f in wet]
-        if not wet or max(down) < -0.1:
-            continue
-        below = max(down) > 0.1
-        yield Finding("warning" if below else "note", "0/U", f"boundaryField.{patch}",
-                      f"{lets[patch]} lets {' and '.join(liquids)} out: {len(wet)} faces of "
-                      f"{patch} ({facts.patches.get(patch)}) are {'below' if below else 'beside'} "
-                      "it", "a wall has type wall in constant/polyMesh/boundary (setFluids gives "
-                      "it slip), or slip in 0.orig/U; then setFluids again",
-                      "meshes.md#what-patches-need")
-
-
-def softened(facts):
-    """Liquids whose sound is not ten times what they reach by falling as far as they are high."""
-    g = facts.g()
-    size = np.linalg.norm(g)
-    if not size:
-        return
-    down = g/size
-    rows = [(n, f"{n}.constitutiveModel", p.speed, float(abs(down) @ (p.high - p.low)))
-            for n, p in facts.phases.items() if p.n and p.law in LIQUIDS]
-    for name in facts.media:
-        state = facts.of(name).get("equationOfState")
-        kind = state.get("type") if isinstance(state, dict) else ""
-        wet = facts.share(name) > 0.5 if kind in ("stiffenedGas", "Tait") else np.zeros(1, bool)
-        if wet.any() and facts.sounds[name]:
-            entry = next((e for e in ("soundSpeed", "pInf", "K") if e in state), "type")
-            width = float(np.median(facts.widths[wet])) if len(facts.widths) else 0.0
-            rows.append((name, f"{name}.equationOfState.{entry}", facts.sounds[name],
-                         float(np.ptp(facts.centres[wet] @ down)) + width))
-    for name, entry, c, height in rows:
-        fall = math.sqrt(2*size*height)
-        if fall > 0.1*c:
-            yield Finding("warning", PHASES, entry, f"the sound of {name}, {c:.4g} m/s, is not ten "
-                          f"times {fall:.3g} m/s, to which it falls by its height {height:.3g} m: "
-                          "it is compressed as it flows", f"sound of {10*fall:.2g} m/s or more",
-                          "fluids.md#several-fluids")
-
-
-def _normal(corners):
-    """Unit normal of a polygon, to the side from which its corners go left about."""
-    area = np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
-    return area/max(np.linalg.norm(area), 1e-300)
-
-
 # --- schemes -------------------------------------------------------------------
 
 def _poisson(law):
@@ -362,7 +298,7 @@ def writing(facts):
 
 
 RULES = (densities, waveSpeeds, strengths, meshSize, gravity, pressure, duration, wavesLeave,
-         runsOut, softened, locking, courant, transfers, shapes, shocks, pointsInCells, damage,
+         *checkFluids.RULES, locking, courant, transfers, shapes, shocks, pointsInCells, damage,
          writing)
 
 

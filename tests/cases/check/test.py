@@ -7,6 +7,8 @@ told        masses, sides, cells across bodies, the smallest cell; a sound too l
 mistakes    one wrong unit or choice each in the template: found, with file and entry
 leaks       water on a floor of type patch, to which setFluids gives zeroGradient: found; sides
             that hold a body
+dropped     a block above water: p and velocity at the start; no p of the water's weight, no
+            gravity, no stress, floors of no condition, steps, gauges: found, and where not
 codes       exit codes of the command: 0, 1, 2; 2 with the solver's own words
 trial       steps foretold of three cases against those of the run: within 30 %; memory; two ranks
 tutorials   all tutorials: the warnings are those listed here with what is true of them
@@ -192,6 +194,124 @@ def leaks(table):
         table.check(f"leaks: what holds a body, {low} m off the wall", words in said, said)
 
 
+def basin(name):
+    """A block 0.1 m above water of 0.1 m, which it gets to with 1 m/s: damBreakObstacle's."""
+    case = FoamCase("check", name, os.path.join(PROJECT, "tutorials/damBreakObstacle"))
+    case.set("system/setFluidsDict", "regions.column.max", (1, 0.1, 1))
+    for entry, value in (("min", (0.2, 0.2, 0)), ("max", (0.24, 0.24, 0.005)),
+                         ("velocity", (0, -1, 0))):
+        case.set(REGIONS, "regions.obstacle." + entry, value, add=True)
+    case.change("0.orig/U.solids", "fixedValue;\n *value .*;", "slip;")
+    return case
+
+
+def toldOf(case, word, **options):
+    """Kind and file of the findings with a word, and the check; without a trial."""
+    check = Check(case.path, **{"trial": False, **options})
+    check.run()
+    return [(f.kind, f.file) for f in check.findings if word in f.text], check
+
+
+def dropped(table):
+    case = basin("dropped")
+    hits, check = toldOf(case, "")
+    table.check("dropped: nothing found as it should be", not hits, found(check))
+    said = dict(check.lines)["start"]
+    table.check("dropped: gravity and velocity", said.startswith("gravity (0 -9.81 0), p ")
+                and said.endswith("Pa, obstacle at (0 -1 0) m/s"), said)
+    width = 0.3514/71
+    for name, value, exact in zip(("least", "largest"), re.findall(r"(\d+) (?:to|Pa)", said), (
+            1e4, 1e4 + 1.2*9.81*(0.34 - 0.1) + 1000*9.81*(0.1 - width/2))):
+        table.row(f"dropped: {name} p at the start [Pa]", exact, float(value), 1e-3, "relative")
+
+    atRest(table)
+    around(table)
+    floors(table)
+    steps(table)
+    gauges(table)
+
+
+def atRest(table):
+    case = basin("noHydrostatic")
+    case.change("system/setFluidsDict", "^hydrostatic.*", "")
+    case.set("system/setFluidsDict", "default.p", 1e4, add=True)
+    hits, check = toldOf(case, "the same p above and below")
+    table.check("dropped: no hydrostatic", hits == [("warning", "system/setFluidsDict")]
+                and any("hydrostatic { point" in f.remedy for f in check.findings), found(check))
+    ring = re.search(r"2 rho g H = (\d+) Pa", " ".join(found(check)))
+    table.row("dropped: 2 rho g H [Pa]", 2*1000*9.81*0.1, float(ring[1]) if ring else 0, 0.05,
+              "relative")        # H in whole cells
+    os.remove(case.file("constant/g"))
+    hits, check = toldOf(case, "there is no gravity")
+    table.check("dropped: no gravity", hits == [("note", "constant/g")]
+                and dict(check.lines)["start"].startswith("no gravity, p 10000 Pa"), found(check))
+    case.set(CONTROL, "endTime", 0.01)        # it would fall by 0.5 mm
+    hits, check = toldOf(case, "there is no gravity")
+    table.check("dropped: no gravity, too short for it", not hits, found(check))
+
+
+def around(table):
+    case = basin("noStress")
+    case.change(REGIONS, " *(stress|pressure) .*\n", "")
+    hits, check = toldOf(case, "lies in air, whose p is 100")
+    table.check("dropped: no stress, in air of 1e4 Pa", hits == [("warning", REGIONS)] and any(
+        re.search(r"referencePressure 100\d\d;", f.remedy) for f in check.findings), found(check))
+    case.set(REGIONS, "regions.obstacle.min", (0.2, 0.02, 0))
+    case.set(REGIONS, "regions.obstacle.max", (0.24, 0.06, 0.005))
+    hits, check = toldOf(case, "lies in water, whose p is 10")
+    table.check("dropped: no stress, in water", len(hits) == 1, found(check))
+
+
+def floors(table):
+    case = basin("floors")
+    case.change("0.orig/U.solids", "slip;", "calculated;")
+    hits, check = toldOf(case, "obstacle may get to floor")
+    table.check("dropped: nothing on the floor", hits == [("note", "0/U.solids")], found(check))
+    # From 0.2 m with 1 m/s down, less half a cell
+    time = re.search(r"floor from (\S+) s", " ".join(found(check)))
+    table.row("dropped: time of the fall [s]", ((1 + 2*9.81*0.2)**0.5 - 1)/9.81,
+              float(time[1]) if time else 0, 0.05, "relative")
+    case.set(PHASES, "contact", {"floor": {"type": "frictionless", "fields": ["solids"],
+                                           "patch": "floor"}}, add=True)
+    hits, check = toldOf(case, "may get to")
+    table.check("dropped: contact with the floor", not hits, found(check))
+    case = basin("upwards")
+    case.change("0.orig/U.solids", "slip;", "calculated;")
+    case.set(REGIONS, "regions.obstacle.velocity", (0, 1, 0))
+    case.set(CONTROL, "endTime", 0.2)         # it is back at its place then
+    hits, check = toldOf(case, "may get to")
+    table.check("dropped: thrown up", not hits, found(check))
+
+
+def steps(table):
+    case = basin("stiff")
+    case.set(PHASES, "obstacle.E", 1e10)
+    word = "obstacle sets the step"
+    for name, options in (("without a trial", {}), ("after a trial", {"trial": True, "steps": 5})):
+        hits, check = toldOf(case, word, **options)
+        table.check(f"dropped: stiff, {name}", hits == [("note", CONTROL)] and any(
+            f.remedy.startswith("maxSubSteps 10") for f in check.findings), found(check))
+    case.set(CONTROL, "maxSubSteps", 10, add=True)
+    hits, check = toldOf(case, word)
+    table.check("dropped: stiff, with maxSubSteps", not hits, found(check))
+
+
+def gauges(table):
+    case = basin("gauges")
+    case.set(CONTROL, "functions.gauges", {
+        "type": "blastProbes", "libs": ["mpmFunctionObjects"],
+        "probeLocations": [(0.22, 0.01, 0.0025)]}, add=True)
+    hits, check = toldOf(case, "measures pressures in water softened to 35 m/s")
+    table.check("dropped: gauges in softened water", hits == [("note", CONTROL)]
+                and "35000 Pa for 1 m/s" in " ".join(found(check)), found(check))
+    period = re.search(r"4 H/c = (\S+) s", " ".join(found(check)))
+    table.row("dropped: period 4 H/c [s]", 4*0.1/35, float(period[1]) if period else 0, 0.06,
+              "relative")        # two digits, H in whole cells
+    case.set(PHASES, "water.soundSpeed", 1482)
+    hits, check = toldOf(case, "measures pressures")
+    table.check("dropped: gauges in water of its own sound", not hits, found(check))
+
+
 def command(case, *options):
     run = subprocess.run([os.path.join(PROJECT, "etc/bin/mpmCheck"), case, *options], timeout=120,
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -280,4 +400,4 @@ def tutorials(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("check", template, told, mistakes, leaks, codes, trial, tutorials))
+    sys.exit(runParts("check", template, told, mistakes, leaks, dropped, codes, trial, tutorials))
