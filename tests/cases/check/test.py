@@ -24,7 +24,7 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
 from foamCase import PROJECT, FoamCase, runParts
-from mpm.check import Check, write
+from mpm.check import Check, _place, write
 
 TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
 PHASES, REGIONS = "constant/phaseProperties", "system/setMaterialPointsDict"
@@ -331,6 +331,9 @@ def codes(table):
     code, said = command(case.path)
     table.check("codes: 2 with the solver's words", code == 2
                 and "target.constitutiveModel" in said and "must be greater than 0" in said, code)
+    table.check("codes: places of entries as v1912 and as v2506 write them", all(
+        _place(sign.join((file, "target", "E"))) == (file, "target.E")
+        for sign in "./" for file in (PHASES, CONTROL)), "")
     case.set(PHASES, "target.E", 7e10)
     case.set(CONTROL, "maxCo", 3)       # read with the first step only
     code, said = command(case.path)
