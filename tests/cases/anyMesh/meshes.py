@@ -118,7 +118,8 @@ addLayersControls
     relativeSizes true; layers { ball { nSurfaceLayers 2; } } expansionRatio 1;
     finalLayerThickness 0.3; minThickness 0.05; nGrow 0; featureAngle 60; nRelaxIter 3;
     nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
-    maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90;
+    maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3;
+    minMedianAxisAngle 90; minMedialAxisAngle 90;
     nBufferCellsNoExtrude 0; nLayerIter 50;
 }
 meshQualityControls

@@ -291,7 +291,8 @@ def ofGmsh(table):
                 os.path.exists(copied.file("constant/polyMesh/faces"))
                 and not os.path.exists(copied.file("0/lagrangian")))
     folder = os.path.join(RUN, "python", "gmshStudy")
-    shutil.rmtree(folder, ignore_errors=True)
+    for old in (folder, folder + "None"):
+        shutil.rmtree(old, ignore_errors=True)
     E = {"E": ("constant/phaseProperties", "target.E", [70e9])}
     rows = Study(copied.path, E, {"steps": steps}, folder=folder).run(1)
     table.check("study: of the copy runs", rows["state"][0] == "ran" and rows["steps"][0] > 0,
