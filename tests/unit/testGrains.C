@@ -287,6 +287,30 @@ TEST_CASE("muI, collisions: steady shear has the temperature and stress of Lun e
             }
 }
 
+TEST_CASE("muI, collisions: the wave speed is that of an adiabatic change of the volume")
+{
+    // c^2 = dp/drho without loss, by the pressures after a small step in and out
+    const auto law(lawOf(grains(collisions("1", "0.25"))));
+    for (const scalar phi : {0.1, 0.4, 0.58})
+    {
+        points p(colliding(3, *law, phi)), q(colliding(3, *law, phi));
+        std::fill(p.width.begin(), p.width.end(), 1e9);
+        std::fill(q.width.begin(), q.width.end(), 1e9);
+        // So slow that viscosity does nothing
+        p.dt = q.dt = 1e8;
+        const scalar step = 1e-6;
+        p.apply(*law, {-step / 3, 0, 0, 0, -step / 3, 0, 0, 0, -step / 3});
+        q.apply(*law, {step / 3, 0, 0, 0, step / 3, 0, 0, 0, step / 3});
+        const scalar dp = meanStress(q, 0) - meanStress(p, 0);
+        const scalar dRho = p.mass[0] / p.volume[0] - q.mass[0] / q.volume[0];
+        points r(colliding(3, *law, phi));
+        std::fill(r.width.begin(), r.width.end(), 1e9);
+        pointBlock b(r.block());
+        law->correct(b);
+        CHECK(sqr(b.waveSpeed - law->waveSpeed()) == doctest::Approx(dp / dRho).epsilon(1e-4));
+    }
+}
+
 TEST_CASE("muI, collisions: thin elastic grains are a gas of gamma 5/3")
 {
     const auto law(lawOf(grains(collisions("1", "0.25"))));
@@ -301,6 +325,10 @@ TEST_CASE("muI, collisions: thin elastic grains are a gas of gamma 5/3")
         p.dt = 1e8;
         walk(p, *law, L, n);
         CHECK(p.volume[0] == doctest::Approx(0.5 * 0.6 / 1e-7).epsilon(1e-9));
+        // c^2 = 5/3 T; beside it the bed's elastic waves and a viscous part
+        pointBlock b(p.block());
+        law->correct(b);
+        CHECK(b.waveSpeed > law->waveSpeed() + std::sqrt(5.0 / 3 * p.history[T][0]));
         CHECK(p.history[T][0] == doctest::Approx(0.25 * std::pow(2, 2.0 / 3)).epsilon(1e-3));
     }
 }

@@ -263,7 +263,7 @@ def bubble(table):
         table.row(f"bubble in a bed at {t} s: diameter over twoPhaseEulerFoam's", 1,
                   found[t][0]/reference[t][0], 0.1)
     if VERIFY:
-        no = [(r"collisions\s*\{[^}]*\}", "")]
+        no = [(r"\n +collisions\s*\{[^}]*\}", "")]
         for name, run in (("ours", found), ("ours, no collisions", beds.ours("bed-no", 1, end, no)[1]),
                           ("ours, 3.75 mm", beds.ours("bed-2", 2, end)[1]),
                           ("twoPhaseEulerFoam", beds.twoPhase("two", 1, end)[1]),

@@ -287,10 +287,8 @@ void muI::collide(pointBlock& b) const
             const scalar pressure = f.P * s * s - (f.L - 2 * f.M / 3) * s * div;
             b.stress[i][p] += density * (2 * f.M * s * d[i] - (i < 3 ? pressure : 0));
         }
-        // Waves of a gas of spheres, and the diffusion of momentum as in NewtonianFluid
-        fastest = max(
-            fastest,
-            s * (std::sqrt(f.P + 2.0 / 3 * sqr(f.P)) + 2 * D * (4.0 / 3 * f.M + f.L) / b.width[p]));
+        // Waves, and the diffusion of momentum as in NewtonianFluid
+        fastest = max(fastest, s * (std::sqrt(f.c2) + 2 * D * (4.0 / 3 * f.M + f.L) / b.width[p]));
     }
     b.waveSpeed = max(b.waveSpeed, waveSpeed() + fastest);
 }
