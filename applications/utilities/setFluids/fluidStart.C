@@ -12,17 +12,17 @@
 
 void Foam::mpm::fluidStart::readRegions(const dictionary& dict)
 {
-    // Other words are variables of the user, as in setMaterialPointsDict
-    const wordList valid({"default", "regions", "hydrostatic"});
+    // Other words are variables of the user, as in setMaterialPointsDict, if not misspelt
+    const wordList own({"default", "regions", "hydrostatic"});
+    wordList valid(own);
     for (const word& key : dict.toc())
     {
-        if (!valid.found(key) && !nearWord(key, valid).empty())
+        if (nearWord(key, own).empty())
         {
-            FatalIOErrorInFunction(dict)
-                << "Unknown keyword " << key << meant(key, valid).c_str() << nl << nl
-                << "Valid keywords are: " << flatOutput(valid) << exit(FatalIOError);
+            valid.append(key);
         }
     }
+    checkKeywords(dict, valid);
     const dictionary& rest = requiredDict(dict, "default");
     regions_.append(new fluidRegion(grid_, mixture_, rest, false));
     if (dict.found("regions"))

@@ -449,7 +449,7 @@ def wrong(table):
             ("defaultMass", {"a": ball}, {"fluid": "air", "p": 1e5, "mass": 1}, None,
              ("mass", "shape")),
             ("hydrostatik", {"a": ball}, None, {"R": 1, "hydrostatik": {"p": 1e5}},
-             ("hydrostatik; is hydrostatic meant?", "regions")),
+             ("Unknown keyword hydrostatik in", "is hydrostatic meant?", "regions")),
             ("notADictionary", {"a": 3}, None, None, ("not a dictionary", "type box"))):
         case = None
         try:
