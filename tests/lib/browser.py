@@ -8,19 +8,50 @@
         page.screenshot("page.png")
         page.errors                                 # what the console has of errors
 
-Browser.find() is the program, None if there is none here.
+Browser.find() is the program, None if there is none here. A browser that ends or does not
+answer is BrowserLost; inBrowser() then begins anew.
 """
 
 import base64
 import json
 import os
+import re
 import select
 import shutil
 import subprocess
 import time
 
+from report import Report
+
 #: Seconds for an answer
 PATIENCE = 60
+
+#: Browsers that inBrowser() may start
+ATTEMPTS = 3
+
+
+class BrowserLost(Exception):
+    """The browser, not a page of it, has failed."""
+
+
+class Navigated(Exception):
+    """The page went elsewhere while it was asked."""
+
+
+def inBrowser(table, profile, work):
+    """Rows of work(table, browser). Where the browser is lost on the way, all of them are made
+    anew with another one; what a page does wrong is no reason."""
+    for attempt in range(1, ATTEMPTS + 1):
+        held = Report(table.case, held=True)
+        try:
+            with Browser(profile) as browser:
+                work(held, browser)
+            break
+        except BrowserLost as e:
+            print(f"attempt {attempt}: {e}", flush=True)
+            if attempt == ATTEMPTS:
+                raise
+    table.take(held)
 
 
 class Browser:
@@ -41,7 +72,7 @@ class Browser:
             os.dup2(b, 4)
         self.process = subprocess.Popen(
             [self.find(), "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run",
-             "--disable-extensions", "--disable-background-networking",
+             "--disable-dev-shm-usage", "--disable-extensions", "--disable-background-networking",
              f"--user-data-dir={profile}", "--remote-debugging-pipe", "about:blank"],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             close_fds=False, preexec_fn=ends)
@@ -59,13 +90,13 @@ class Browser:
         os.close(self.input)
 
     def message(self, until):
-        """The next message; TimeoutError if there is none."""
+        """The next message; BrowserLost if there is none."""
         while b"\0" not in self.rest:
             if not select.select([self.input], [], [], max(0, until - time.time()))[0]:
-                raise TimeoutError("the browser does not answer")
+                raise BrowserLost("the browser does not answer")
             got = os.read(self.input, 1 << 20)
             if not got:
-                raise RuntimeError("the browser has ended")
+                raise BrowserLost("the browser has ended")
             self.rest += got
         one, self.rest = self.rest.split(b"\0", 1)
         return json.loads(one)
@@ -76,14 +107,21 @@ class Browser:
         text = {"id": self.number, "method": method, "params": parameters}
         if session:
             text["sessionId"] = session
-        os.write(self.out, json.dumps(text).encode() + b"\0")
+        try:
+            os.write(self.out, json.dumps(text).encode() + b"\0")
+        except BrokenPipeError as e:
+            raise BrowserLost("the browser has ended") from e
         until = time.time() + PATIENCE
         while True:
             answer = self.message(until)
             if answer.get("id") == self.number:
+                if re.search("context|navigated", answer.get("error", {}).get("message", "")):
+                    raise Navigated(f"{method}: {answer['error']}")
                 if "error" in answer:
                     raise RuntimeError(f"{method}: {answer['error']}")
                 return answer["result"]
+            if answer.get("method") == "Inspector.targetCrashed":
+                raise BrowserLost("a page of the browser has crashed")
             page = self.pages.get(answer.get("sessionId"))
             if page and "method" in answer:
                 page.happened(answer["method"], answer["params"])
@@ -93,7 +131,7 @@ class Browser:
         session = self.call("Target.attachToTarget", targetId=target,
                             flatten=True)["sessionId"]
         self.pages[session] = page = Page(self, session)
-        for domain in ("Page", "Runtime", "Log", "Network"):
+        for domain in ("Page", "Runtime", "Log", "Network", "Inspector"):
             page.call(f"{domain}.enable")
         page.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
                   deviceScaleFactor=1, mobile=False)
@@ -128,7 +166,12 @@ class Page:
 
     def wait(self, condition):
         until = time.time() + PATIENCE
-        while not self.evaluate(condition):
+        while True:
+            try:
+                if self.evaluate(condition):
+                    return
+            except Navigated:
+                pass
             if time.time() > until:
                 raise TimeoutError(f"never true: {condition}")
             time.sleep(0.05)

@@ -14,6 +14,7 @@ import os
 import re
 import shutil
 import sys
+import traceback
 
 import numpy as np
 
@@ -225,4 +226,7 @@ def runParts(case, *parts):
             part(table)
         except RunFailed as e:
             table.check(f"{part.__name__} runs", False, e)
+        except Exception:
+            # With its place, and the other parts still run
+            table.check(f"{part.__name__} runs", False, traceback.format_exc())
     return table.finish()

@@ -29,8 +29,9 @@ def _text(value):
 
 
 class Report:
-    def __init__(self, case):
+    def __init__(self, case, held=False):
         self.case = case
+        self.held = held
         self.rows = []
 
     def row(self, quantity, reference, measured, limit, kind="absolute"):
@@ -68,8 +69,15 @@ class Report:
         """Something that this machine cannot test; neither passed nor failed."""
         self._add([self.case, quantity, "holds", why, "", "", None])
 
+    def take(self, held):
+        """Adds the rows that another table has held."""
+        for row in held.rows:
+            self._add(row)
+
     def _add(self, row):
         self.rows.append(row)
+        if self.held:
+            return
         word = "skipped" if row[-1] is None else "ok" if row[-1] else "FAILED"
         print(" | ".join(str(v) for v in row[:-1]), "|", word, flush=True)
         path = os.environ.get("MPM_RESULTS")

@@ -34,7 +34,7 @@ import PIL.Image
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../lib"))
 from bar import barRun
 from blockInGas import blockInGas
-from browser import Browser
+from browser import Browser, inBrowser
 from foamCase import PATIENCE, PROJECT, RUN, FoamCase, runParts
 from plates import plateCase
 
@@ -654,29 +654,34 @@ def browser(table):
     case.run("materialPointFoam")
     report(case.path)
     path = case.file("report.html")
-    with Browser(os.path.join(RUN, "report", "profile")) as chromium:
-        for width in (1400, 420):
-            page = chromium.open(path, width, 900)
-            # Plots are drawn when they come into view
-            page.evaluate("document.querySelector('.plot').scrollIntoView({block: 'center'})")
-            page.wait("Object.keys(mpmReport.graphs).length > 0")
-            name = f"{width} pixels"
-            table.row(f"{name}: plots are drawn", 1, page.evaluate(
-                "document.querySelectorAll('.plot canvas').length"), 1, "atLeast")
-            table.row(f"{name}: pixels wider than the page", 0, page.evaluate(
-                "document.documentElement.scrollWidth - window.innerWidth"), 0, "atMost")
-            slider(table, name, page)
-            zoom(table, name, page)
-            table.row(f"{name}: pixels between the unit and the longest numbers of an axis", 2,
-                      page.evaluate(UNIT), 2, "atLeast")
-            labels = page.evaluate(TICKS)
-            table.check(f"{name}: no two ticks of an axis have the same label", len(labels) > 2
-                        and len(set(labels)) == len(labels), labels)
-            page.screenshot(case.file(f"page{width}.png"), whole=True)
-            table.check(f"{name}: no error in the console", not page.errors, page.errors)
-            others = [u for u in page.requests
-                      if not u.startswith(("data:", "file://" + path))]
-            table.check(f"{name}: nothing is loaded", not others, others)
+    inBrowser(table, os.path.join(RUN, "report", "profile"),
+              lambda held, chromium: looks(held, chromium, path, case))
+
+
+def looks(table, chromium, path, case):
+    """The page at two widths."""
+    for width in (1400, 420):
+        page = chromium.open(path, width, 900)
+        # Plots are drawn when they come into view
+        page.evaluate("document.querySelector('.plot').scrollIntoView({block: 'center'})")
+        page.wait("Object.keys(mpmReport.graphs).length > 0")
+        name = f"{width} pixels"
+        table.row(f"{name}: plots are drawn", 1, page.evaluate(
+            "document.querySelectorAll('.plot canvas').length"), 1, "atLeast")
+        table.row(f"{name}: pixels wider than the page", 0, page.evaluate(
+            "document.documentElement.scrollWidth - window.innerWidth"), 0, "atMost")
+        slider(table, name, page)
+        zoom(table, name, page)
+        table.row(f"{name}: pixels between the unit and the longest numbers of an axis", 2,
+                  page.evaluate(UNIT), 2, "atLeast")
+        labels = page.evaluate(TICKS)
+        table.check(f"{name}: no two ticks of an axis have the same label", len(labels) > 2
+                    and len(set(labels)) == len(labels), labels)
+        page.screenshot(case.file(f"page{width}.png"), whole=True)
+        table.check(f"{name}: no error in the console", not page.errors, page.errors)
+        others = [u for u in page.requests
+                  if not u.startswith(("data:", "file://" + path))]
+        table.check(f"{name}: nothing is loaded", not others, others)
 
 
 def slider(table, name, page):

@@ -24,7 +24,7 @@ import urllib.parse
 
 TESTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
 sys.path.insert(0, os.path.join(TESTS, "lib"))
-from browser import Browser
+from browser import Browser, inBrowser
 from foamCase import PROJECT, RUN, runParts
 
 FOLDER = os.path.join(RUN, "site")
@@ -224,38 +224,42 @@ def browser(table):
     if not Browser.find():
         table.skip("the site in a browser", "no chromium here")
         return
-    with Browser(os.path.join(FOLDER, "profile")) as chromium:
-        for width in (1400, 420):
-            errors, wide, others, raw = [], [], [], []
-            for name in LOOKED:
-                page = chromium.open(os.path.join(SITE, name + ".html"), width, 900)
-                # The theme wraps wide tables when all is loaded
-                page.wait("!document.querySelector('table.docutils:not(.wy-table-responsive"
-                          " *)')")
-                errors += [f"{name}: {e}" for e in page.errors]
-                others += [u for u in page.requests
-                           if not u.startswith(("data:", "file://" + SITE))]
-                if page.evaluate("document.documentElement.scrollWidth > window.innerWidth"):
-                    wide.append(name)
-                if page.evaluate("[...document.querySelectorAll('.math')].some("
-                                 "m => !m.querySelector('.katex')) ||"
-                                 " document.querySelector('.katex-error') !== null"):
-                    raw.append(name)
-                page.screenshot(os.path.join(
-                    FOLDER, f"{name.replace('/', '-')}-{width}.png"))
-            text = f"{width} pixels: "
-            table.check(text + "no error in the console", not errors, " ".join(errors))
-            table.check(text + "nothing is loaded from elsewhere", not others, others)
-            table.check(text + "no page is wider than the window", not wide, wide)
-            table.check(text + "all equations are drawn", not raw, raw)
-        search(table, chromium)
+    inBrowser(table, os.path.join(FOLDER, "profile"), looks)
+
+
+def looks(table, chromium):
+    """The pages at two widths, and the search."""
+    for width in (1400, 420):
+        errors, wide, others, raw = [], [], [], []
+        for name in LOOKED:
+            page = chromium.open(os.path.join(SITE, name + ".html"), width, 900)
+            # The theme wraps wide tables when all is loaded
+            page.wait("!document.querySelector('table.docutils:not(.wy-table-responsive"
+                      " *)')")
+            errors += [f"{name}: {e}" for e in page.errors]
+            others += [u for u in page.requests
+                       if not u.startswith(("data:", "file://" + SITE))]
+            if page.evaluate("document.documentElement.scrollWidth > window.innerWidth"):
+                wide.append(name)
+            if page.evaluate("[...document.querySelectorAll('.math')].some("
+                             "m => !m.querySelector('.katex')) ||"
+                             " document.querySelector('.katex-error') !== null"):
+                raw.append(name)
+            page.screenshot(os.path.join(
+                FOLDER, f"{name.replace('/', '-')}-{width}.png"))
+        text = f"{width} pixels: "
+        table.check(text + "no error in the console", not errors, " ".join(errors))
+        table.check(text + "nothing is loaded from elsewhere", not others, others)
+        table.check(text + "no page is wider than the window", not wide, wide)
+        table.check(text + "all equations are drawn", not raw, raw)
+    search(table, chromium)
 
 
 def search(table, chromium):
     """The form of the first page, by keys."""
     page = chromium.open(os.path.join(SITE, "README.html"), 1400, 900)
     page.evaluate("document.querySelector('input[name=q]').value = 'nodeDual';"
-                  "document.querySelector('input[name=q]').form.submit()")
+                  "setTimeout(() => document.querySelector('input[name=q]').form.submit())")
     page.wait("location.pathname.endsWith('search.html') && "
               "/found \\d+ page/.test(document.body?.textContent)")
     shown = page.evaluate("[...document.querySelectorAll('#search-results ul.search a')]"
