@@ -30,11 +30,12 @@ class RunFailed(Exception):
 
 
 class Table(dict):
-    """Columns by name; another name is an error that lists them."""
+    """Columns by name; another name is an error that lists them. units: those that the table
+    names, by the column's name."""
 
-    def __init__(self, columns, path):
+    def __init__(self, columns, path, units=None):
         super().__init__(columns)
-        self.path = path
+        self.path, self.units = path, units or {}
 
     def __missing__(self, name):
         raise RunFailed(f"no column {name} in {self.path}; there are: {', '.join(self)}")
@@ -253,11 +254,14 @@ class Case:
                             + " ".join(self.tables()))
         with open(parts[0][1]) as f:
             head = [line for line in f if line.startswith("#")][-1].strip("# \n")
-        names = [re.sub(r"\[[^]]*\]$", "", w.strip()) for w in re.split(r"\t+|\s{2,}", head)]
+        heads = [re.fullmatch(r"(.*?)(?:\[([^]]*)\])?", w.strip())
+                 for w in re.split(r"\t+|\s{2,}", head)]
+        names = [h[1] for h in heads]
         rows = [np.loadtxt(p, ndmin=2) for _, p in parts]
         ends = [t for t, _ in parts[1:]] + [np.inf]
         rows = np.concatenate([r[r[:, 0] <= end] for r, end in zip(rows, ends) if r.size])
-        return Table({n: rows[:, i] for i, n in enumerate(names[:rows.shape[1]])}, path)
+        return Table({n: rows[:, i] for i, n in enumerate(names[:rows.shape[1]])}, path,
+                     {h[1]: h[2] for h in heads if h[2]})
 
     def tables(self):
         """Names of the tables of postProcessing, as table takes them."""

@@ -201,7 +201,7 @@ def gaugesInSoftened(facts):
 
 def nameFluid(finding, facts, log):
     """Of a body without stress: the fluids in which it lies, and their pressure there."""
-    said = re.match(r"Region (\S+) lies in the gas \S+ and starts without stress", finding.text)
+    said = re.match(r"Region (\S+) lies in the .* and starts without stress", finding.text)
     region = facts.regions.get(said[1]) if said else None
     phase = facts.phases.get(region.get("phase")) if isinstance(region, dict) else None
     box = re.search(rf"^    {said[1]}: \w+ of \([^)]*\) m from \(([^)]*)\) to \(([^)]*)\) m", log,

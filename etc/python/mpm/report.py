@@ -360,7 +360,8 @@ def build(content, other, n, output, refresh=None, cache=None):
         ("run", "Run", page.plotBoxes(plots, 0, zoom, still) + page.limiters(content.history)
          + page.stepParts(last.parts if last else "")),
         ("output", "Function objects", page.plotBoxes(more, len(plots), zoom, still)
-         + page.xtDiagrams(content.tables) + page.otherTables(content.tables)),
+         + page.xtDiagrams(content.tables) + page.otherTables(content.tables)
+         + (page.otherTables(other.tables, f", {other.name}") if other else "")),
         ("numbers", "Numbers of the log", page.numbers(
             content.history, other.history if other else None, other.name if other else "",
             guide) if content.history.rows else ""),

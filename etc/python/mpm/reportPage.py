@@ -280,14 +280,14 @@ def xtDiagrams(tables):
     return f'<div class="pictures">{"".join(parts)}</div>' if parts else ""
 
 
-def otherTables(tables):
-    """Tables that are not over time, as they are."""
+def otherTables(tables, of=""):
+    """Tables that are not over time, as they are; of: the other run whose they are."""
     parts = []
     for one in tables:
         if one.overTime or one.bins or one.data.shape[0] > 200 or one.data.shape[1] > 40:
             continue
         rows = [row(*(f"{v:.6g}" if np.isfinite(v) else "" for v in r)) for r in one.data]
-        parts.append(f"<h3>{esc(one.function)}: {esc(one.name)}</h3>"
+        parts.append(f"<h3>{esc(one.function)}: {esc(one.name)}{esc(of)}</h3>"
                      f'<p class="soft">{esc(one.title)}</p>' + table(one.columns, rows))
     return "".join(parts)
 

@@ -511,7 +511,8 @@ def pictures(case, dictionary, n, known=None, notes=None, beside=()):
             notes.append(one)
         else:
             found.append(one)
-    if not any(p.coloured for p in found) and writtenTimes(case):
+            drawn(one, choose(one.times, n), known, notes)
+    if not any(p.coloured and p.frames for p in found) and writtenTimes(case):
         try:
             scene = Scene(case, dictionary)
             times = choose([t for t in scene.times if scene.shows(t)], n)
@@ -519,10 +520,9 @@ def pictures(case, dictionary, n, known=None, notes=None, beside=()):
                 automatic = Automatic(scene, times, ranges(beside, n))
                 found.append(Picture(automatic.title(), times, automatic.draw,
                                      lambda: plt.close(automatic.figure)))
+                drawn(found[-1], times, known, notes)
         except Exception as error:      # a page without pictures is better than none
             notes.append(f"no automatic picture: {type(error).__name__}: {error}")
-    for picture in found:
-        drawn(picture, choose(picture.times, n), known, notes)
     room(found, notes)
     return [p for p in found if p.frames]
 

@@ -215,18 +215,21 @@ def short(names):
 
 
 def probes(tables):
-    """Largest values of the columns of materialPointProbes: (what, value, unit, time)."""
+    """Largest values of the columns of materialPointProbes, and of the places of blastProbes and
+    OpenFOAM's probes if they are no more than LINES: (what, value, unit, time)."""
     found = []
     for table in tables:
-        if not (table.overTime and re.match(r"Phase \S+, \d+ points", table.title)):
+        ofPoints = re.match(r"Phase \S+, \d+ points", table.title)
+        if not table.overTime or not ofPoints and not 0 < len(table.places) <= LINES:
             continue
+        of = "" if ofPoints else os.path.splitext(table.name)[0] + " at "
         for unit, columns in table.groups():
             heads = short([re.sub(r"\[[^]]*\]$", "", table.columns[c]) for c in columns])
             for head, c in zip(heads, columns):
                 y = table.data[:, c]
                 if np.isfinite(y).any() and np.nanmax(np.abs(y)) > 0:
                     k = np.nanargmax(np.abs(y))
-                    found.append((f"{table.function}: {head}", y[k], unit, table.data[k, 0]))
+                    found.append((f"{table.function}: {of}{head}", y[k], unit, table.data[k, 0]))
     return found
 
 

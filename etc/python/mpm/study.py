@@ -43,6 +43,7 @@ import numpy as np
 
 from mpm.case import Case, RunFailed
 from mpm.files import foamText
+from mpm.reportCase import Meanings, flat, readDictionary
 
 RECORD = "study.json"
 BUDGET = "energyBudget yes; in materialPoints of system/fvSolution"
@@ -108,10 +109,33 @@ class Study:
                 for w in waiting:
                     w.cancel()
                 raise
-        results = Results(rows, list(self.parameters), list(self.quantities))
+        results = Results(rows, list(self.parameters), list(self.quantities), self._units(rows))
         if results.failed:
             print(results.summary(), flush=True)
         return results
+
+    def _units(self, rows):
+        """Units of entries, by doc/entries.md, and of quantities, by a run that has not failed:
+        {column: unit}, of those that are known."""
+        base, meanings, found = Case(self.base), Meanings(), {}
+        for name, parameter in self.parameters.items():
+            if parameter.entry:
+                file, path = parameter.entry
+                data = readDictionary(base, file)
+                # A short path is that of one entry
+                names = r"\.(?:.*\.)?".join(map(re.escape, path.split(".")))
+                whole = [p for p in flat(data) if re.fullmatch(r"(?:.*\.)?" + names, p)]
+                if whole:
+                    path = path if path in whole else whole[0]
+                    found[name] = meanings.find(file, path, data)[0]
+        ran = [p for p, row in zip(self.points, rows) if not row["state"].startswith("failed")]
+        for name, quantity in self.quantities.items():
+            if ran and hasattr(quantity, "unit"):
+                try:
+                    found[name] = quantity.unit(self.case(**ran[0]))
+                except RunFailed:       # state has said so
+                    pass
+        return {name: unit for name, unit in found.items() if unit}
 
     def _check(self):
         """Before anything runs: has the case a mesh, and what the quantities need? Functions
@@ -259,8 +283,9 @@ def _text(value):
 class Results:
     """The rows of a study: table["strain"], write, plot; print(table) shows it."""
 
-    def __init__(self, rows, parameters, quantities):
+    def __init__(self, rows, parameters, quantities, units=None):
         self.rows, self.parameters, self.quantities = rows, parameters, quantities
+        self.units = units or {}
         self.columns = [*parameters, *quantities, "state"]
         self.failed = [row for row in rows if row["state"].startswith("failed")]
 
@@ -309,7 +334,8 @@ class Results:
             if self[x].dtype.kind in "if":
                 line = sorted(line)
             ax.plot(*zip(*line), "o-", ms=4, label=f"{by} {_text(key)}" if by else None)
-        ax.set(xlabel=xlabel or x, ylabel=ylabel or y, **{f"{a}scale": "log" for a in log})
+        names = [f"{n} [{self.units[n]}]" if n in self.units else n for n in (x, y)]
+        ax.set(xlabel=xlabel or names[0], ylabel=ylabel or names[1], **{f"{a}scale": "log" for a in log})
         ax.grid(alpha=0.3)
         if by:
             ax.legend()
@@ -326,20 +352,20 @@ class Results:
 def last(table, column):
     """The last value of a column of a table (Case.table). The name may be a pattern of one
     column, "displacement_x*"."""
-    return _ofTable(table, lambda case: float(_column(case, table, column)[-1]))
+    return _ofTable(table, lambda case: float(_column(case, table, column)[-1]), column)
 
 
 def largest(table, column):
-    return _ofTable(table, lambda case: float(np.max(_column(case, table, column))))
+    return _ofTable(table, lambda case: float(np.max(_column(case, table, column))), column)
 
 
 def least(table, column):
-    return _ofTable(table, lambda case: float(np.min(_column(case, table, column))))
+    return _ofTable(table, lambda case: float(np.min(_column(case, table, column))), column)
 
 
-def _ofTable(table, quantity):
+def _ofTable(table, quantity, column):
     """A quantity with what it needs: the function object that writes the table. need(case,
-    entries that the study sets) says what the case lacks."""
+    entries that the study sets) says what the case lacks; unit(case) is that of the column."""
     def need(case, entries):
         name = table.split("/")[0]
         functions = case.get("system/controlDict").get("functions") or {}
@@ -348,18 +374,23 @@ def _ofTable(table, quantity):
         return (f"no function object {name} in {case.file('system/controlDict')} to write the"
                 f" table {table}; there are: {' '.join(functions) or 'none'}")
     quantity.need = need
+    quantity.unit = lambda case: case.table(table).units.get(_nameOf(case, table, column), "")
     return quantity
 
 
-def _column(case, table, column):
-    """A column by its name, or by a pattern (*, ?) that only one matches."""
+def _nameOf(case, table, column):
+    """The name of a column by a pattern (*, ?) that only one matches, or as it is."""
     columns = case.table(table)
     names = [n for n in columns if fnmatch.fnmatchcase(n, column)]
     if column in columns or not names:
-        return columns[column]          # an error lists those that are
+        return column                   # an error lists those that are
     if len(names) > 1:
         raise RunFailed(f"{column} of {table} is each of {', '.join(names)}")
-    return columns[names[0]]
+    return names[0]
+
+
+def _column(case, table, column):
+    return case.table(table)[_nameOf(case, table, column)]
 
 
 def period(table, column, about=0.0):
@@ -373,7 +404,9 @@ def period(table, column, about=0.0):
             raise RunFailed(f"{column} of {table} crosses {about} only {len(i)} times: no period")
         zero = t[i] - v[i]*(t[i + 1] - t[i])/(v[i + 1] - v[i])
         return float(2*(zero[-1] - zero[0])/(len(zero) - 1))
-    return _ofTable(table, of)
+    of = _ofTable(table, of, column)
+    of.unit = lambda case: "s"
+    return of
 
 
 def energyResidual(case):
@@ -404,3 +437,6 @@ def steps(case):
 def seconds(case):
     """Seconds of one core of its time steps."""
     return case.solverSeconds()
+
+
+seconds.unit = lambda case: "s"

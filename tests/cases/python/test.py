@@ -254,7 +254,11 @@ def study(table):
                 "Px" in said and "kinetic" in said, said[:100])
     budget(table)
     rows.write(os.path.join(folder, "table"))
-    rows.plot("E", "period", file=os.path.join(folder, "period.svg"), log="xy")
+    _, ax = rows.plot("E", "period", file=os.path.join(folder, "period.svg"), log="xy")
+    table.check("study: axes with units, of doc/entries.md and of tables",
+                ax.get_xlabel() == "E [Pa]" and ax.get_ylabel() == "period [s]" and last(
+                    "balance/bar.dat", "kin*").unit(made.case(E=400.0)) == "J",
+                (ax.get_xlabel(), ax.get_ylabel()))
     with open(os.path.join(folder, "table.csv")) as f:
         table.row("study: lines of the CSV", 4, len(f.readlines()), 0)
     table.check("study: picture as SVG", os.path.getsize(os.path.join(folder, "period.svg")) > 1000)

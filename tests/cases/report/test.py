@@ -319,7 +319,13 @@ def compared(table):
     two.change("constant/phaseProperties", r"rho 2700", "rho 2.7e3")
     for case in (one, two):
         case.run("materialPointFoam")
+    for case in (one, two):
+        os.makedirs(case.file("postProcessing/final/0"))
+        with open(case.file("postProcessing/final/0/profile.dat"), "w") as f:
+            f.write(f"# Profile\n# x[m]\tu[m/s]\n0 1\n1 {2 if case is one else 3}\n")
     page = pageOf(one, "-with", two.path)
+    table.check("-with: tables that are not over time, of both", re.search(
+        r"final: profile.dat</h3>.*final: profile.dat, two</h3>", page.source, re.S))
     files = ("constant/phaseProperties", "system/setMaterialPointsDict")
     found = {(r[0], r[1], r[2], r[3]) for r in page.rows if len(r) == 4
              and r[0].startswith(("constant/", "system/", "0/"))}
@@ -436,6 +442,11 @@ def ofTables(table, case):
             ("extent", "extent: rod, along x [m]", ["min", "max", "centre"])):
         table.check(f"{what}: lines named by {'direction' if what == 'extent' else 'place'}",
                     plots.get(title) == names, plots)
+    known = probes([found["gauges", "p.dat"], found["probes", "T"], found["extent", "rod.dat"]])
+    table.check("probes of fields: the largest of each place", known == [
+        ("gauges: p at (-1 0 2.5)", 2, "Pa", 1), ("gauges: p at (1 0 0)", 3, "Pa", 1),
+        ("gauges: p at patch wall", 4, "Pa", 1), ("probes: T at (-1 0 2)", 301, "K", 1),
+        ("probes: T at (1 0 0)", 402, "K", 1)], known)
     table.check("extent: no z in 2D", [t for t in plots if t.startswith("extent")] == [
         "extent: rod, along x [m]", "extent: rod, along y [m]"], list(plots))
     units = found["gauges", "summary.dat"].columns
@@ -594,6 +605,9 @@ def squares(table):
     with open(case.file("view.py"), "w") as f:
         f.write(VIEW.format("") % "nothing_yy")
     said = report(case.path)
+    frames = Page(case.file("report.html")).data["frames"]
+    table.check("a view without a picture: the automatic choice", len(frames) == 1
+                and "automatic" in frames[0]["title"] and frames[0]["images"])
     table.check("view.py: one message of all pictures of a view", said.count("no picture both")
                 == 1 and "times, first time 0" in said, said)
 

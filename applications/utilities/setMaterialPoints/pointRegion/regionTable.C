@@ -423,6 +423,11 @@ void Foam::mpm::printStart(
 {
     const wordList gases(phaseNames(phaseProperties, {"gas", "fluid"}));
     const bool contact = phaseProperties.found("contact");
+    string around(gases.size() > 1 ? "fluids" : "gas");
+    for (const word& gas : gases)
+    {
+        around += " " + gas;
+    }
 
     wordList names(phases.size());
     forAll(phases, i)
@@ -486,10 +491,10 @@ void Foam::mpm::printStart(
         if (gases.size() && !phase.motion() && !r.hasStress() && !r.granular()
             && phase.referencePressure() <= 0 && !pressesBack(phase, r, p))
         {
-            WarningInFunction << "Region " << r.name() << " lies in the gas " << gases[0]
-                              << " and starts without stress: the gas will press it"
+            WarningInFunction << "Region " << r.name() << " lies in the " << around.c_str()
+                              << " and starts without stress: its pressure will press it"
                               << " together at once. For equilibrium write"
-                              << "  stress ambient; pressure <of the gas>;" << endl;
+                              << "  stress ambient; pressure <that of its place>;" << endl;
         }
         label firstId = 0;
         for (label j = 0; j < i; ++j)
