@@ -32,9 +32,9 @@ _LATER = {"postProcess": ("libfieldFunctionObjects.so",)}
 
 
 @functools.cache
-def _library():
-    """forkServer.C, compiled if it is newer than what tests/run has of it."""
-    source, made = os.path.join(LIB, "forkServer.C"), os.path.join(RUN, "forkServer.so")
+def library(name):
+    """A source of this folder, compiled if it is newer than what tests/run has of it."""
+    source, made = os.path.join(LIB, name + ".C"), os.path.join(RUN, name + ".so")
     os.makedirs(RUN, exist_ok=True)
     with open(made + ".lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
@@ -53,7 +53,7 @@ def _ofOpenFOAM(program, _changed):
 
 class _Server:
     def __init__(self, program, environment):
-        preload = ":".join((_library(), *_LATER.get(os.path.basename(program), ())))
+        preload = ":".join((library("forkServer"), *_LATER.get(os.path.basename(program), ())))
         self.process = subprocess.Popen(
             [program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0,
             env={**environment, "LD_PRELOAD": preload, "LD_BIND_NOW": "1"})
