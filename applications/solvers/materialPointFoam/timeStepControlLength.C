@@ -7,20 +7,77 @@
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+namespace
+{
+
+//- Must the write times of a dictionary be met?
+bool isAdjustable(const Foam::dictionary& dict)
+{
+    const Foam::word control(dict.getOrDefault<Foam::word>("writeControl", "timeStep"));
+    return control == "adjustableRunTime" || control == "adjustable";
+}
+
+//- Does fitDeltaT meet the write times of a function object? Not those that OpenFOAM ramps to
+bool isFitted(const Foam::dictionary& dict)
+{
+    return isAdjustable(dict) && !dict.found("deltaTCoeff");
+}
+
+} // namespace
+
+Foam::scalar Foam::mpm::timeStepControl::nextMultiple(const scalar interval) const
+{
+    const scalar passed = (time_.value() - origin_) / interval;
+    return origin_ + (std::floor(passed + 1e-9) + 1) * interval;
+}
+
+Foam::scalar Foam::mpm::timeStepControl::meetFunctions()
+{
+    scalar next = GREAT;
+    auto& functions = const_cast<functionObjectList&>(time_.functionObjects());
+    const dictionary* entries = time_.controlDict().findDict("functions");
+    if (!entries || entries->empty() || !functions.status())
+    {
+        return next;
+    }
+    if (functions.empty())
+    {
+        // Before the first step
+        functions.read();
+    }
+    for (label i = 0; i < functions.size(); ++i)
+    {
+        const dictionary* own = entries->findDict(functions[i].name());
+        if (!own || !isFitted(*own))
+        {
+            // May set a step of its own
+            functions[i].adjustTimeStep();
+            continue;
+        }
+        const scalar its = nextMultiple(positive(*own, "writeInterval"));
+        if (time_.value() >= own->getOrDefault<scalar>("timeStart", -GREAT)
+            && its <= own->getOrDefault<scalar>("timeEnd", GREAT))
+        {
+            next = min(next, its);
+        }
+    }
+    return next;
+}
+
 void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
 {
-    // Not by Time: it takes the nearest whole number of steps, which may make
-    // the step half as large again, and counts from the last start, so that a
-    // restarted run would round differently
-    scalar dt = largest;
+    // Not by Time or the function objects: they take the nearest whole number of steps, which may
+    // make the step half as large again, and count from the last start, so that a restarted run
+    // would round differently
+    time_.setDeltaT(largest, false);
+    scalar next = meetFunctions();
+    scalar dt = min(largest, time_.deltaTValue());
 
     const dictionary& dict = time_.controlDict();
-    const word control(dict.getOrDefault<word>("writeControl", "timeStep"));
-    if (control == "adjustableRunTime" || control == "adjustable")
+    if (isAdjustable(dict))
     {
         const scalar interval = positive(dict, "writeInterval");
-        const scalar passed = (time_.value() - origin_) / interval;
-        scalar next = origin_ + (std::floor(passed + 1e-9) + 1) * interval;
+        next = min(next, nextMultiple(interval));
         const scalar end = time_.endTime().value();
         // A start at the end may be less than it by the last digit
         const scalar rounding = 1e-9 * min(min(largest, interval), mag(end));
@@ -28,20 +85,13 @@ void Foam::mpm::timeStepControl::fitDeltaT(const scalar largest)
         {
             next = min(next, end);
         }
-        const scalar left = next - time_.value();
-        if (left > 0 && left < labelMax * largest)
-        {
-            dt = left / std::ceil(left / largest - 1e-9);
-        }
+    }
+    const scalar left = next - time_.value();
+    if (left > 0 && left < labelMax * dt)
+    {
+        dt = left / std::ceil(left / dt - 1e-9);
     }
     time_.setDeltaT(dt, false);
-
-    // Those that must meet times of their own
-    const_cast<functionObjectList&>(time_.functionObjects()).adjustTimeStep();
-    if (time_.deltaTValue() > 1.000001 * largest)
-    {
-        time_.setDeltaT(dt, false);
-    }
 }
 
 Foam::scalar Foam::mpm::timeStepControl::pointsDeltaT() const

@@ -7,6 +7,7 @@ writePrecision 6) to 1e-13 of each field's maximum. A run that is killed while i
 writes goes on from the last complete time, says so, and ends at the same result.
 The same of a detonating charge in water and air beside points, on 1 and 2 processors;
 a file of its last time that is cut off or gone is named.
+Times of function objects are met, and a restarted run makes the same steps to them.
 The end of a run is written, SIGTERM and SIGINT write and end, limits of the time step
 and the energy end with the state written, fvSolution may be edited meanwhile.
 """
@@ -80,6 +81,32 @@ def restarts(table, scheme, writeFormat):
               "largest difference at the end", 0, worst, limit, "atMost")
     failed = straight.points(end, "target")["damage"].sum()
     table.check(f"{scheme}, {writeFormat}: points have failed", failed > 0, failed)
+
+
+def functionTimes(table):
+    """A function object with writeControl adjustableRunTime: its times are met, and a restarted
+    run makes the same steps to them."""
+    for label, interval in (("7 in an interval of writing", INTERVAL/7),
+                            ("that do not divide it", 0.137*INTERVAL)):
+        def make(name, interval=interval):
+            c = case(name, "FLIP", "binary")
+            c.set("system/controlDict", "functions.probes", {
+                "type": "materialPointProbes", "libs": "(mpmFunctionObjects)",
+                "phase": "target", "fields": "(U)", "points": {"ids": "(1)"},
+                "writeControl": "adjustableRunTime", "writeInterval": interval}, add=True)
+            return c
+        straight = make("functionTimes")
+        straight.run("materialPointFoam")
+        rows = straight.table("probes/U.dat")["Time"]/interval
+        table.row(f"function object, times {label}: rows", int(END/interval*(1 + 1e-9)),
+                  len(rows[rows > 0.5]), 0)
+        table.row(f"function object, times {label}: intervals beside a whole number of them", 0,
+                  float(np.max(np.abs(rows - np.round(rows)))), 1e-8)
+        again = make("functionTimesAgain")
+        shutil.copytree(straight.file(straight.times()[2]), again.file(straight.times()[2]))
+        again.run("materialPointFoam")
+        table.row(f"function object, times {label}: restart, largest difference at the end", 0,
+                  difference(straight, again, straight.times()[-1]), 0)
 
 
 def killed(table, tries):
@@ -394,7 +421,7 @@ def main():
                 restarts(table, scheme, writeFormat)
             except RunFailed as e:
                 table.check(f"{scheme}, {writeFormat} runs", False, e)
-    for part in (lambda t: killed(t, 20), begun, killedFluids, ended, limits, contactGains,
+    for part in (functionTimes, lambda t: killed(t, 20), begun, killedFluids, ended, limits, contactGains,
                  drivenContact, edited):
         try:
             part(table)
