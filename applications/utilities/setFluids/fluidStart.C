@@ -134,6 +134,7 @@ void Foam::mpm::fluidStart::makeShares()
     share_.setSize(n);
     exact_.setSize(n, -1);
     moved_.setSize(n, 0);
+    inMesh_.setSize(n, 1);
     for (label r = 1; r < n; ++r)
     {
         const pointRegionShape& shape = regions_[r].shape();
@@ -154,6 +155,11 @@ void Foam::mpm::fluidStart::makeShares()
                 shape.formula(formula);
                 exact_[r] = cellCutter(grid_, formula, shared).volumeInBounds();
             }
+        }
+        else if (shape.type() != "box" && shape.volume() > 0)
+        {
+            // A box is often larger on purpose
+            inMesh_[r] = volume(r) / shape.volume();
         }
     }
     const boolList lost(cover(shared));
@@ -347,6 +353,11 @@ void Foam::mpm::fluidStart::printTable() const
             number(exact_[r]).c_str(), number(mass).c_str(),
             number(r == 0 ? -1 : moved_[r], 2).c_str());
         Info << line << nl;
+        if (inMesh_[r] < 0.999)
+        {
+            Info << "    of the " << regions_[r].shape().type() << " "
+                 << number(100 * inMesh_[r], 3).c_str() << " % lie in the mesh" << nl;
+        }
     }
     Info << "All regions fill " << number(all).c_str() << " m3, the mesh has "
          << number(gSum(mesh_.V())).c_str() << " m3. corrected: largest change"

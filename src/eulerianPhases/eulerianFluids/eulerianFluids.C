@@ -305,9 +305,9 @@ Foam::mpm::eulerianFluids::eulerianFluids(
 
     Info << "Fluids with one velocity and one pressure, "
          << returnReduce(mesh.nCells(), sumOp<label>()) << " cells:" << nl;
+    Info << "    reconstruction: " << reconstruction_.description().c_str() << nl;
     tellStart(properties);
-    Info << "    reconstruction: " << reconstruction_.description().c_str() << nl
-         << (given_ ? "    velocity and pressure: given, they stay\n" : "") << endl;
+    Info << (given_ ? "    velocity and pressure: given, they stay\n" : "") << endl;
 }
 
 bool Foam::mpm::eulerianFluids::setTheta(const UList<scalar>& theta)

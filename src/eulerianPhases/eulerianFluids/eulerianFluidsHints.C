@@ -189,9 +189,16 @@ void Foam::mpm::eulerianFluids::warnOfTemperature(const label k) const
     }
     range T, p;
     label cold = 0;
+    scalar most = 0;
     forAll(theta_, c)
     {
-        if (mass_[n_ * c + k] > 0)
+        most = max(most, part_[n_ * c + k] / max(theta_[c], VSMALL));
+    }
+    reduce(most, maxOp<scalar>());
+    forAll(theta_, c)
+    {
+        // Not what setFluids has mixed with a liquid: that has another T
+        if (mass_[n_ * c + k] > 0 && part_[n_ * c + k] > 0.999 * most * theta_[c])
         {
             const scalar T0 = state_[k][c];
             T.add(T0);
@@ -202,6 +209,10 @@ void Foam::mpm::eulerianFluids::warnOfTemperature(const label k) const
     T.gather();
     p.gather();
     reduce(cold, sumOp<label>());
+    if (T.high < T.low)
+    {
+        return;
+    }
     if (cold)
     {
         WarningInFunction << state_[k].name() << " starts with " << text(T.low).c_str() << " K; "

@@ -476,6 +476,18 @@ def wrong(table):
         case = fluidStart(f"T-{T}", mesh, {"a": {**ball, "fluid": "air", "T": T}})
         table.row(f"air of T {T}: warnings of degrees Celsius", told,
                   case.log("setFluids").count("20 degrees Celsius are 293.15 K"), 0)
+    # A cell at its border has the pressure of both energies, and a gas of few K
+    case = fluidStart("pressed", boxes((0, 0, 0), (1, 1, 0.1), (40, 40, 1), FLAT), {
+        "a": {**ball, "fluid": "air", "T": 200, "p": 2e7}}, default={"fluid": "water", "p": 1e5})
+    mixed = case.field("0", "alpha.air")
+    mixed = case.field("0", "T.air")[(mixed > 0.01) & (mixed < 0.99)]
+    table.row("air of 20 MPa in water: least T of mixed cells", 60, mixed.min(), 60, "atMost")
+    case.run("materialPointFoam", "-dry-run")
+    table.check("... no warning of degrees Celsius", "Celsius" not in case.log(), case.log()[-300:])
+    case = fluidStart("outside", mesh, {"a": {**ball, "centre": (0, 0.3, 0)}})
+    table.check("a ball of which half lies in the mesh: said",
+                "of the sphere 50 % lie in the mesh" in case.log("setFluids"),
+                case.log("setFluids")[-700:])
 
 
 if __name__ == "__main__":
