@@ -54,9 +54,10 @@ Foam::scalar Foam::mpm::timeStepControl::meetFunctions()
             functions[i].adjustTimeStep();
             continue;
         }
+        const scalar from = own->getOrDefault<scalar>("timeStart", -GREAT);
+        const scalar to = own->getOrDefault<scalar>("timeEnd", GREAT);
         const scalar its = nextMultiple(positive(*own, "writeInterval"));
-        if (time_.value() >= own->getOrDefault<scalar>("timeStart", -GREAT)
-            && its <= own->getOrDefault<scalar>("timeEnd", GREAT))
+        if (time_.value() >= from && its <= to)
         {
             next = min(next, its);
         }
