@@ -7,8 +7,9 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from mpm.pictures import GAS, PART, RIGID, drawPoints, frame, plt, save, to_rgba
+from mpm.variants import ended
 from results import WHEN, Run, measured, peak
-from variants import CELLS, ended
+from variants import CELLS
 
 #: Colour of the products; times of the picture [s]
 PRODUCTS = "#e08a3c"
@@ -43,9 +44,8 @@ print(f"measured: peak {v:.1f} m/s at {1e6*t:.0f} us; {1e3*first:.2f} mm at {1e6
 run = Run()
 runs = {"2 mm": run}
 for name in CELLS:
-    path = os.path.join("variants", name)
-    if ended(path):
-        runs[name.replace("mm", " mm")] = Run(path)
+    if ended(name):
+        runs[name.replace("mm", " mm")] = Run(os.path.join("variants", name))
 for name, one in runs.items():
     tell(name, one)
 

@@ -4,12 +4,17 @@ import os
 import sys
 
 from mpm.case import Case
-from mpm.study import Study
+from mpm.study import RECORD, Study
 
 
 def variant(name):
     """The case of a variant; of "." the case itself."""
     return Case("." if name == "." else os.path.join("variants", name))
+
+
+def ended(name):
+    """Has a variant a run that came to its end?"""
+    return os.path.exists(variant(name).file(RECORD))
 
 
 def changeFiles(case, *rows):

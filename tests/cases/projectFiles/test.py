@@ -7,6 +7,7 @@
     style      text files as .editorconfig says: no tabs, no blanks at the end of a line, lines
                end with LF, so does the file; no marks of a merge; src and applications: lines
                below 100 columns, files below 600 lines
+    imports    what Python scripts take from modules of the project is defined there
     theory     doc/theory.md has equations (1) to (12), each a row with functions; each link to a
                function leads to its definition (within 25 lines)
     extending  doc/extending.md names each template of etc/codeTemplates, and there is one for
@@ -16,6 +17,7 @@
     test.py -update       sets the lines of the links in doc/ anew, after code has moved
 """
 
+import ast
 import glob
 import os
 import re
@@ -108,6 +110,35 @@ def style(table):
         table.row(f"style: files with {what}", 0, len(which), 0)
         if which:
             print("   ", *which)
+
+
+def pythonImports(table):
+    """Names that scripts take from modules of the project."""
+    folder, lacking, n = os.path.join(PROJECT, "etc/python"), [], 0
+
+    def defined(path):
+        return {x.id if isinstance(x, ast.Name) else (x.asname or x.name).split(".")[0] if
+                isinstance(x, ast.alias) else x.name for x in ast.walk(ast.parse(text(path)))
+                if isinstance(x, (ast.FunctionDef, ast.ClassDef, ast.alias))
+                or isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+    for name in files():
+        if not name.endswith(".py"):
+            continue
+        for node in ast.walk(ast.parse(text(name))):
+            if not isinstance(node, ast.ImportFrom):
+                continue
+            source = next((p for p in (
+                os.path.join(PROJECT, os.path.dirname(name), node.module + ".py"),
+                os.path.join(PROJECT, "tests/lib", node.module + ".py"),
+                os.path.join(folder, node.module.replace(".", "/") + ".py"))
+                if os.path.isfile(p)), None)
+            if source:
+                n += 1
+                known = defined(source)
+                lacking += [f"{name}: {a.name} of {node.module}" for a in node.names
+                            if a.name not in known]
+    table.row("imports of the project's Python modules", 300, n, 300, "atLeast")
+    table.check("each name is there", not lacking, "; ".join(lacking))
 
 
 def layout(table):
@@ -204,4 +235,4 @@ if __name__ == "__main__":
             with open(path, "w", encoding="utf-8") as f:
                 f.write(new)
         sys.exit(0)
-    sys.exit(runParts("projectFiles", version, style, layout, theory, extending, glossary))
+    sys.exit(runParts("projectFiles", version, style, pythonImports, layout, theory, extending, glossary))
