@@ -255,16 +255,39 @@ TEST_CASE("GradyKipp: stress at fragmentation over the strain rate")
     CHECK(p.damage[0] == 0);
 }
 
+namespace
+{
+
+//- Plastic strain in steps to failure at a fixed stress state (von Mises stress 1), rate and T.
+//  Columns are elasticStrain (6), plasticStrain, T, damageStrain
+scalar strainToFailure(
+    failureModel& model, const scalar mean, const scalar rate, const scalar T, const scalar step)
+{
+    points p(3, 1, 8960);
+    p.dt = step / rate;
+    int n = 0;
+    for (; n < 100000 && p.damage[0] < 1; ++n)
+    {
+        for (int k = 0; k < 3; ++k)
+            p.stress[k][0] = mean;
+        p.stress[3][0] = std::sqrt(1.0 / 3);
+        p.history[6][0] += step;
+        p.history[7][0] = T;
+        pointBlock b(p.block());
+        model.correct(b);
+    }
+    return n * step;
+}
+
+}
+
 TEST_CASE("JohnsonCookDamage: strain to failure")
 {
     const auto law(lawOf(copperLaw));
     auto model(failureOf(copperDamage));
-    const int D = 3;
-    model->connect(*law, D);
+    model->connect(*law, 3);
     CHECK(model->history()[0].name == "damageStrain");
 
-    // Steps of plastic strain at a fixed stress state, rate and temperature:
-    // columns are elasticStrain (6), plasticStrain, T, damageStrain
     struct
     {
         scalar mean, rate, T, epsF;
@@ -277,22 +300,26 @@ TEST_CASE("JohnsonCookDamage: strain to failure")
         {0, 1, 825, (0.54 + 4.89) * (1 + 1.12 * 0.5)}};
     for (const auto& s : states)
     {
-        points p(D, 1, 8960);
         const scalar step = 1e-3;
-        p.dt = step / s.rate;
-        int n = 0;
-        for (; n < 100000 && p.damage[0] < 1; ++n)
-        {
-            // sigma_eq 1, mean as wanted
-            for (int k = 0; k < 3; ++k)
-                p.stress[k][0] = s.mean;
-            p.stress[3][0] = std::sqrt(1.0 / 3);
-            p.history[6][0] += step;
-            p.history[7][0] = s.T;
-            pointBlock b(p.block());
-            model->correct(b);
-        }
-        CHECK(n * step == doctest::Approx(s.epsF).epsilon(1e-3 + step / s.epsF));
+        CHECK(
+            strainToFailure(*model, s.mean, s.rate, s.T, step)
+            == doctest::Approx(s.epsF).epsilon(1e-3 + step / s.epsF));
+    }
+
+    // 6061-T6: none above a triaxiality of ln(0.77/1.45)/-0.47
+    const std::string aluminium(
+        "type JohnsonCookDamage; D1 -0.77; D2 1.45; D3 -0.47; D4 0; D5 1.6;"
+        " referenceRate 1; referenceTemperature 294; meltTemperature 925; ");
+    for (const scalar least : {1e-6, 0.02})
+    {
+        auto brittle(failureOf(aluminium + "minFailureStrain " + std::to_string(least) + ";"));
+        brittle->connect(*law, 3);
+        CHECK(
+            strainToFailure(*brittle, 1.34, 1, 294, 1e-5)
+            == doctest::Approx(std::max(least, -0.77 + 1.45 * std::exp(-0.47 * 1.34)))
+                   .epsilon(0.01));
+        CHECK(
+            strainToFailure(*brittle, 1.36, 1, 294, 1e-6) == doctest::Approx(least).epsilon(0.01));
     }
 
     CHECK_THROWS_AS(model->connect(*lawOf(elasticLaw), 3), Foam::error);

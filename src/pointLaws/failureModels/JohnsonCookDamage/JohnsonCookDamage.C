@@ -13,7 +13,8 @@ Description
         S = mean stress/sigma_eq, -3 to 1.5
         T* = (T - T0)/(Tm - T0), 0 to 1
 
-    epsF is at least 1e-6. The stress is that of the whole material until then;
+    epsF is at least minFailureStrain: with D1 < 0 it else falls to 0 where S is
+    high, and one step of noise in the pressure fails a point. The stress is that of the whole material until then;
     what a failed point carries: failureModel. A scattered limit (Weibull)
     multiplies epsF. The law must have the column plasticStrain, and T
     where D5 is not 0. Damage between 0 and 1 is in the column damage.
@@ -28,6 +29,7 @@ Usage
         referenceRate | rate0, > 0                          | yes      | 1/s
         referenceTemperature | T0, > 0                      | yes      | K
         meltTemperature | Tm, > T0                          | yes      | K
+        minFailureStrain | least epsF, 1e-6 to 1             | 1e-6     | -
         failed, weibull, ambientPressure | see failureModel | no       |
     \endtable
 
@@ -42,7 +44,7 @@ namespace Foam::mpm
 
 class JohnsonCookDamage : public failureModel
 {
-    scalar D1_, D2_, D3_, D4_, D5_, rate0_, T0_, Tm_;
+    scalar D1_, D2_, D3_, D4_, D5_, rate0_, T0_, Tm_, least_;
 
     //- Places of the columns; T -1: none
     int plastic_, temperature_, counted_;
@@ -60,6 +62,7 @@ public:
         rate0_(positive(dict, "referenceRate")),
         T0_(positive(dict, "referenceTemperature")),
         Tm_(positive(dict, "meltTemperature")),
+        least_(boundedOrDefault(dict, "minFailureStrain", 1e-6, 1e-6, 1)),
         plastic_(-1),
         temperature_(-1),
         counted_(-1)
@@ -67,7 +70,7 @@ public:
         wordList valid(keywords);
         valid.append(wordList(
             {"D1", "D2", "D3", "D4", "D5", "referenceRate", "referenceTemperature",
-             "meltTemperature"}));
+             "meltTemperature", "minFailureStrain"}));
         if (!(Tm_ > T0_))
         {
             FatalIOErrorInFunction(dict)
@@ -123,7 +126,7 @@ public:
                     * (D1_ + D2_ * std::exp(D3_ * S)) * (1 + D4_ * (rate > 1 ? std::log(rate) : 0))
                     * (1 + D5_ * t);
 
-                b.damage[p] += dEps / max(epsF, scalar(1e-6));
+                b.damage[p] += dEps / max(epsF, least_);
                 if (b.damage[p] >= 1)
                 {
                     b.damage[p] = 1;
