@@ -14,10 +14,11 @@ Description
         T* = (T - T0)/(Tm - T0), 0 to 1
 
     epsF is at least minFailureStrain: with D1 < 0 it else falls to 0 where S is
-    high, and one step of noise in the pressure fails a point. The stress is that of the whole material until then;
-    what a failed point carries: failureModel. A scattered limit (Weibull)
-    multiplies epsF. The law must have the column plasticStrain, and T
-    where D5 is not 0. Damage between 0 and 1 is in the column damage.
+    high, and one step of noise in the pressure fails a point. The stress is
+    that of the whole material until then; what a failed point carries:
+    failureModel. A scattered limit (Weibull) multiplies epsF. The law must have
+    the column plasticStrain, and T where D5 is not 0. Damage between 0 and 1 is
+    in the column damage.
 
     Column damageStrain: the plastic strain already counted.
 
