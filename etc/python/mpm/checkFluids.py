@@ -146,7 +146,8 @@ def runsOut(facts):
                       f"{lets[patch]} lets {' and '.join(liquids)} out: {len(normals)} faces of "
                       f"{patch} ({facts.patches.get(patch)}) are {'below' if below else 'beside'} "
                       "it", "a wall has type wall in constant/polyMesh/boundary (setFluids gives "
-                      "it slip), or slip in 0.orig/U; then setFluids again. If it is open, ignore this",
+                      "it slip), or slip in 0.orig/U; then setFluids again. If it is open, ignore "
+                      "this",
                       "meshes.md#what-patches-need")
 
 

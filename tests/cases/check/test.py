@@ -264,7 +264,8 @@ def names(table):
     code, findings, said = of("misspelt", *both)
     table.check("names: misspelt beside a pattern for all", code == 1
                 and "nearest: floor" in " ".join(said), said)
-    code, findings, said = of("foreign", both[0], (r"^ *floor", "    hole { type slip; }\n    floor"))
+    code, findings, said = of("foreign", both[0], (
+        r"^ *floor", "    hole { type slip; }\n    floor"))
     table.check("names: one of another mesh beside a pattern for all", code == 0, said)
     code, findings, said = of("groups", (
         r"(?s)boundaryField.*", "boundaryField\n{\n    #includeEtc "
