@@ -18,9 +18,10 @@ import tempfile
 
 import numpy as np
 
-from mpm import checkFluids, checkRules
+from mpm import checkFluids, checkPatches, checkRules
 from mpm.case import Case, RunFailed
-from mpm.checkFacts import Facts, Finding
+from mpm.checkFacts import Facts
+from mpm.checkFinding import Finding
 from mpm.dictionaries import DictionaryError
 from mpm.trial import Trial
 
@@ -127,6 +128,7 @@ class Check:
             self._program("blockMesh")
             if os.path.exists(case.file("system/adaptiveMeshDict")):
                 self._program("adaptMesh")
+        self._patches()
         if self.hasPoints:
             try:
                 case.run("setMaterialPoints", "-count")     # its table of bodies
@@ -140,6 +142,13 @@ class Check:
             self._program("setMaterialPoints", *options)
         if os.path.exists(case.file("system/setFieldsDict")):
             self._program("setFields")
+
+    def _patches(self):
+        """Names of patches, before programs stop at the first."""
+        own = os.path.isdir(os.path.join(self.path, "0.orig")) and not self.hasPoints
+        self.findings += checkPatches.names(self.case, "0.orig" if own else "0")
+        if any(f.kind == "error" for f in self.findings):
+            raise RunFailed
 
     def _allrun(self):
         """Its own commands are not known here."""
@@ -208,6 +217,7 @@ class Check:
         place = re.search(r"^file: (\S+)", message, re.M)
         file, entry = _place(place[1]) if place else ("", "")
         message = re.sub(r"\n*^file: .*", "", message, flags=re.M).strip()
+        message = checkPatches.nearestFirst(message)
         self._find("error", file, entry, f"{command} stops: {message}", *_remedy(message))
 
     def _find(self, kind, file, entry, text, remedy, page=""):
@@ -243,15 +253,18 @@ class Check:
 
     def _tellBodies(self, facts, phase):
         """Cells over the thinnest side of each body's box, of many only of the thinnest."""
-        width = facts.phases[phase].width
         found = []
-        for name, kind, size in re.findall(
-                r"^    (\S+): (\w+) of \(([^)]*)\) m from ", self._log("setMaterialPoints"), re.M):
+        for name, kind, size, low, high in re.findall(
+                r"^    (\S+): (\w+) of \(([^)]*)\) m from \(([^)]*)\) to \(([^)]*)\) m",
+                self._log("setMaterialPoints"), re.M):
             region = facts.regions.get(name, {})
-            sides = np.array(size.split(), float)[facts.axes]
+            size, low, high = (np.array(v.split(), float) for v in (size, low, high))
+            thin = min(facts.axes, key=lambda d: size[d])
+            width = facts.least(phase, thin, low, high)
             if width and isinstance(region, dict) and region.get("phase") == phase:
-                found.append((float(sides.min()), name, "" if kind == "box" else " of its box"))
-        for thin, name, of in sorted(found)[:1 if len(found) > 8 else 8]:
+                found.append((float(size[thin]), name, width, "" if kind == "box" else
+                              " of its box"))
+        for thin, name, width, of in sorted(found)[:1 if len(found) > 8 else 8]:
             self._line("", f"{name}: {thin/width:.2g} cells across the thinnest side{of}, "
                        f"{thin:.4g} m")
 
@@ -399,7 +412,8 @@ def main(arguments=None):
     parser.add_argument("-n", type=_count, default=1, metavar="ranks",
                         help="try on so many ranks, too")
     parser.add_argument("-noTrial", action="store_true",
-                        help="no steps: dictionaries, mesh, points and the solver's start alone")
+                        help="no steps: dictionaries, mesh, points and the solver's start alone, "
+                        "no function objects")
     parser.add_argument("-steps", type=_count, metavar="N",
                         help="steps of the trial (40, of small cases more)")
     given = parser.parse_args(arguments)

@@ -10,25 +10,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from mpm.dictionaries import DictionaryError, parse, readDictionary, value
-from mpm.files import readField, readLists, readRaw
+from mpm import checkPatches
+from mpm.dictionaries import DictionaryError
+from mpm.files import readField, readLists
 
 PHASES, REGIONS = "constant/phaseProperties", "system/setMaterialPointsDict"
 SOLUTION, CONTROL = "system/fvSolution", "system/controlDict"
 FLUIDS, GRAVITY = "system/setFluidsDict", "constant/g"
 LIQUIDS = ("NewtonianFluid",)
-
-
-@dataclass
-class Finding:
-    """kind: error, warning, note. unless: not told if a text with this pattern is there."""
-    kind: str
-    file: str
-    entry: str
-    text: str
-    remedy: str = ""
-    page: str = ""
-    unless: str = ""
 
 
 @dataclass
@@ -85,9 +74,8 @@ class Facts:
         x = readField(self.case.file("constant/polyMesh/points"))
         self.low, self.high = x.min(axis=0), x.max(axis=0)
         self.nCells = self.case.nCells()
-        with open(self.case.file("constant/polyMesh/boundary"), "rb") as f:
-            text = re.sub(r"/\*.*?\*/|//[^\n]*", "", f.read().decode("latin-1"), flags=re.S)
-        self.patches = dict(re.findall(r"(\S+)\s*\{[^}]*?\btype\s+(\w+);", text.split("}", 1)[1]))
+        self.groups = checkPatches.patchesOf(self.case)
+        self.patches = {name: kind for name, (kind, _) in self.groups.items()}
         flat = "empty" in self.patches.values()
         self.axes = [d for d in range(3) if not flat or len(np.unique(
             np.round(x[:, d]/max(np.ptp(x), 1e-300), 9))) > 2]
@@ -106,7 +94,7 @@ class Facts:
         if said:
             self.nDim = int(said[2])
             self.mesh = said[1] + ("boxes" if self.lattice else said[3])
-        self.V, self.centres, sides = cells(self.case, x)
+        self.V, self.centres, sides, extents = cells(self.case, x)
         # A square is two triangles, a cube six tetrahedra
         sides -= 2*(3 - self.nDim)
         parts = np.where(sides == self.nDim + 1, {2: 2, 3: 6}.get(self.nDim, 1), 1)
@@ -114,6 +102,10 @@ class Facts:
         #: Width of each cell: of the square or cube of its size [m]; not on a wedge
         self.widths = np.zeros(0) if "wedge" in self.patches.values() else (
             parts*self.V/across)**(1/max(self.nDim, 1))
+        #: Along x, y, z: of boxes their sides, of other cells their width [m]
+        box = abs(extents.prod(axis=1)/self.V - 1) < 1e-6
+        self.lengths = np.where(box[:, None], extents, self.widths[:, None]) \
+            if len(self.widths) else extents
         #: Width of a cell by volume [m]
         volume = float(np.prod(self.size))
         self.width = (volume/self.nCells)**(1/max(self.nDim, 1))
@@ -227,6 +219,14 @@ class Facts:
         gamma, pInf, rho = needed
         return math.sqrt(gamma*(pInf + (state.get("p0") or 0))/rho)
 
+    def least(self, name, d, low, high):
+        """The least length along d of the cells with points of a phase in a box [m]; 0: none."""
+        phase, at = self.phases[name], self.axes
+        if not phase.width or len(phase.cells) != len(phase.x):
+            return 0.0
+        inside = phase.cells[((phase.x >= low) & (phase.x <= high))[:, at].all(axis=1)]
+        return float(self.lengths[inside, d].min()) if len(inside) else 0.0
+
     @property
     def end(self):
         return float(self.control.get("endTime", math.nan))
@@ -237,29 +237,12 @@ class Facts:
         numbers = isinstance(g, list) and all(isinstance(v, (int, float)) for v in g)
         return np.array(g if numbers and len(g) == 3 else (0, 0, 0), float)
 
-    def boundary(self, field):
-        """boundaryField of a file, ascii or binary; lists of values count as none."""
-        path = self.case.file(field)
-        if b"binary" not in readRaw(path)[:1000]:
-            return self.case.get(field).get("boundaryField", {})
-        raw = readRaw(path)
-        raw, n = raw[raw.index(b"boundaryField"):], {b"scalar": 8, b"vector": 24}
-        while found := re.search(rb"nonuniform\s+List<(\w+)>\s*(\d+)\s*\(", raw):
-            end = found.end() + int(found[2])*n.get(found[1], 8) + 1
-            raw = raw[:found.start()] + b"none" + raw[end:]
-        text = raw.decode("latin-1")
-        try:
-            return value(text, parse(text)).get("boundaryField", {})
-        except DictionaryError:
-            return {}
-
     def conditions(self, field):
-        """Patches: the dictionary of their condition, by name or by pattern."""
-        given = {key: of for key, of in self.boundary(field).items() if isinstance(of, dict)}
-        found = {p: of for key, of in given.items() for p in self.patches
-                 if re.fullmatch(key, p)}
-        found.update({p: given[p] for p in self.patches if p in given})
-        return found
+        """Patches: the dictionary of their condition, by name, group or pattern."""
+        return checkPatches.conditions(self.boundary(field), self.groups)
+
+    def boundary(self, field):
+        return checkPatches.boundary(self.case, field)
 
     def sides(self):
         """Patches that have the same type and conditions: (names, words) of each kind."""
@@ -303,8 +286,8 @@ def _cells(path):
 
 
 def cells(case, x):
-    """Volume [m3], middle and number of faces of each cell: faces as triangles about the mean
-    of their corners, so that the sum of all volumes is the mesh's."""
+    """Volume [m3], middle, number of faces of each cell, and its extents along x, y, z [m]: faces
+    as triangles about the mean of their corners, so that the sum of all volumes is the mesh's."""
     corners, n = readLists(case.file("constant/polyMesh/faces"), flat=True)
     owner = readLists(case.file("constant/polyMesh/owner"))
     neighbour = readLists(case.file("constant/polyMesh/neighbour"))
@@ -323,7 +306,12 @@ def cells(case, x):
     V = np.bincount(owner, through, nCells) - np.bincount(neighbour, through[:inner], nCells)
     centres = np.stack([np.bincount(owner, m, nCells) + np.bincount(neighbour, m[:inner], nCells)
                         for m in middle.T], axis=1)/sides[:, None]
-    return V, centres + origin, sides
+    faces = np.concatenate((np.arange(len(owner)), np.arange(inner)))
+    faces = faces[np.argsort(np.concatenate((owner, neighbour)), kind="stable")]
+    first = np.append(0, np.cumsum(sides)[:-1])
+    low, high = (of.reduceat(of.reduceat(a, start)[faces], first)
+                 for of in (np.minimum, np.maximum))
+    return V, centres + origin, sides, high - low
 
 
 def patchPoints(case, x, patches):

@@ -9,8 +9,8 @@ import re
 
 import numpy as np
 
-from mpm.checkFacts import (CONTROL, FLUIDS, GRAVITY, LIQUIDS, PHASES, REGIONS, Finding,
-                            patchFaces)
+from mpm.checkFacts import CONTROL, FLUIDS, GRAVITY, LIQUIDS, PHASES, REGIONS, patchFaces
+from mpm.checkFinding import Finding
 from mpm.files import readField, readLists
 
 #: Conditions of U through which a fluid leaves
@@ -127,25 +127,27 @@ def notAtRest(facts):
 
 
 def runsOut(facts):
-    """Sides below or beside a liquid under gravity through which it leaves."""
+    """Sides below or beside a liquid through which it leaves; without gravity all are beside it.
+    Beside it zeroGradient alone, which setFluids gives: the others are chosen to be open."""
     down, size = _down(facts)
     liquids = [n for n, _, _ in _liquids(facts)
                if os.path.exists(facts.case.file("0", "alpha." + n))]
-    if not liquids or not size or not os.path.exists(facts.case.file("0/U")):
+    if not liquids or not os.path.exists(facts.case.file("0/U")):
         return
     lets = {p: of["type"] for p, of in facts.conditions("0/U").items()
             if of.get("type") in LETS_OUT}
     wet = sum(facts.case.field("0", "alpha." + n)*np.ones(facts.nCells) for n in liquids) > 0.5
     for patch, normals in _beside(facts, wet).items():
         steepest = max((float(n @ down) for n in normals), default=-1)
-        if patch not in lets or steepest < -0.1:
-            continue
         below = steepest > 0.1
+        if patch not in lets or steepest < -0.1 or not below and lets[patch] != "zeroGradient":
+            continue
         yield Finding("warning" if below else "note", "0/U", f"boundaryField.{patch}",
                       f"{lets[patch]} lets {' and '.join(liquids)} out: {len(normals)} faces of "
                       f"{patch} ({facts.patches.get(patch)}) are {'below' if below else 'beside'} "
                       "it", "a wall has type wall in constant/polyMesh/boundary (setFluids gives "
-                      "it slip), or slip in 0.orig/U; then setFluids again",
+                      "it slip), or slip in 0.orig/U; then setFluids again. If it is open, ignore "
+                      "this",
                       "meshes.md#what-patches-need")
 
 

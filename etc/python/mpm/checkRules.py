@@ -15,7 +15,8 @@ import re
 import numpy as np
 
 from mpm import checkFluids
-from mpm.checkFacts import CONTROL, LIQUIDS, PHASES, REGIONS, SOLUTION, Finding, patchPoints
+from mpm.checkFacts import CONTROL, LIQUIDS, PHASES, REGIONS, SOLUTION, patchPoints
+from mpm.checkFinding import Finding
 from mpm.files import readField
 
 #: Lowest and highest of what is no mistake
@@ -154,7 +155,8 @@ def holders(facts, name):
     """Words on the sides that hold the points of a phase: fixedValue in its 0/U."""
     field = "0/U." + str(facts.of(name).get("velocityField", name))
     phase = facts.phases[name]
-    if not phase.n or not os.path.exists(facts.case.file(field)):
+    if not phase.n or facts.of(name).get("type") == "rigid" \
+            or not os.path.exists(facts.case.file(field)):
         return ""
     fixed = [p for p, of in facts.conditions(field).items() if of.get("type") == "fixedValue"]
     x, words = readField(facts.case.file("constant/polyMesh/points")), []

@@ -14,7 +14,7 @@ markers do. Where a body is stretched its boxes come apart: gaps up to `close` b
 wide between them are closed.
 
 Colours: VALUES from low to high and SIGNED about zero have an even lightness and are
-told apart by the colour-blind; failed matter is FAILED everywhere.
+told apart by the colour-blind; failed matter is FAILED (reportColours has its own).
 """
 
 import io
@@ -27,7 +27,7 @@ import PIL.Image  # noqa: E402
 from matplotlib.cm import ScalarMappable  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
 from matplotlib.colors import (LinearSegmentedColormap, ListedColormap,  # noqa: E402,F401
-                               LogNorm, Normalize, to_hex, to_rgba)
+                               LogNorm, Normalize, to_hex, to_rgb, to_rgba)
 
 from mpm.views import COLOURS, STOPS  # noqa: E402
 
@@ -115,12 +115,12 @@ def _pixels(ax, box):
 
 def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=None,
                scale=1.0, axes=(0, 1), close=0.5, mirror=False, flip=False, outline=None, size=1.0,
-               pixels=None, section=None):
+               pixels=None, section=None, failedColour=FAILED):
     """Points of a cloud, in the limits that the axes have (set them before).
 
     values   one per point with cmap (VALUES, SIGNED, HEAT, DAMAGE or a name of matplotlib's)
              and limits, or a colour for all
-    failed   mask of points in the colour of failed matter
+    failed   mask of points in the colour of failed matter, failedColour
     some     mask of the points that are drawn
     scale    of the places: 1e3 for millimetres
     axes     directions across and up: (1, 0) for r, x of an axisymmetric case
@@ -143,7 +143,7 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
     norm = None if plain else Normalize(*(limits or (np.min(values), np.max(values))))
     colours = np.tile(to_rgba(values), (len(x), 1)) if plain else cmap(norm(values))
     if failed is not None:
-        colours[failed] = to_rgba(FAILED)
+        colours[failed] = to_rgba(failedColour)
     if some is not None:
         x, half, colours = x[some], half[some], colours[some]
     if flip:
@@ -163,7 +163,7 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
     if outline:
         sound = owner >= 0
         if failed is not None:
-            sound &= (colours != to_rgba(FAILED)).any(axis=1)[owner]
+            sound &= (colours != to_rgba(failedColour)).any(axis=1)[owner]
         if sound.any() and not sound.all():
             ax.contour(np.linspace(*box[:2], owner.shape[1]),
                        np.linspace(*box[2:], owner.shape[0]), sound, [0.5], colors=outline,

@@ -30,7 +30,8 @@ from mpm.reportCase import (FILES, Meanings, differences, fields, meshOf, readDi
 from mpm.reportLog import SOLVER, History, logs, readRuns
 from mpm.reportPage import dygraphs, esc, number
 from mpm.reportPictures import pictures, scale, writtenTimes
-from mpm.reportPlots import heldBack, logPlots, packed, probes, tablePlots, together
+from mpm.reportPlots import (heldBack, logPlots, packed, probes, shortName, tablePlots,
+                             together)
 
 
 def fail(text):
@@ -347,7 +348,7 @@ def build(content, other, n, output, refresh=None, cache=None):
     axis = f"time [{unit}]"
 
     def still(plot):
-        return page.still(plot, factor, axis, other.name if other else "")
+        return page.still(plot, factor, axis, shortName(other.name) if other else "")
     zoom = dygraphs() is not None
     said = "".join(f'<div class="note">{t}</div>' for t in notices(content))
     said += "".join(f'<div class="note">{esc(t)}</div>' for t in notes)
@@ -381,7 +382,7 @@ def build(content, other, n, output, refresh=None, cache=None):
     data = {"page": {"times": [t for t, _ in times], "names": [n for _, n in times],
                      "timeLabel": axis, "timeName": "t ="},
             "frames": frames,
-            "plots": packed(plots + more, factor, other.name if other else "")}
+            "plots": packed(plots + more, factor, shortName(other.name) if other else "")}
     return page.document(f"{content.name}: report", "".join(body) + "</main>\n", data,
                          refresh), notes
 

@@ -10,6 +10,8 @@ COLUMNS = (("plasticStrain", "plastic strain", VALUES, lambda v: v),
            ("sigmaEq", "von Mises stress", VALUES, lambda v: v),
            ("pPoint", "pressure", SIGNED, lambda v: v),
            ("U", "speed", VALUES, lambda v: np.linalg.norm(v, axis=1)))
+#: Failed points, by name: like no colour of VALUES and SIGNED, whose dark violet FAILED is near to
+FAILED = "magenta"
 UNITS = {"sigmaEq": "Pa", "pPoint": "Pa", "p": "Pa", "U": "m/s"}
 
 

@@ -18,7 +18,7 @@ from mpm.case import Case
 from mpm.files import readField, readLists
 from mpm.pictures import (BODY, GAS, VALUES, Normalize, PolyCollection, ScalarMappable,
                           _pixels, colourBar, drawPoints, frame, layOut, plt)
-from mpm.reportColours import columnOf, gasField, joined, span, unitOf
+from mpm.reportColours import FAILED, columnOf, gasField, joined, span, unitOf
 
 #: Dots per inch of the pictures
 DPI = 110
@@ -282,7 +282,7 @@ class Automatic:
             self.scene.cloud(self.times[-1], p) for p in self.scene.phases) if c is not None)
         choice = "automatic choice (your own: a view.py in the case): "
         return choice + ", ".join(words or ["points"]) + (
-            " (dark red: failed)" if failed and self.column and self.column[0] != "damage"
+            f" ({FAILED}: failed)" if failed and self.column and self.column[0] != "damage"
             else "")
 
     def layOut(self):
@@ -395,7 +395,8 @@ class Automatic:
         drawPoints(self.ax, cloud, values, cmap,
                    self.column[4] if self.column else None, failed, some,
                    scale=self.length[0], axes=(0, 1) if self.seen else tuple(self.scene.axes),
-                   section=section, pixels=self.pixels, close=1.0 if self.seen else 0.5)
+                   section=section, pixels=self.pixels, close=1.0 if self.seen else 0.5,
+                   failedColour=FAILED)
 
     def profile(self, time):
         """Values over the one direction of a case in 1D: of points, and of the gas."""

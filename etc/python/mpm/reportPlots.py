@@ -258,6 +258,11 @@ def _rounded(values, digits=6):
     return [float(f"{v:.{digits}g}") if np.isfinite(v) else None for v in values]
 
 
+def shortName(name, most=12):
+    """Of another run for legends: of a long one its end, in which runs of a study differ."""
+    return name if len(name) <= most else "…" + name[1 - most:]
+
+
 def packed(plots, factor, name):
     """What the page draws: times by a factor (1e6: in us), all lines of a run at the same."""
     each = max(60, ROOM//max(1, sum(1 + len(p.lines) + len(p.other) for p in plots)))

@@ -80,7 +80,7 @@ class Study:
         names = [self._name(point) for point in self.points]
         if len(set(names)) < len(names):
             raise ValueError("two runs have the same values of all parameters")
-        self._stopped = threading.Event()
+        self._stopped, self._hinted = threading.Event(), threading.Lock()
 
     def _name(self, point):
         """The folder of a run: its values; of one parameter with words the word."""
@@ -170,6 +170,9 @@ class Study:
             said = (what + str(error)).replace(os.path.abspath(self.folder), self.folder)
             row["state"] = said = "failed: " + " ".join(said.split())
         print(f"{i + 1}/{len(self.points)} {self._name(point)}: {said}", flush=True)
+        if "; quantity " in said and len(self.points) > 1 and self._hinted.acquire(blocking=False):
+            print("If that is so of all runs: Ctrl-C, mend the quantity, start again; runs that "
+                  "have ended are kept", flush=True)
         return row
 
     def _read(self, case, row):

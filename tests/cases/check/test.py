@@ -5,8 +5,10 @@ template    etc/caseTemplate: nothing found, exit code 0, nothing in the case is
 told        masses, sides, cells across bodies, the smallest cell; a sound too low for the height of
             the water; files in binary
 mistakes    one wrong unit or choice each in the template: found, with file and entry
-leaks       water on a floor of type patch, to which setFluids gives zeroGradient: found; sides
-            that hold a body
+leaks       water on a floor of type patch, to which setFluids gives zeroGradient, and without
+            gravity: found; open sides beside it: not; sides that hold a body, not a rigid one
+names       entries of fields that are no patch, patches without an entry, types misspelt: found
+            with the nearest name; groups, patterns, conditions of other meshes: not
 dropped     a block above water: p and velocity at the start; no p of the water's weight, no
             gravity, no stress, floors of no condition, steps, gauges: found, and where not
 codes       exit codes of the command: 0, 1, 2; 2 with the solver's own words
@@ -115,6 +117,15 @@ def told(table):
         table.check(f"told: {words}", words in said, "" if words in said else said.splitlines())
     table.check("told: equal cells have no smallest", "smallest" not in said)
 
+    # Cells of 3 x 1 mm, a target 10 mm high
+    case = FoamCase("check", "flat", TEMPLATE)
+    case.change(MESH, r"\(60 40 1\) simple", "(20 40 1) simple")
+    check = Check(case.path, trial=False)
+    check.run()
+    said = "\n".join(text for _, text in check.lines)
+    across = re.search(r"target: (\S+) cells across", said)
+    table.row("told: cells across, of 3 x 1 mm", 10, float(across[1]), 1e-9)
+
     # A row of cells 8 times as long at one end as at the other, 1 mm high: lengths are a
     # geometric series of 60 over 60 mm
     case = FoamCase("check", "graded", TEMPLATE)
@@ -184,6 +195,17 @@ def leaks(table):
         hits = [(f.kind, f.entry.split(".")[-1]) for f in check.findings if " out: " in f.text]
         table.check(f"leaks: water beside sides of type {kind}", hits == expected, found(check))
 
+    out(table)
+    # A rigid body by walls of fixedValue, and what it holds
+    case = FoamCase("check", "rigid", os.path.join(PROJECT, "tutorials/damBreakGate"))
+    case.set("0.orig/U.solids", "boundaryField.walls",
+             {"type": "fixedValue", "value": "uniform (0 0 0)"})
+    check = Check(case.path, trial=False)
+    check.run()
+    said = dict(check.lines)
+    table.check("leaks: nothing holds a rigid body", "walls" in said["gate"]
+                and "walls" not in said["wall"], f"{said['gate']} | {said['wall']}")
+
     # A bar that is clamped at its end, and 2 m off it
     case = FoamCase("check", "clamped", os.path.join(PROJECT, "tutorials/vibratingBar"))
     for low, words in ((0, "; held by wall"), (2, "; wall, which would hold it, is 2.")):
@@ -192,6 +214,68 @@ def leaks(table):
         check.run()
         said = dict(check.lines)["bar"]
         table.check(f"leaks: what holds a body, {low} m off the wall", words in said, said)
+
+
+def out(table):
+    """Sides of the basin: slip, zeroGradient, farField; with and without gravity."""
+    far = "farField; farValue uniform (0 0 0); value uniform (0 0 0);"
+    for weight in (True, False):
+        kind = "warning" if weight else "note"
+        for condition, expected in (("slip;", []), ("zeroGradient;", [
+                ("note", "sides"), (kind, "floor")]), (far, [(kind, "floor")] if weight else [])):
+            case = basin("out")
+            case.change("0.orig/U", r"(floor\"\n *\{\n *type *)slip;", rf"\1{condition}")
+            if condition == far:
+                case.change("0.orig/p", r"zeroGradient;", "farField; farValue uniform 1e4; "
+                            "value uniform 1e4;")
+            if not weight:
+                case.change("system/setFluidsDict", "^hydrostatic.*", "")
+                case.set("system/setFluidsDict", "default.p", 1e4, add=True)
+                os.remove(case.file("constant/g"))
+            check = Check(case.path, trial=False)
+            check.run()
+            hits = [(f.kind, f.entry.split(".")[-1]) for f in check.findings
+                    if " out: " in f.text]
+            table.check(f"leaks: walls of {condition.split(';')[0]}, "
+                        f"{'' if weight else 'no '}gravity", sorted(hits) == sorted(expected),
+                        found(check))
+
+
+def names(table):
+    field = "0.orig/U.solids"
+
+    def of(name, *changes, file=field):
+        case = basin(name)
+        for change in changes:
+            case.change(file, *change)
+        check = Check(case.path, trial=False)
+        return check.run(), check.findings, found(check)
+
+    code, findings, said = of("flor", (r"^ *floor", "    flor"))
+    table.check("names: flor for floor", code == 2 and len(findings) == 1
+                and findings[0].file == field and findings[0].entry == "boundaryField.flor"
+                and "no patch flor (nearest: floor); floor of the mesh has no entry" in said[0]
+                and "its patches: sides, floor, top, frontAndBack" in said[0]
+                and findings[0].remedy == "floor in place of flor", said)
+    code, findings, said = of("bare", (r"sides\|top", "top"))
+    table.check("names: a patch without an entry", code == 2 and len(findings) == 1
+                and "sides of the mesh has no entry" in said[0], said)
+    both = (r"sides\|top", ".*"), (r"^ *floor", "    flor")
+    code, findings, said = of("misspelt", *both)
+    table.check("names: misspelt beside a pattern for all", code == 1
+                and "nearest: floor" in " ".join(said), said)
+    code, findings, said = of("foreign", both[0], (
+        r"^ *floor", "    hole { type slip; }\n    floor"))
+    table.check("names: one of another mesh beside a pattern for all", code == 0, said)
+    code, findings, said = of("groups", (
+        r"(?s)boundaryField.*", "boundaryField\n{\n    #includeEtc "
+        "\"caseDicts/setConstraintTypes\"\n    wall { type slip; }\n    \"to.*\" "
+        "{ type calculated; }\n}\n"))
+    table.check("names: groups, patterns, setConstraintTypes", code == 0, said)
+    code, findings, said = of("farfield", (r"farField;", "farfield;"), file="0.orig/p")
+    word = re.search(r"type farfield [^.]*?; nearest: (\w+)", " ".join(said))
+    table.check("names: the nearest type first", code == 2 and word and word[1] == "farField",
+                said[0][:150])
 
 
 def basin(name):
@@ -339,6 +423,9 @@ def codes(table):
     code, said = command(case.path)
     table.check("codes: 2 with what the trial finds", code == 2
                 and "Entry maxCo is 3" in said, code)
+    code, said = command("-h")
+    table.check("codes: -h says what -noTrial leaves out", code == 0
+                and "no function objects" in " ".join(said.split()), code)
     code, said = command(case.file("system"))
     table.check("codes: 2 where there is no case", code == 2 and "is no case" in said,
                 " ".join(said.split())[-60:])
@@ -403,4 +490,5 @@ def tutorials(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("check", template, told, mistakes, leaks, dropped, codes, trial, tutorials))
+    sys.exit(runParts("check", template, told, mistakes, leaks, names,
+                      dropped, codes, trial, tutorials))

@@ -11,7 +11,9 @@ mistakes      a mesh without blockMeshDict is copied; a study that cannot give w
               for stops before its runs, one in which all fail says so; a Python without numpy
 """
 
+import contextlib
 import glob
+import io
 import os
 import re
 import shutil
@@ -26,7 +28,7 @@ from bar import L, T, V0, barRun
 from foamCase import PROJECT, RUN, FoamCase, runParts, writeField
 from mpm.case import Case, RunFailed
 from mpm.dictionaries import DictionaryError, getEntry, parse, setEntry
-from mpm.study import Study, energyResidual, largest, last, period, steps
+from mpm.study import Study, energyResidual, largest, last, least, period, steps
 
 
 def guide(table):
@@ -152,6 +154,13 @@ def start(case):
     case.run("materialPointFoam")
 
 
+def tableOnly(case):
+    """A run that writes a table of two columns."""
+    os.makedirs(case.file("postProcessing/balance/0"))
+    with open(case.file("postProcessing/balance/0/bar.dat"), "w") as f:
+        f.write("# Time\tforce\n0 0\n1 2\n")
+
+
 def series(base, folder, modulus=(100.0, 400.0, -1.0)):
     return Study(base, {"E": ("constant/phaseProperties", "bar.E", list(modulus))},
                  {"period": period("balance/bar.dat", "Px"), "steps": steps}, folder=folder,
@@ -230,6 +239,17 @@ def study(table):
     table.check("study: a quantity that fails is nan, with its reason, and no other is",
                 np.isnan(mixed["bad"][0]) and not np.isnan(mixed["steps"][0]) and mixed["state"][0]
                 == "ran; quantity bad: KeyError: 'no such thing'", mixed["state"][0])
+
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        Study(base.path, {"E": ("constant/phaseProperties", "bar.E", [1.0, 2.0])},
+              {"least": least("balance/bar.dat", "missing")}, folder=os.path.join(folder, "hint"),
+              steps=tableOnly).run(1)
+    first, hint, second = out.getvalue().splitlines()[1:4]
+    table.check("study: a column that is missing is said after the first run, once, with what to "
+                "do", first.startswith("1/2") and "no column missing" in first
+                and "there are: Time, force" in first and "Ctrl-C" in hint
+                and second.startswith("2/2") and out.getvalue().count("Ctrl-C") == 1, first)
 
     table.check("study: a run that a signal has ended has not run", all(
         state.startswith("failed: Signal 15") for state in ended), ended)

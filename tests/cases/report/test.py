@@ -7,6 +7,7 @@ pages       small cases in 1D, 2D, 3D and with a gas: the page has the numbers o
 going       a run that goes on, its page made by -watch: the page reloads until the run has
             ended; a restart: both logs are one history
 compared    -with: entries that differ are those that were changed, lines of both
+failures    failed points: in a colour of their own, which the title names
 parts       without a run: words of dictionaries, units of the time left, remedies that belong to
             the time of an error, probes
 bad         no case, no log, a log that is cut off, an error, processor folders alone, a
@@ -40,7 +41,8 @@ from plates import plateCase
 
 sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
 from mpm.reportCase import Meanings, parse, tables
-from mpm.reportColours import joined
+from mpm.pictures import SIGNED, VALUES, to_rgb
+from mpm.reportColours import FAILED, joined
 from mpm.reportLog import History, _Reader
 from mpm.reportPage import Remedies, numbers
 from mpm.reportPictures import choose
@@ -344,6 +346,14 @@ def compared(table):
     table.check("the header names the version", re.search(r"OpenFOAM v\d{4}\s", page.text))
     table.check("-with: cards of both", page.text.count("simulated time") == 2)
     table.row("-with: pictures of both", 2, len(page.data["frames"]), 0)
+    long = FoamCase("report", "E_6e+10-speed_60", two.path)
+    shutil.copytree(two.path, long.path, dirs_exist_ok=True)
+    page = pageOf(one, "-with", long.path)
+    plot = next(p for p in page.data["plots"] if p["title"] == "Energy")
+    names = [x["name"] for x in plot["lines"][3:]]
+    table.check("-with: of a long name its end in the legends", names == [
+        f"{n} (…10-speed_60)" for n in ("kinetic", "strain", "total")]
+        and "Compared with E_6e+10-speed_60" in page.text, names)
     same = pageOf(one, "-with", one.path)
     table.check("-with itself: no entry differs",
                 "All entries of the dictionaries are the same" in same.text)
@@ -372,6 +382,38 @@ MEANINGS = (
     ("constant/phaseProperties", "drag.velocityField", "drag { velocityField a; }", "share"),
     ("constant/phaseProperties", "a.equationOfState.soundSpeed",
      "a { type fluid; equationOfState { type stiffenedGas; soundSpeed 3; } }", "softened"))
+
+
+def lab(colours):
+    """CIELAB of colours in sRGB."""
+    c = np.atleast_2d(colours)[:, :3]
+    linear = np.where(c <= 0.04045, c/12.92, ((c + 0.055)/1.055)**2.4)
+    xyz = linear @ np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722],
+                             [0.0193, 0.1192, 0.9505]]).T/[0.9505, 1, 1.089]
+    f = np.where(xyz > (6/29)**3, np.cbrt(xyz), xyz*(29/6)**2/3 + 4/29)
+    return np.stack([116*f[:, 1] - 16, 500*(f[:, 0] - f[:, 1]), 200*(f[:, 1] - f[:, 2])], 1)
+
+
+def failures(table):
+    case = template("failed", endTime="10e-6", constant_phaseProperties=(
+        "strength 400e6; Gf 10000;", "strength 400e6;"))
+    case.run("materialPointFoam")
+    table.row("failures: failed points", 1, lastOf(case, "^Failed points: N"), 1, "atLeast")
+    frame = pageOf(case).data["frames"][0]
+    table.check("failures: the title names their colour", f"({FAILED}: failed)" in frame["title"],
+                frame["title"])
+    # Half of what is between black and white
+    for name, scale in (("VALUES", VALUES), ("SIGNED", SIGNED)):
+        apart = np.linalg.norm(lab(scale(np.linspace(0, 1, 256))) - lab(to_rgb(FAILED)), axis=1)
+        table.row(f"failures: least difference from the colours of {name}", 50, apart.min(), 50,
+                  "atLeast")
+    shown = []
+    for image in frame["images"]:
+        with PIL.Image.open(io.BytesIO(base64.b64decode(image.split(",")[1]))) as picture:
+            away = lab(np.asarray(picture.convert("RGB")).reshape(-1, 3)/255) - lab(to_rgb(FAILED))
+            shown.append(int((np.linalg.norm(away, axis=1) < 10).sum()))
+    table.check("failures: pixels of it in the last picture, none in the first",
+                shown[0] == 0 < shown[-1], shown)
 
 
 def parts(table):
@@ -738,4 +780,4 @@ def zoom(table, name, page):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("report", pages, going, compared, parts, bad, browser))
+    sys.exit(runParts("report", pages, going, compared, failures, parts, bad, browser))
