@@ -62,8 +62,9 @@ class _Server:
         """None: the program did not start."""
         words = (folder, log, "session" if session else "", *command)
         text = b"".join(os.fsencode(w) + b"\0" for w in words)
-        self.process.stdin.write(b"%d\n" % len(text) + text)
         out = self.process.stdout
+        with contextlib.suppress(BrokenPipeError):      # it ended, as one whose program is new
+            self.process.stdin.write(b"%d\n" % len(text) + text)
         first = out.readline()
         if not first:
             return None
