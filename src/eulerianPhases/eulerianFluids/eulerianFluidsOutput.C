@@ -93,7 +93,8 @@ Foam::mpm::eulerianFlow::waveState Foam::mpm::eulerianFluids::wave(const label c
 {
     const gasState& w = W_[c];
     const scalar slow = lowMachSolids_ ? min(scalar(1), mag(w.u) * w.rho / z_[c]) : 1;
-    return {t_[c].K, z_[c], chi_ * liquid(z_[c], w), slow};
+    const scalar wet = liquid(z_[c], w);
+    return {t_[c].K, z_[c], chi_ * wet, wet * slow};
 }
 
 Foam::mpm::eulerianFlow::heatState Foam::mpm::eulerianFluids::heat(const label c) const
