@@ -70,8 +70,8 @@ print(f"mass of the points {np.ptp(points[:, 2])/points[0, 2]:.1e}; momentum nob
       f" {np.linalg.norm(m[:, 9:11], axis=1).max()/size:.1e}")
 took = np.ptp(e[:, TOTAL])
 residual, wrong = (abs(sums).max() for sums in (e[:, RESIDUAL], e[:, RESIDUAL] + e[:, REMAP]))
-print(f"energy residual {residual:.0f} J: {100*residual/took:.3f} % of what the wall took, with remap"
-      f" {100*wrong/took:.3f} %; Theta {Theta.min():.5f} to {Theta.max():.5f};"
+print(f"energy residual {residual:.0f} J: {100*residual/took:.3f} % of what the wall took,"
+      f" with remap {100*wrong/took:.3f} %; Theta {Theta.min():.5f} to {Theta.max():.5f};"
       f" fix-ups {sum(case.numbers('kept N, pressure of relaxation kept N, isentropic N')[-1]):.0f};"
       f" {case.nSteps()} steps, {case.solverSeconds():.0f} s")
 
