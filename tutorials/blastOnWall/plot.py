@@ -14,6 +14,8 @@ P0, GAMMA, SIZE = 101325.0, 1.4, (-2.4, 1.2, 0, 1.8)
 COLOUR = {"blocks": "#D9CBB3", "mortar": "#8A7F70"}
 #: Columns of summary.dat
 ARRIVAL, PEAK, IMPULSE = 5, 6, 9
+#: Columns of energy.dat
+TOTAL, RESIDUAL, REMAP = 3, 7, 17
 #: Points nearer than this [m] hold together: 1.5 of their distances; least piece [kg]
 REACH, LEAST = 0.015, 0.5
 
@@ -66,8 +68,10 @@ size = max(np.linalg.norm(m[:, c:c + 2], axis=1).max() for c in (3, 6))
 Theta = case.numbers("^Theta: min N, max N")
 print(f"mass of the points {np.ptp(points[:, 2])/points[0, 2]:.1e}; momentum nobody gave"
       f" {np.linalg.norm(m[:, 9:11], axis=1).max()/size:.1e}")
-print(f"energy residual {abs(e[:, 7]).max():.0f} J: {100*abs(e[:, 7]).max()/np.ptp(e[:, 3]):.3f} %"
-      f" of what the wall took; Theta {Theta.min():.5f} to {Theta.max():.5f};"
+took = np.ptp(e[:, TOTAL])
+residual, wrong = (abs(sums).max() for sums in (e[:, RESIDUAL], e[:, RESIDUAL] + e[:, REMAP]))
+print(f"energy residual {residual:.0f} J: {100*residual/took:.3f} % of what the wall took,"
+      f" with remap {100*wrong/took:.3f} %; Theta {Theta.min():.5f} to {Theta.max():.5f};"
       f" fix-ups {sum(case.numbers('kept N, pressure of relaxation kept N, isentropic N')[-1]):.0f};"
       f" {case.nSteps()} steps, {case.solverSeconds():.0f} s")
 

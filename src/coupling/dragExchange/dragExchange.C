@@ -91,7 +91,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
         relative = n * (n & relative);
         seen = n * (n & seen);
         const eulerianFlow::waveState wave(gas_.wave(celli));
-        K = wave.slow * std::sqrt(wave.K * rho / theta) * mag(A) / fraction_.mesh().V()[celli];
+        K = wave.surface * std::sqrt(wave.K * rho / theta) * mag(A) / fraction_.mesh().V()[celli];
     }
     else
     {
@@ -353,7 +353,7 @@ Foam::mpm::dragExchange::dragExchange(
     forAll(points_.phases(), phasei)
     {
         read(phasei, requiredDict(phaseProperties, points_.phases()[phasei].name()));
-        if (models_[phasei].sticks())
+        if (models_[phasei].sticks() && !gas_.oneThermo())
         {
             fraction_.wantSurface(phasei);
         }

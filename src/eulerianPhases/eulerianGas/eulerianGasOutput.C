@@ -88,7 +88,7 @@ Foam::mpm::eulerianFlow::heatState Foam::mpm::eulerianGas::heat(const label c) c
 Foam::mpm::eulerianFlow::waveState Foam::mpm::eulerianGas::wave(const label c) const
 {
     const scalar K = t_.empty() ? thermo_.gamma() * W_[c].p : t_[c].K;
-    return {K, std::sqrt(K * W_[c].rho), 0, 1};
+    return {K, std::sqrt(K * W_[c].rho), 0, 0};
 }
 
 void Foam::mpm::eulerianGas::needTemperature(const dictionary& dict) const

@@ -6,6 +6,8 @@ budget   residual and remap of the energy of points and gas over what was exchan
          change of the energy of the gas, of the points' kinetic and of their stored
          energy): at most 1 % and falling with the time step, for the plates of
          spall in air with failure, a shock on a moving block, a free piston
+blast    a burst of air of 10 bar meets a plate of masonry whose side lies anywhere in its cell:
+         residual and remap over what the plate took, at most 0.05 % on cells of 10 mm
 restart  the budget goes on through a restart
 load     a shock on a body held fixed, one that turns or moves, and a block that
          flies against it: momentum of gas and points less the impulse of walls and
@@ -151,6 +153,32 @@ def piston(table):
         mixtureRows(table, f"free piston, drag {drag}", case)
 
 
+def blast(table):
+    rho, g, width, thick = 1.2, 1.4, 0.3, 0.1
+    c = np.sqrt(g*P0/rho)
+
+    def burst(x, y, z):
+        # A wave that runs to the right, steep in front
+        ratio = 1 + 10*np.clip((x - 0.5)/width + 1, 0, 1)**2*(x < 0.5)
+        return (rho*ratio**(1/g), 2*c/(g - 1)*(ratio**((g - 1)/(2*g)) - 1), P0*ratio)
+
+    for part in (0, 0.25, 0.5, 0.75):
+        face = 0.8 + 0.01*part
+        case = coupledCase(
+            "energyInGas", f"blast-{part}", (120, 1, 1), (1.2, 0.01, 0.01), burst, 7.5e-4,
+            {"plate": {"constitutiveModel": {
+                "type": "linearElastic", "rho": 1800, "E": 5e9, "nu": 0}}},
+            {"plate": {"type": "box", "min": (face, -1, -1), "max": (face + thick, 1, 1),
+                       "stress": ambient(P0)}},
+            ends=WALL, maxCo=0.4, maxCoGas=0.4, numerics={"energyBudget": True})
+        books(case)
+        case.run("materialPointFoam", limit=300)
+        e = case.series("energy", "energy.dat")
+        wrong = np.max(abs(e[:, RESIDUAL] + e[:, REMAP]))
+        table.row(f"blast on a plate, its side at {part} of a cell: largest remap and residual over"
+                  " what it took", 0, wrong/np.ptp(e[:, TOTAL]), 5e-4, "atMost")
+
+
 def struck(name, motion=None, withBlock=True, Co=0.4, steps=None):
     """A shock and, if asked for, a block meet a disc that is held or turns."""
     h, n = 1e-3, 40
@@ -234,7 +262,7 @@ def value(case, keyword):
 
 def main():
     table = Report("energyInGas")
-    parts = [spall, shock, piston, load, restart]
+    parts = [spall, shock, piston, blast, load, restart]
     words = sys.argv[1:]
     for part in parts:
         if words and part.__name__ not in words:
