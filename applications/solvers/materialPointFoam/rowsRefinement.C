@@ -4,6 +4,7 @@
 #include "rowsDistribution.H"
 #include "boundBox.H"
 #include "fieldTypes.H"
+#include "largestOfAll.H"
 #include "ListOps.H"
 #include "syncTools.H"
 
@@ -86,10 +87,16 @@ void Foam::mpm::rowsRefinement::addList(const word& name, const dictionary& fiel
     {
         masses_.set(IOobject::group(name), values_.size());
     }
+    scalar scale = 0;
+    for (const Type& q : v)
+    {
+        scale = max(scale, mag(q));
+    }
+    scale = largestOfAll(scale);
     for (direction i = 0; i < pTraits<Type>::nComponents; ++i)
     {
         values_.append(new scalarField(v.component(i)));
-        gradients_->add(values_.last(), behind.component(i), isShare(name));
+        gradients_->add(values_.last(), behind.component(i), scale, isShare(name));
     }
 }
 
