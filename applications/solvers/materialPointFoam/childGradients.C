@@ -60,7 +60,7 @@ void Foam::mpm::childGradients::add(
     const scalarField& v, const scalarField& behind, const scalar scale, const bool share)
 {
     // Differences up to this part of the scale are rounding, which must not decide
-    constexpr scalar none = 1e-10;
+    constexpr scalar none = 1e-12;
     vectorField* g = new vectorField(cells_.size(), Zero);
     forAll(cells_, h)
     {
