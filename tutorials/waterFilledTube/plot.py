@@ -6,9 +6,10 @@ import os
 import numpy as np
 from matplotlib.patches import Patch
 
+from mpm.case import Case
 from mpm.pictures import GAS, PART, RIGID, drawPoints, frame, plt, save, to_rgba
 from results import WHEN, Run, measured, peak
-from variants import CELLS, ended
+from variants import CELLS
 
 #: Colour of the products; times of the picture [s]
 PRODUCTS = "#e08a3c"
@@ -44,7 +45,7 @@ run = Run()
 runs = {"2 mm": run}
 for name in CELLS:
     path = os.path.join("variants", name)
-    if ended(path):
+    if os.path.exists(path) and "\nEnd\n" in Case(path).log():
         runs[name.replace("mm", " mm")] = Run(path)
 for name, one in runs.items():
     tell(name, one)

@@ -3,6 +3,7 @@
 
 guide         the Python blocks of the page run as they stand, one after the other, on the case
               that its commands make; what they write is there
+scripts       names that scripts of the tutorials take from each other are there
 dictionaries  entries of the tutorials as foamDictionary reads them; setting an entry to what it
               is leaves the file as it was, to another value changes only that
 study         a bar that vibrates: its period by the exact one, 4 L/c; runs that have ended are
@@ -11,6 +12,7 @@ mistakes      a mesh without blockMeshDict is copied; a study that cannot give w
               for stops before its runs, one in which all fail says so; a Python without numpy
 """
 
+import ast
 import glob
 import os
 import re
@@ -73,6 +75,26 @@ def foamDictionary(case, path, name):
     return subprocess.run(
         ["foamDictionary", path, "-entry", name, "-value"], cwd=case.path,
         stdout=subprocess.PIPE, env={**os.environ, "PWD": case.path}).stdout.decode()
+
+
+def scripts(table):
+    """Names that scripts of the tutorials take from scripts beside them are there."""
+    missing = []
+    paths = glob.glob(os.path.join(PROJECT, "tutorials/**/*.py"), recursive=True)
+    for path in paths:
+        with open(path) as f:
+            tree = ast.parse(f.read())
+        for node in ast.walk(tree):
+            beside = os.path.join(os.path.dirname(path), f"{getattr(node, 'module', None)}.py")
+            if isinstance(node, ast.ImportFrom) and os.path.exists(beside):
+                with open(beside) as f:
+                    made = {getattr(n, "id", getattr(n, "name", getattr(n, "asname", None)))
+                            for n in ast.walk(ast.parse(f.read()))}
+                missing += [f"{os.path.relpath(path, PROJECT)}: {a.name}" for a in node.names
+                            if a.name not in made]
+    table.row("scripts of the tutorials", 50, len(paths), 50, "atLeast")
+    table.check("scripts of the tutorials: what they import from each other is there",
+                not missing, missing)
 
 
 def dictionaries(table):
@@ -346,4 +368,4 @@ def mistakes(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("python", guide, dictionaries, study, mistakes))
+    sys.exit(runParts("python", guide, scripts, dictionaries, study, mistakes))
