@@ -57,8 +57,10 @@ Foam::mpm::childGradients::childGradients(
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::mpm::childGradients::add(
-    const scalarField& v, const scalarField& behind, const bool share)
+    const scalarField& v, const scalarField& behind, const scalar scale, const bool share)
 {
+    // Differences up to this part of the scale are rounding, which must not decide
+    constexpr scalar none = 1e-12;
     vectorField* g = new vectorField(cells_.size(), Zero);
     forAll(cells_, h)
     {
@@ -72,8 +74,12 @@ void Foam::mpm::childGradients::add(
             high = max(high, q);
             b += (q - here) * n.d / magSqr(n.d);
         }
+        if (high - low <= none * scale)
+        {
+            continue;
+        }
         (*g)[h] = inverse_[h] & b;
-        if (share && high > low)
+        if (share)
         {
             factor_[h] = 0;
         }

@@ -4,6 +4,7 @@
 #include "rowsDistribution.H"
 #include "boundBox.H"
 #include "fieldTypes.H"
+#include "largestOfAll.H"
 #include "ListOps.H"
 #include "syncTools.H"
 
@@ -77,19 +78,41 @@ void Foam::mpm::rowsRefinement::forLists(fieldStates& fields, const Function& f)
 }
 
 template<class Type>
-void Foam::mpm::rowsRefinement::addList(const word& name, const dictionary& field, const word& key)
+void Foam::mpm::rowsRefinement::addList(
+    const word& name, const dictionary& field, const word& key, readLists& lists)
 {
     const Field<Type> v(key, field, V_.size());
     Field<Type> behind;
     syncTools::swapBoundaryCellList(mesh_, v, behind);
-    if (IOobject::member(name) == "thetaRho")
+    const word member(IOobject::member(name));
+    if (member == "thetaRho")
     {
         masses_.set(IOobject::group(name), values_.size());
+    }
+    scalar& scale = lists.scale(member, 0);
+    for (const Type& q : v)
+    {
+        scale = max(scale, mag(q));
     }
     for (direction i = 0; i < pTraits<Type>::nComponents; ++i)
     {
         values_.append(new scalarField(v.component(i)));
-        gradients_->add(values_.last(), behind.component(i), isShare(name));
+        lists.behind.append(new scalarField(behind.component(i)));
+        lists.names.append(name);
+    }
+}
+
+void Foam::mpm::rowsRefinement::addGradients(const readLists& lists)
+{
+    HashTable<scalar> scale(lists.scale);
+    for (const word& member : scale.sortedToc())
+    {
+        scale[member] = largestOfAll(scale[member]);
+    }
+    forAll(values_, i)
+    {
+        const word& name = lists.names[i];
+        gradients_->add(values_[i], lists.behind[i], scale[IOobject::member(name)], isShare(name));
     }
 }
 
@@ -435,12 +458,14 @@ Foam::mpm::rowsRefinement::rowsRefinement(
             boxes_.set(old, boundBox(pointField(mesh.points(), mesh.cellPoints()[old]), false));
         }
     }
+    readLists lists;
     const auto add = [&](const word& name, const dictionary& field, const word& key, const auto& as)
-    { addList<typename std::decay<decltype(as)>::type>(name, field, key); };
+    { addList<typename std::decay<decltype(as)>::type>(name, field, key, lists); };
     for (fieldStates* fields : {&rows.gas, &rows.points.cellFields, &others})
     {
         forLists(*fields, add);
     }
+    addGradients(lists);
     forAllConstIters(rows.points.pointFields, iter)
     {
         for (const entry& e : iter.val().subDict(conditions))

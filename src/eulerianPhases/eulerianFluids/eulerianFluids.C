@@ -262,6 +262,7 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     relaxed_(0),
     voids_(0),
     faceMass_(n_, Zero),
+    wet_(false),
     beside_(false),
     bounds_(false),
     firstTry_(true),
@@ -289,6 +290,7 @@ Foam::mpm::eulerianFluids::eulerianFluids(
     forAll(nuclei_, k)
     {
         nuclei_[k] = boundedOrDefault(requiredDict(properties, names[k]), "nuclei", 0, 0, 0.01);
+        wet_ = wet_ || !(isGas(k) || mixture_.detonates(k));
     }
     makeBurnt(states);
     readViscosity(properties);

@@ -93,12 +93,7 @@ Foam::mpm::eulerianFlow::waveState Foam::mpm::eulerianFluids::wave(const label c
 {
     const gasState& w = W_[c];
     const scalar slow = lowMachSolids_ ? min(scalar(1), mag(w.u) * w.rho / z_[c]) : 1;
-    bool wet = false;
-    for (label k = 0; k < n_; ++k)
-    {
-        wet = wet || !(isGas(k) || mixture_.detonates(k));
-    }
-    return {t_[c].K, z_[c], chi_ * liquid(z_[c], w), wet ? slow : 0};
+    return {t_[c].K, z_[c], chi_ * liquid(z_[c], w), wet_ ? slow : 0};
 }
 
 Foam::mpm::eulerianFlow::heatState Foam::mpm::eulerianFluids::heat(const label c) const

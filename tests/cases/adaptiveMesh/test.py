@@ -9,6 +9,7 @@
     sums     boxes that come and go: mass and energy of a blast
     together the same: an explosive in air, points in contact, a rigid body; on three processors
              while base cells go to random ones
+    rounding two fluids, shares of 1 - 1e-15 in some cells: halved as with 1
     blast    a square of high pressure: fine where it jumps, beside all fine and all coarse
     lake     water below air at rest, boxes come and go through the surface: largest velocity
              beside that on a mesh that was halved before and stays
@@ -263,6 +264,24 @@ def together(table):
               1e-10)
 
 
+def rounding(table):
+    """A slope of p in one of two fluids, whose share is 1, or less by rounding in every third
+    cell: the children do not see that."""
+    def run(name, less):
+        def initial(x, y, z):
+            b = less*(np.arange(len(x)) % 3 == 0)
+            return [1 - b, b], [1.2 + 0.3*x, 1.2], 0.0, 1e5*(1 + 0.5*x + 0.2*y)
+        case = fluidCase("adaptiveMesh", name, (8, 8, 1), (1, 1, 0.1), {"a": AIR, "b": AIR},
+                         initial, 1e-5, ends=WALL)
+        adaptive(case, 2, {"box": box((0.3, 0.3, -1), (0.7, 0.7, 1))})
+        case.run("materialPointFoam")
+        return [volField(case, case.times()[-1], f) for f in ("p", "rho")]
+    exact, rounded = run("shares-1", 0), run("shares-rounded", 1e-15)
+    for name, u, v in zip(("p", "rho"), exact, rounded):
+        table.row(f"shares of 1 that rounding made less: {name} of halved cells, difference", 0,
+                  np.max(np.abs(u - v))/np.max(np.abs(u)), 1e-10)
+
+
 def blast(table):
     """A square of high pressure: errors of p and rho at the end on the base cells, by a mesh
     twice as fine; halved twice where it jumps, all fine, all coarse."""
@@ -450,5 +469,5 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, blast, lake,
-                      carried, dam, restart, ranks, balance, split, waves, wrong))
+    sys.exit(runParts("adaptiveMesh", shapes, back, uniform, sums, together, rounding, blast,
+                      lake, carried, dam, restart, ranks, balance, split, waves, wrong))
