@@ -338,7 +338,8 @@ class Results:
                 line = sorted(line)
             ax.plot(*zip(*line), "o-", ms=4, label=f"{by} {_text(key)}" if by else None)
         names = [f"{n} [{self.units[n]}]" if n in self.units else n for n in (x, y)]
-        ax.set(xlabel=xlabel or names[0], ylabel=ylabel or names[1], **{f"{a}scale": "log" for a in log})
+        ax.set(xlabel=xlabel or names[0], ylabel=ylabel or names[1],
+               **{f"{a}scale": "log" for a in log})
         ax.grid(alpha=0.3)
         if by:
             ax.legend()
