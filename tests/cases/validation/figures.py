@@ -18,9 +18,9 @@ def results(test):
     rows = {}
     with open(path, encoding="utf-8") as f:
         for line in f:
-            # The words may have " | " of their own
+            # The words may have " | " of their own, what a check says too
             parts = line.rstrip("\n").split(" | ")
-            if len(parts) >= 7 and parts[0] == test and parts[-5] != "holds":
+            if len(parts) >= 7 and parts[0] == test and "holds" not in parts:
                 rows[" | ".join(parts[1:-5])] = float(parts[-5]), float(parts[-4])
     return rows
 
