@@ -55,7 +55,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     const vector& A, const scalar dt)
 {
     const dragModel& model = models_[phasei];
-    const scalar rho = gas_.rho()[celli], theta = gas_.theta()[celli];
+    const scalar rho = gas_.rho()[celli];
     vector given(J_[celli]);
     if (before_ > 0)
     {
@@ -91,12 +91,12 @@ Foam::vector Foam::mpm::dragExchange::impulse(
         relative = n * (n & relative);
         seen = n * (n & seen);
         const eulerianFlow::waveState wave(gas_.wave(celli));
-        K = wave.surface * std::sqrt(wave.K * rho / theta) * mag(A) / fraction_.mesh().V()[celli];
+        K = wave.surface * std::sqrt(wave.K * rho / gas_.theta()[celli]) * mag(A)
+            / fraction_.mesh().V()[celli];
     }
     else
     {
-        K = full ? dragModel::sticking
-                 : model.K(dragModel::state{thetaS, theta, rho / theta, mu_, mag(seen)});
+        K = full ? dragModel::sticking : coefficient(phasei, celli, thetaS, mag(seen));
     }
     if (!(K > 0))
     {
@@ -382,6 +382,13 @@ Foam::mpm::dragExchange::dragExchange(
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::mpm::dragExchange::coefficient(
+    const label phasei, const label celli, const scalar thetaS, const scalar U) const
+{
+    const scalar theta = gas_.theta()[celli];
+    return models_[phasei].K(dragModel::state{thetaS, theta, gas_.rho()[celli] / theta, mu_, U});
+}
 
 void Foam::mpm::dragExchange::exchange(const scalar dt)
 {

@@ -155,6 +155,7 @@ Foam::mpm::gasCoupling::gasCoupling(
     pressure_(points, gas, *fraction_),
     drag_(points, gas, *fraction_, properties),
     heat_(points, gas, *fraction_, properties),
+    fluctuations_(points, gas, *fraction_, drag_, properties),
     watch_(points, gas, *fraction_, grains_),
     several_(false),
     later_(fraction_->mesh()),
@@ -487,6 +488,7 @@ void Foam::mpm::gasCoupling::advanceGas(const scalar dt, const scalar all, const
         settle(all);
     }
     const noTraps guard;
+    fluctuations_.exchange(all);
     heat_.exchange(all);
     if (books_)
     {

@@ -6,6 +6,7 @@ bagnold    steady flow down a rough slope: Bagnold's profile, exact, on three me
 column     columns as high as wide and twice as high collapse: run-out
 again      restart and two processors
 bubble     tutorials/fluidisedBed: size of the bubble beside that by twoPhaseEulerFoam
+fluctuations   granular temperature in a gas: damped, fed, energy, two processors
 immersed   loose and dense columns in a viscous liquid: sign of the pore pressure, run-out
 
 MPM_VERIFY=1: also a high column, constant friction, FLIP with PIC, columns without dilatancy,
@@ -22,6 +23,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from foamCase import (PROJECT, VERIFY, FoamCase, boxMesh, controlDict, foamText,
                       noSchemes, runParts, velocityFile)
 import bubble as beds
+from fluctuations import fluctuations
 
 
 G = 9.81
@@ -274,7 +276,7 @@ def bubble(table):
 
 
 def main():
-    return runParts("grains", bagnold, column, again, bubble, immersed)
+    return runParts("grains", bagnold, column, again, bubble, fluctuations, immersed)
 
 
 if __name__ == "__main__":
