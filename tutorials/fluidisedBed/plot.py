@@ -5,7 +5,7 @@ import numpy as np
 
 from mpm.case import Case
 from mpm.pictures import PART, frame, plt, save
-from results import H, NX, NY, REFERENCE, beads, bubble
+from results import H, NX, NY, REFERENCE, TEMPERATURE, beads, bubble
 
 case = Case()
 times = case.times()
@@ -16,8 +16,8 @@ for t, (d, low, high) in REFERENCE.items():
           f" from {ours[1]:.4f} to {ours[2]:.4f} m ({low:.4f} to {high:.4f} m)")
 bed = case.points(times[-1], "beads")
 T = bed["granularTemperature"]
-print(f"granular temperature at the end: median {np.median(T):.1e}, 99 % below"
-      f" {np.percentile(T, 99):.1e} m2/s2")
+print(f"granular temperature at the end: median {np.median(T):.1e} (twoPhaseEulerFoam"
+      f" {TEMPERATURE[0.3]:.1e}), 99 % below {np.percentile(T, 99):.1e} m2/s2")
 
 figure, axes = plt.subplots(1, 5, figsize=(13, 4.2), gridspec_kw={"width_ratios": (1,)*4 + (1.5,)})
 x = 1e3*H*np.arange(-NX, NX + 1)

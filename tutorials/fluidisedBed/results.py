@@ -5,6 +5,7 @@ REFERENCE   twoPhaseEulerFoam of OpenFOAM v1912 on the same cells: kinetic theor
             equation of the granular temperature, e 0.9, drag of Gidaspow, friction of Johnson
             and Jackson (tests/cases/grains/bubble.py computes it anew). Time: diameter of the
             circle with the area of both halves, lowest and highest place of the bubble [m]
+TEMPERATURE the same: median over the beads of their granular temperature [m2/s2]
 """
 
 import numpy as np
@@ -14,6 +15,8 @@ H, NX, NY = 0.0075, 20, 72
 REFERENCE = {0.04: (0.0397, 0.000, 0.0375), 0.1: (0.0980, 0.000, 0.105),
              0.16: (0.1327, 0.0075, 0.1575), 0.2: (0.1461, 0.0225, 0.1875),
              0.26: (0.1565, 0.0525, 0.2325), 0.3: (0.1676, 0.0825, 0.27)}
+
+TEMPERATURE = {0.04: 2.05e-4, 0.1: 8.21e-5, 0.16: 7.67e-5, 0.2: 7.84e-5, 0.3: 9.89e-5}
 
 
 def beads(case, time, n=1):

@@ -167,6 +167,19 @@ def twoPhase(name, n, end):
                   for t in case.times()[1:]}
 
 
+def median(values, weights):
+    order = np.argsort(values)
+    return values[order][np.searchsorted(np.cumsum(weights[order]), 0.5*weights.sum())]
+
+
+def temperature(case, time):
+    """Median over the beads of their granular temperature [m2/s2], of ours or twoPhaseEulerFoam."""
+    if os.path.exists(case.file(time, "Theta.particles")):
+        return median(case.field(time, "Theta.particles"), case.field(time, "alpha.particles"))
+    bed = case.points(time, "beads")
+    return median(bed["granularTemperature"], bed["m"])
+
+
 #: Of the tutorial fluidisedBed
 SCHEMES = {
     "ddtSchemes": {"default": "Euler"}, "gradSchemes": {"default": "Gauss linear"},

@@ -1,5 +1,6 @@
-"""Grains that collide, in a gas that damps and feeds their granular temperature T: a cyclic box full
-of them, all the same everywhere, drag K = theta_s theta_g value. With b = K/M_s, l = K (1/rho_g + 1/M_s):
+"""Grains that collide, in a gas that damps and feeds their granular temperature T: a cyclic box
+full of them, all the same everywhere, drag K = theta_s theta_g value. With b = K/M_s,
+l = K (1/rho_g + 1/M_s):
 
     u = u0 exp(-l t),  J0 = b^2 d u0^2/(4 sqrt(pi)),
     s^3 = s0^3 exp(-3 b t) + J0 (exp(-2 l t) - exp(-3 b t))/(3 b - 2 l),  s = sqrt(T)

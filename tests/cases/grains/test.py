@@ -264,15 +264,22 @@ def bubble(table):
     for t in (0.1, 0.2):
         table.row(f"bubble in a bed at {t} s: diameter over twoPhaseEulerFoam's", 1,
                   found[t][0]/reference[t][0], 0.1)
+    table.row("bubble in a bed at 0.2 s: median granular temperature over twoPhaseEulerFoam's", 1,
+              beds.temperature(case, "0.2")/beds.RESULTS.TEMPERATURE[0.2], 0.25)
     if VERIFY:
         no = [(r"\n +collisions\s*\{[^}]*\}", "")]
-        for name, run in (("ours", found), ("ours, no collisions", beds.ours("bed-no", 1, end, no)[1]),
-                          ("ours, 3.75 mm", beds.ours("bed-2", 2, end)[1]),
-                          ("twoPhaseEulerFoam", beds.twoPhase("two", 1, end)[1]),
-                          ("twoPhaseEulerFoam, 3.75 mm", beds.twoPhase("two-2", 2, end)[1])):
+        for name, (case, run) in (
+                ("ours", (case, found)), ("ours, no collisions", beds.ours("bed-no", 1, end, no)),
+                ("ours, 3.75 mm", beds.ours("bed-2", 2, end)),
+                ("twoPhaseEulerFoam", beds.twoPhase("two", 1, end)),
+                ("twoPhaseEulerFoam, 3.75 mm", beds.twoPhase("two-2", 2, end))):
             print(f"bed, {name}: diameter, lowest and highest place at",
                   *(f"{t} s {d:.4f} {low:.4f} {high:.4f} m;" for t, (d, low, high) in run.items()
                     if t in reference))
+            if "no collisions" not in name:
+                print(f"bed, {name}: median granular temperature at", *(
+                    f"{t} s {beds.temperature(case, t):.2e} m2/s2;" for t in case.times()[1:]
+                    if float(t) in reference))
 
 
 def main():
