@@ -26,7 +26,7 @@ Description
         rest = (P - J) - (P - J)_0                                   [kg m/s]
 
     which is rounding (body forces of phases are not in J). It needs every step:
-    executeControl is refused in a gas.
+    executeControl is refused in a gas. -postProcess writes the points alone.
 
     Directions that are not computed have no part in L. A point with damage
     greater than 0 has failed.
@@ -185,7 +185,13 @@ class materialPointBalance : public materialPointOutput
                                              : "");
             headers[i] = os.str();
         }
-        if (const mpm::pointCoupling* gas = points.coupling())
+        const mpm::pointCoupling* gas = points.coupling();
+        if (gas && functionObject::postProcess)
+        {
+            WarningInFunction << "Impulses belong to time steps: " << type() << ' ' << name()
+                              << " writes the points alone with -postProcess." << endl;
+        }
+        else if (gas)
         {
             requireEachStep(dict_, type(), "in a gas ");
             mpm::materialPointSystem& system =
@@ -232,7 +238,7 @@ class materialPointBalance : public materialPointOutput
         {
             total.write(row(phases_.size()), points.erosion().erodes());
         }
-        if (points.coupling())
+        if (points.coupling() && !functionObject::postProcess)
         {
             sampleGas(points);
         }
@@ -283,7 +289,7 @@ public:
     bool execute() override
     {
         const mpm::materialPointSystem& points = system();
-        if (!points.coupling() || first_)
+        if (!points.coupling() || first_ || functionObject::postProcess)
         {
             return true;
         }
@@ -293,16 +299,18 @@ public:
             mass += phase.prescribed() ? 0 : phase.mass();
         }
         vector J(Zero);
+        scalar dt = 0;
         for (const mpm::velocityField& field : points.fields())
         {
             const mpm::nodeReactions& reactions = *field.reactions();
+            dt = reactions.dt();
             for (const mpm::nodeReactions::part& p : reactions.parts())
             {
                 J += reactions.impulse(p);
             }
         }
         reduce(J, sumOp<vector>());
-        impulse_ += J + mass * points.deltaT() * points.g();
+        impulse_ += J + mass * dt * points.g();
 
         return true;
     }

@@ -341,7 +341,8 @@ bool materialPointVTK::read(const dictionary& dict)
 {
     materialPointOutput::read(dict);
 
-    const bool points = findPoints();
+    // With -postProcess they come later
+    const bool points = findPoints() || functionObject::postProcess;
     if (!points && (dict.found("phases") || dict.found("phase") || dict.found("columns")))
     {
         FatalIOErrorInFunction(dict)

@@ -8,7 +8,12 @@
 
 Foam::mpm::nodeReactions::nodeReactions(
     const pointGrid& grid, const UList<part>& parts, const sharedNodes& shared) :
-    grid_(grid), parts_(parts), place_(grid.nNodes(), label(-1)), dt_(0)
+    grid_(grid),
+    parts_(parts),
+    place_(grid.nNodes(), label(-1)),
+    now_(0),
+    dt_(0),
+    index_(grid.mesh().time().timeIndex())
 {
     label n = 0;
     for (const part& p : parts_)
@@ -19,6 +24,7 @@ Foam::mpm::nodeReactions::nodeReactions(
         }
     }
     impulse_.setSize(grid_.nDim() * n, Zero);
+    taken_ = impulse_;
 
     // Ghost nodes have no mesh point: the mean of what other processors have,
     // which is one place unless sides are cyclic
@@ -57,7 +63,7 @@ Foam::mpm::nodeReactions::nodeReactions(
 Foam::vector Foam::mpm::nodeReactions::impulse(const part& p) const
 {
     const int D = grid_.nDim();
-    const scalar* J = impulse_.cdata() + D * place_[p.node];
+    const scalar* J = taken_.cdata() + D * place_[p.node];
 
     scalar along = 0;
     for (int d = 0; d < D; ++d)
@@ -69,14 +75,21 @@ Foam::vector Foam::mpm::nodeReactions::impulse(const part& p) const
     {
         result[grid_.direction(d)] = p.fixed ? J[d] : along * p.normal[d];
     }
-    return nActive_.size() ? result / max(nActive_[p.node], scalar(1)) : result;
+    return result;
 }
 
 void Foam::mpm::nodeReactions::start(
     const scalar dt, const labelUList& active, const sharedNodes& shared)
 {
-    dt_ = dt;
+    now_ = dt;
     impulse_ = Zero;
+    const label index = grid_.mesh().time().timeIndex();
+    if (index != index_)
+    {
+        index_ = index;
+        taken_ = Zero;
+        dt_ = 0;
+    }
 
     if (nActive_.size())
     {
@@ -90,6 +103,22 @@ void Foam::mpm::nodeReactions::start(
         }
         shared.sum(nActive_.data(), 1, 1);
     }
+}
+
+void Foam::mpm::nodeReactions::accept()
+{
+    const int D = grid_.nDim();
+    forAll(place_, n)
+    {
+        const scalar share =
+            place_[n] >= 0 && nActive_.size() ? 1 / max(nActive_[n], scalar(1)) : 1;
+        for (label i = D * place_[n]; place_[n] >= 0 && i < D * (place_[n] + 1); ++i)
+        {
+            taken_[i] += share * impulse_[i];
+        }
+    }
+    impulse_ = Zero;
+    dt_ += now_;
 }
 
 template<class Impulse>

@@ -279,6 +279,10 @@ void Foam::mpm::velocityField::accept()
 {
     active_.transfer(activeNew_);
     rigid_.accept();
+    if (reactions_)
+    {
+        reactions_->accept();
+    }
     mU_.swap(mUNew_);
     U_.swap(UNew_);
 }

@@ -6,6 +6,8 @@
     shock       a shock on a steel slab: reflected pressure by the exact solution,
                 momentum and energy of both, beside the run without sub-steps
     body        a rigid piston whose motion depends on time: its way, the pressure
+    walls       materialPointBalance and materialPointPatchForces see all of the sub-steps;
+                -postProcess of the same case
     restart     bit by bit
     ranks       2 and 3 processors, 1e-10
     refused     without adjustTimeStep, or without a gas
@@ -258,6 +260,59 @@ def body(table):
               found[20][35]/found[1][35], 1e-3)
 
 
+# --- walls -------------------------------------------------------------------
+
+def onFloor(name, split=None):
+    """A block of steel slides on the floor of a closed box of air, drawn down by gravity."""
+    def weigh(case):
+        case.write("constant/g", {"dimensions": "[0 1 -2 0 0 0 0]", "value": (0, -1e4, 0)},
+                   "uniformDimensionedVectorField")
+    libs = "(mpmFunctionObjects)"
+    case = coupledCase(
+        "subSteps", name, (20, 20, 1), (0.2, 0.2, 0.01),
+        lambda x, y, z: (RHO0 + 0*x, 0*x, P0 + 0*x), 4e-4, {"block": STEEL},
+        {"block": {"type": "box", "min": (0.05, -1, -1), "max": (0.13, 0.08, 1),
+                   "velocity": (50, 0, 0), "stress": "ambient", "pressure": P0}},
+        ends=WALL, sides=WALL, gas=REAL, prepare=weigh, control={
+            "maxSubSteps": 20, "reportInterval": 1, "writeInterval": 2e-4, "functions": {
+                "sums": {"type": "materialPointBalance", "libs": libs, "writeControl": "timeStep"},
+                "walls": {"type": "materialPointPatchForces", "libs": libs,
+                          "patches": "(sides)", "writeControl": "timeStep"},
+                "view": {"type": "materialPointVTK", "libs": libs, "columns": "(U sigma)"}}})
+    if split:
+        case.decompose(split)
+        case.runParallel()
+    else:
+        case.run("materialPointFoam")
+    return case
+
+
+def walls(table):
+    for label, split in (("one processor", None), ("two processors", (2, 1, 1))):
+        case = onFloor("walls" + label[:3], split)
+        n = max(subSteps(case) or [1])
+        table.check(f"block on a floor, {label}: steps of the points in one of the gas", n > 3, n)
+        rows = case.table("sums/mixture.dat")
+        J = np.array([rows[f"J{d}"] for d in "xyz"])
+        rest = np.array([rows[f"rest{d}"] for d in "xyz"])
+        table.row(f"block on a floor, {label}: rest of the momentum over the impulse", 0,
+                  np.max(abs(rest))/np.max(abs(J)), 1e-11, "atMost")
+        air, force, t = case.table("sums/air.dat"), case.table("walls/sides.dat"), rows["Time"]
+        pushed = np.cumsum(force["Fy"]*np.diff(t, prepend=0))
+        # Of the floor on the block, by the momentum of both, gravity and the walls of the air
+        other = rows["Py"] - air["Jy"] + 1e4*(rows["mass"]*t)
+        table.row(f"block on a floor, {label}: impulse of the block on the floor", 0, np.ptp(
+            pushed + other)/np.max(abs(pushed)), 1e-9, "atMost")
+    case = onFloor("wallsAgain")
+    shutil.rmtree(case.file("postProcessing"))
+    case.run("materialPointFoam", "-postProcess")
+    found = sorted(len(case.table(f"sums/{name}.dat")["Time"]) for name in ("block", "total"))
+    table.check("-postProcess in a gas: rows of the points at all times", found == [3, 3], found)
+    files = sorted(os.listdir(case.file("postProcessing/view/points.block")))
+    table.check("-postProcess, materialPointVTK with columns: files of all times",
+                files == ["0.0002.vtp", "0.0004.vtp", "0.vtp"], files)
+
+
 # --- restart, ranks ----------------------------------------------------------
 
 FIELDS = ("p", "U.air", "T.air")
@@ -322,4 +377,4 @@ def refused(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("subSteps", moving, shock, fast, body, restart, ranks, refused))
+    sys.exit(runParts("subSteps", moving, shock, fast, body, walls, restart, ranks, refused))
