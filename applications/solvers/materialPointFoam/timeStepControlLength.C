@@ -315,15 +315,17 @@ Foam::scalar Foam::mpm::timeStepControl::printDeltaT()
         Info << "Courant Number mean: " << Co << " max: " << Co << nl;
         if (points() && gas())
         {
-            Info << "Courant Number of points: " << CoPoints << ", of the gas: " << CoGas << nl;
+            Info << "Courant Number of points: " << CoPoints << ", of the " << flows() << ": "
+                 << CoGas << nl;
             if (nSub_ > 1)
             {
-                Info << "Steps of the points in this one of the gas: " << nSub_ << nl;
+                Info << "Steps of the points in this one of the " << flows() << ": " << nSub_ << nl;
             }
             if (severalOfGas_)
             {
-                Info << "Steps of the gas in this one of the points: "
-                     << std::ceil(whole_ / gasDeltaT() - 1e-9) << nl;
+                Info << "Steps of the " << flows()
+                     << " in this one of the points: " << std::ceil(whole_ / gasDeltaT() - 1e-9)
+                     << nl;
             }
         }
         Info << "deltaT = " << time_.deltaTValue() << nl << "deltaT set by " << limiter().c_str()

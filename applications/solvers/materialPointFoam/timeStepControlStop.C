@@ -57,7 +57,7 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
             const scalar several = severalGasDeltaT();
             if (several < pointsDeltaT())
             {
-                os << "the gas: Courant number " << gasRate * several << ", "
+                os << "the " << flows() << ": Courant number " << gasRate * several << ", "
                    << (several < (1 - 1e-9) * maxGasSubSteps() * gasDeltaT()
                            ? "as much as its pressure may change before the"
                              " points feel it"
@@ -70,7 +70,7 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
             && gasRate / dict.getOrDefault<scalar>("maxCoGas", 0.4)
                 > pointRate / (maxSubSteps() * max(dict.getOrDefault<scalar>("maxCo", 1), VSMALL)))
         {
-            os << "the gas: Courant number " << gasRate * time_.deltaTValue();
+            os << "the " << flows() << ": Courant number " << gasRate * time_.deltaTValue();
             return os.str();
         }
     }
@@ -78,7 +78,7 @@ Foam::string Foam::mpm::timeStepControl::limiter() const
     {
         os << "deltaT of controlDict; the least is that of ";
     }
-    os << (points() ? points()->limiter().c_str() : "the gas");
+    os << (points() ? points()->limiter() : "the " + word(flows())).c_str();
     return os.str();
 }
 

@@ -342,7 +342,7 @@ def _remedy(message):
     page = "troubleshooting.md"
     path = os.path.join(os.path.dirname(__file__), "../../../doc/guide", page)
     if not os.path.exists(path):
-        return "", page
+        return "", ""
     with open(path) as f:
         heading = ""
         for line in f:
@@ -353,7 +353,7 @@ def _remedy(message):
             if pieces and all(" ".join(p.split()) in message for p in pieces):
                 text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", row[2]).replace("`", "")
                 return re.sub("^a warning[^:]*: ", "", text), page + heading
-    return "", page
+    return "", ""
 
 
 def _cores(ranks):

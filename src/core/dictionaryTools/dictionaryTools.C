@@ -31,6 +31,15 @@ label editDistance(const std::string& a, const std::string& b)
     return row.last();
 }
 
+//- Two neighbouring letters have changed places
+bool swapped(const std::string& a, const std::string& b)
+{
+    const auto at = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    return at.first != a.end() && at.second != b.end() && at.first + 1 != a.end()
+        && at.second + 1 != b.end() && at.first[0] == at.second[1] && at.first[1] == at.second[0]
+        && std::equal(at.first + 2, a.end(), at.second + 2, b.end());
+}
+
 std::string small(std::string s)
 {
     std::transform(s.begin(), s.end(), s.begin(), ::tolower);
@@ -108,13 +117,28 @@ Foam::word Foam::mpm::nearWord(const word& key, const UList<word>& words)
         {
             distance = editDistance(key, w);
         }
+        else if (swapped(key, w))
+        {
+            distance = 1;
+        }
         if (distance < least)
         {
             near = w;
             least = distance;
         }
     }
-    return near;
+
+    // The only one that begins with it: J2 of J2Plasticity
+    label n = 0;
+    for (const word& w : words)
+    {
+        if (least == labelMax && key.size() > 1 && key.size() < w.size()
+            && small(w.substr(0, key.size())) == small(key) && n++ == 0)
+        {
+            near = w;
+        }
+    }
+    return n > 1 ? word() : near;
 }
 
 Foam::string Foam::mpm::meant(const word& key, const UList<word>& words)

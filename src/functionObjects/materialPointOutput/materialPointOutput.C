@@ -96,7 +96,7 @@ Foam::wordList Foam::functionObjects::materialPointOutput::selectedPhases(
         if (!valid.found(names[i]))
         {
             FatalIOErrorInFunction(dict_)
-                << "Unknown phase " << names[i] << nl << nl
+                << "Unknown phase " << names[i] << mpm::meant(names[i], valid).c_str() << nl << nl
                 << "Valid phases are: " << wordList(valid) << nl << exit(FatalIOError);
         }
         if (names.find(names[i]) != i)

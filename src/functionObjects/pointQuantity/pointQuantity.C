@@ -137,11 +137,11 @@ Foam::mpm::pointQuantity::pointQuantity(
 
     if (!found)
     {
-        FatalIOErrorInFunction(dict)
-            << "Unknown field " << name << " of phase " << phase.name() << nl << nl
-            << "Valid fields are: " << flatOutput(names(phase)) << nl
-            << "and components of vectors and tensors, such as U_y and"
-            << " sigma_xy." << nl << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << "Unknown field " << name << " of phase " << phase.name()
+                                     << meant(name, names(phase)).c_str() << nl << nl
+                                     << "Valid fields are: " << flatOutput(names(phase)) << nl
+                                     << "and components of vectors and tensors, such as U_y and"
+                                     << " sigma_xy." << nl << exit(FatalIOError);
     }
 }
 

@@ -280,7 +280,18 @@ void Foam::mpm::materialPointSystem::setState(const dictionary& state)
 {
     wordList keys({"rate", "waveRate", "stepsRedone", "failed"});
     keys.append(parts_.stateKeys());
-    checkKeywords(state, keys);
+    for (const word& key : state.toc())
+    {
+        if (!keys.found(key))
+        {
+            FatalIOErrorInFunction(state)
+                << "Entry " << key << " of " << state.name() << " is the state of something that"
+                << " the case no longer has." << nl
+                << "Give it back in constant/phaseProperties or system/fvSolution, or remove the"
+                << " entry from this file: the run goes on without it." << nl << nl
+                << "Valid keywords are: " << flatOutput(keys) << exit(FatalIOError);
+        }
+    }
 
     // The laws may have changed since
     rate_ = bounded(state, "rate", 0, waveRate_ > 0 ? 1e3 * (rate_ + waveRate_) : GREAT);

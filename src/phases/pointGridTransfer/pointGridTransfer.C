@@ -58,11 +58,10 @@ Foam::mpm::pointGridTransfer::New(const dictionary& dict, const pointGrid& grid)
         }
     }
 
-    FatalIOErrorInFunction(dict) << "Unknown shapeFunction " << name << nl << nl
-                                 << "Valid shape functions are: "
-                                 << (gridConstructorTablePtr_
-                                         ? gridConstructorTablePtr_->sortedToc()
-                                         : wordList())
+    const wordList valid(
+        gridConstructorTablePtr_ ? gridConstructorTablePtr_->sortedToc() : wordList());
+    FatalIOErrorInFunction(dict) << "Unknown shapeFunction " << name << meant(name, valid).c_str()
+                                 << nl << nl << "Valid shape functions are: " << valid
                                  << exit(FatalIOError);
 
     return nullptr;

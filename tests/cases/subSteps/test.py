@@ -36,7 +36,7 @@ P0, RHO0 = 1e5, 1.2
 
 def subSteps(case):
     """Numbers of sub-steps in the log."""
-    return [int(n) for n in re.findall(r"Steps of the points in this one of the gas: (\d+)",
+    return [int(n) for n in re.findall(r"Steps of the points in this one of the \w+: (\d+)",
                                        case.log())]
 
 

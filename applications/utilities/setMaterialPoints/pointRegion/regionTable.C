@@ -293,7 +293,7 @@ void checkAmbient(const mpm::pointRegion& r, const scalarField& p)
                           << (given ? " Pa (minus a third of the trace of its stress, which is"
                                       " negative in compression)"
                                     : " Pa")
-                          << "; the gas in its cells has " << low
+                          << "; what flows in its cells has " << low
                           << (high > low ? " to " + Foam::name(high) : std::string()).c_str()
                           << " Pa. They are not in equilibrium." << endl;
     }
