@@ -46,7 +46,7 @@ from mpm.reportColours import FAILED, joined
 from mpm.reportLog import History, _Reader
 from mpm.reportPage import Remedies, numbers
 from mpm.reportPictures import choose
-from mpm.reportPlots import heldBack, logPlots, probes, tablePlots
+from mpm.reportPlots import Plot, heldBack, logPlots, probes, shortName, tablePlots, together
 
 TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
 TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
@@ -445,6 +445,12 @@ def parts(table):
                 "0 0 0\n1 0.5 -3\n2 0.25 1\n")
     ofTables(table, case)
     ofFluids(table)
+    missing(table)
+    flatLines(table)
+    for own, shown in (("E_1e+06-drop_0.03", "E_4e+06"), ("E_4e+06-drop_0.01", "drop_0.03"),
+                       ("E_1e-06-drop_0.01", "…6-drop_0.03"), ("reference", "…6-drop_0.03")):
+        table.check(f"legends: E_4e+06-drop_0.03 beside {own}: {shown}",
+                    shortName("E_4e+06-drop_0.03", own) == shown)
     spread(table)
     found = probes(t for t in tables(case) if t.function == "tip")
     table.check("probes: the largest, its time, short names", found == [
@@ -533,6 +539,46 @@ def ofFluids(table):
                 in text)
     comment = next(p.comment for p in logPlots(history) if p.title == "Fluids")
     table.check("fix-ups: share beside their plot", "0.05 % of the mass" in comment, comment)
+
+
+def missing(table):
+    """Lines that the log has only at first: three sub-steps, a force until 2 us."""
+    text = "".join(FLUIDS.replace("Build", "Build" if t == 1 else "#Build").replace(
+        "Time = 1e-6", f"Time = {t}e-6\n" + ("Steps of the points in this one of the gas: 3\n"
+        "Force: of wall 5" if t < 3 else "")) for t in (1, 2, 3, 4))
+    reader = _Reader("")
+    for i, line in enumerate(text.split("\n"), 1):
+        reader.line(i, line)
+    reader.store()
+    history = History(reader.runs)
+    plots = {p.title: p for p in logPlots(history)}
+    steps = plots["Steps of the points in this one of the fluids"]
+    table.check("missing lines: one step of the points where the log has no line",
+                not steps.constant() and list(steps.lines[0][2]) == [3, 3, 1, 1], steps.lines)
+    said = plots["Force"].constant()
+    table.check("missing lines: a value that stays, from when to when",
+                said == "Force: of wall 5 (from 1e-06 to 2e-06 s)", said)
+
+
+def flatLines(table):
+    """An energy of 3095 J beside what it gains."""
+    t = np.arange(4.)
+
+    def of(start, gained):
+        return Plot("", "Energy budget, fluids", "J", [("value", t, start + gained*t),
+                                                       ("gained", t, gained*t)])
+    plot = of(3095, 0.01)
+    together([plot], [of(3000, 0.02)])
+    plot.changes()
+    ends = [y[-1] for _, _, y in plot.lines + plot.other]
+    table.row("flat lines: changes since the start in both runs [J]", 0, np.abs(
+        np.array(ends) - (0.03, 0.03, 0.06, 0.06)).max(), 1e-9)
+    table.check("flat lines: the axis and the comment say so", "changes since the start" in
+                plot.axis and "value 3095 J" in plot.comment, (plot.axis, plot.comment))
+    plot = of(1, 0.1)
+    plot.changes()
+    table.check("flat lines: no others are changed", plot.axis == "J"
+                and plot.lines[0][2][0] == 1)
 
 
 def spread(table):
