@@ -73,8 +73,8 @@ class Plot:
                        for name, t, y in some]
         self.axis = "J, changes since the start"
         starts = ", ".join(f"{n} {v:.6g} J" for n, v in large.items())
-        self.comment = (f"at the start: {starts}" + (" (the log has six digits)" if self.digits > 1e-6
-                                                     else "") + f". {self.comment}").strip()
+        digits = " (the log has six digits)" if self.digits > 1e-6 else ""
+        self.comment = f"at the start: {starts}{digits}. {self.comment}".strip()
 
     def withoutZeros(self):
         """Lines that are zero, or rounding beside the others, lie over the axis: said."""

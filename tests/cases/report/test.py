@@ -36,16 +36,16 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from bar import barRun
 from blockInGas import blockInGas
 from browser import Browser, inBrowser
-from foamCase import PATIENCE, PROJECT, RUN, FoamCase, runParts
+from foamCase import PATIENCE, PROJECT, RUN, FoamCase, fileHeader, runParts
 from plates import plateCase
 
 sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
 from mpm.reportCase import Meanings, parse, tables
 from mpm.pictures import SIGNED, VALUES, to_rgb
-from mpm.reportColours import FAILED, joined
+from mpm.reportColours import FAILED, fluidColours, joined
 from mpm.reportLog import History, _Reader
 from mpm.reportPage import Remedies, numbers
-from mpm.reportPictures import choose
+from mpm.reportPictures import choose, pictures
 from mpm.reportPlots import Plot, heldBack, logPlots, probes, shortName, tablePlots, together
 
 TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
@@ -447,6 +447,7 @@ def parts(table):
     ofFluids(table)
     missing(table)
     flatLines(table)
+    mixed(table)
     for own, shown in (("E_1e+06-drop_0.03", "E_4e+06"), ("E_4e+06-drop_0.01", "drop_0.03"),
                        ("E_1e-06-drop_0.01", "…6-drop_0.03"), ("reference", "…6-drop_0.03")):
         table.check(f"legends: E_4e+06-drop_0.03 beside {own}: {shown}",
@@ -539,6 +540,34 @@ def ofFluids(table):
                 in text)
     comment = next(p.comment for p in logPlots(history) if p.title == "Fluids")
     table.check("fix-ups: share beside their plot", "0.05 % of the mass" in comment, comment)
+
+
+def mixed(table):
+    """Three fluids, a third of the picture each, the one in the middle half of the last."""
+    case = template("mixed")
+    shutil.rmtree(case.file("0/lagrangian"))
+    third = np.arange(2400)//(2400//3)
+    for i, name in enumerate(("water", "oil", "air")):
+        share = np.where(third == i, 1.0, 0.0) if i == 0 else np.where(
+            third == 1, 0.5, 1.0*(third == i))
+        with open(case.file(f"0/alpha.{name}"), "w") as f:
+            f.write(fileHeader(f"alpha.{name}", "volScalarField") + "dimensions [0 0 0 0 0 0 0];\n"
+                    "internalField nonuniform List<scalar> 2400\n(\n"
+                    + "\n".join(map(str, share)) + "\n);\nboundaryField {}\n")
+    fluids = {n: {"type": "fluid", **({"thermo": "perfectGas"} if n == "air" else {})}
+              for n in ("water", "oil", "air")}
+    shown = pictures(case, fluids, 1)
+    with PIL.Image.open(io.BytesIO(base64.b64decode(shown[0].frames[0][1].split(",")[1]))) as one:
+        pixels = lab(np.asarray(one.convert("RGB")).reshape(-1, 3)/255)
+    of = fluidColours(fluids)
+    for name, colour in (("water", of["water"]), ("oil and air", (of["oil"] + of["air"])/2),
+                         ("air", of["air"])):
+        n = (np.linalg.norm(pixels - lab(colour), axis=1) < 4).sum()
+        if name == "water":
+            first = n
+        table.row(f"three fluids: pixels of {name} over those of water", 1, n/max(first, 1), 0.05)
+    table.check("two fluids: by the share of the first", not fluidColours(
+        {n: fluids[n] for n in ("water", "air")}))
 
 
 def missing(table):
