@@ -1,7 +1,6 @@
 """Pictures of a case at chosen times for mpm.report: those of its view.py, or of an automatic
 choice: points by plastic strain, damage, stress or speed, a gas by pressure, two fluids by the
-share of the first, more by their colours mixed; in 3D the outer points seen from the side and a
-section of the gas.
+share of the first, more by mixed colours; in 3D outer points from the side, a section of a gas.
 
     for picture in pictures(case, 12): ...      # picture.title, picture.frames [(time, image)]
 """
