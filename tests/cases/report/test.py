@@ -431,6 +431,8 @@ def parts(table):
     table.check("an error after steps: no remedy of the start",
                 "at the start" in remedies.find(text) and "maxCoGas" in remedies.find(text, True)
                 and "at the start" not in remedies.find(text, True))
+    table.check("#calc as root: its remedy", "#eval" in remedies.find(
+        "This code should not be executed by someone with administrator rights for security"))
     for file, path, data, word in MEANINGS:
         meaning = Meanings().find(file, path, parse(data))[1]
         table.check(f"meaning of {path} in {file}: {'has ' + word if word else 'none'}",
