@@ -244,7 +244,9 @@ def subSteps(facts):
     name = max(solids, key=lambda n: solids[n].speed/(solids[n].width or facts.width))
     solid = co*(solids[name].width or facts.width)/(solids[name].speed + solids[name].U)
     solid = facts.trial.deltaT if facts.trial else solid*n
-    fluid = coGas*(float(facts.widths.min()) if len(facts.widths) else facts.width)/facts.sound
+    # The Courant number of a cell is the sum of those along the axes
+    width = float(facts.widths.min()) if len(facts.widths) else facts.width
+    fluid = coGas*width/facts.sound/facts.nDim
     ratio = fluid/solid
     if ratio >= SUBSTEPS:
         remedy = f"maxSubSteps {min(100 if n > 1 else 10, int(n*ratio))}: so many steps of the " \

@@ -392,12 +392,15 @@ def steps(table):
     table.check("dropped: stiff, with too few sub-steps", hits == [("note", CONTROL)] and any(
         "with maxSubSteps 10; water" in f.text and "100 at most" in f.remedy
         and "type rigid; motion { type free; }" in f.remedy for f in check.findings), found(check))
+    bear = re.search(r"would bear (\S+) s", " ".join(found(check)))
     softer = re.search(r"or a softer E, (\S+) Pa", " ".join(f.remedy for f in check.findings))
     case.set(PHASES, "obstacle.E", 0.8*float(softer[1]) if softer else 2e11)
     hits, check = toldOf(case, "", trial=True, steps=5)
     said = dict(check.lines).get("time step", "")
     table.check("dropped: with the softer E the fluids set the step", softer
                 and "points" not in said, said)
+    table.row("dropped: step that the fluids bear, over what they then take", 1,
+              float(bear[1])/float(said.split()[0]) if bear and said else 0, 0.1)
 
 
 def gauges(table):
