@@ -12,7 +12,8 @@ Description
     For each column: the largest difference and the L2 norm, absolute and
     relative to the largest value of both cases, and which point is worst and
     where. Points, columns, clouds and fields that one case alone has are
-    listed.
+    listed. The field cellWeights of decomposePar counts only where -fields
+    names it.
 
 Usage
     \verbatim
@@ -60,7 +61,11 @@ class comparison
     label nRows_ = 0, nMissing_ = 0;
     scalar worst_ = 0;
 
-    bool skip(const word& name) const { return only_.size() && !only_.found(name); }
+    //- cellWeights are no result: what decomposePar reads, in one case perhaps
+    bool skip(const word& name) const
+    {
+        return only_.size() ? !only_.found(name) : name == "cellWeights";
+    }
 
     void heading(const std::string& of, const std::string& unit) const
     {

@@ -91,17 +91,21 @@ def _beside(facts, wet):
 
 
 def noGravity(facts):
-    """A light and a heavy fluid without gravity, as far as the heavy one would fall."""
+    """A light and a heavy fluid without gravity, as far as the heavy one would fall: a liquid with
+    a surface wants a word on it, a gas may go without."""
     rho = {n: r for n, r in facts.rho.items() if r > 0}
-    fall = 9.81/2*facts.end**2
-    if np.linalg.norm(facts.g()) or len(rho) < 2 or not fall > facts.width \
-            or max(rho.values()) < 10*min(rho.values()):
+    if np.linalg.norm(facts.g()) or len(rho) < 2:
         return
     heavy, light = max(rho, key=rho.get), min(rho, key=rho.get)
-    yield Finding("note", GRAVITY, "", f"there is no gravity, and {heavy} of {rho[heavy]:.4g} "
+    liquid = heavy in {n for n, _, _ in _liquids(facts)}
+    fall = 9.81/2*facts.end**2*(rho[heavy] - rho[light])/(rho[heavy] + rho[light])
+    if not fall > facts.width or rho[heavy] < (1.05 if liquid else 10)*rho[light]:
+        return
+    said = os.path.exists(facts.case.file(GRAVITY))     # that there is none
+    yield Finding("warning" if liquid and not said else "note", GRAVITY, "", f"there is no gravity, and {heavy} of {rho[heavy]:.4g} "
                   f"kg/m3 is beside {light} of {rho[light]:.4g}: till endTime it would fall by "
-                  f"{fall:.3g} m", f"if it is meant: value (0 -9.81 0) in {GRAVITY}, and "
-                  f"hydrostatic in {FLUIDS}", "materials.md#body-forces")
+                  f"{fall:.3g} m", f"value (0 -9.81 0) in {GRAVITY}, and hydrostatic in "
+                  f"{FLUIDS}; value (0 0 0) if there is none", "materials.md#body-forces")
 
 
 def notAtRest(facts):
@@ -228,8 +232,9 @@ def nameFluid(finding, facts, log):
 def subSteps(facts):
     """Stiff solids whose step is far below that of the gas or fluids around them."""
     control = facts.control
+    n = control.get("maxSubSteps", 1)
     if not facts.sound or control.get("adjustTimeStep") not in ("yes", "on", "true", True) \
-            or control.get("maxSubSteps", 1) != 1 or control.get("maxGasSubSteps", 1) != 1:
+            or not isinstance(n, int) or control.get("maxGasSubSteps", 1) != 1:
         return
     solids = {n: p for n, p in facts.phases.items() if p.n and p.speed}
     if not solids or (facts.trial and not facts.trial.setBy.startswith("points of ")):
@@ -238,13 +243,24 @@ def subSteps(facts):
         (control.get("maxCo"), 0.4), (control.get("maxCoGas"), 0.4)))
     name = max(solids, key=lambda n: solids[n].speed/(solids[n].width or facts.width))
     solid = co*(solids[name].width or facts.width)/(solids[name].speed + solids[name].U)
-    solid = facts.trial.deltaT if facts.trial else solid
-    fluid = coGas*(float(facts.widths.min()) if len(facts.widths) else facts.width)/facts.sound
-    if fluid >= SUBSTEPS*solid:
-        yield Finding("note", CONTROL, "maxSubSteps", f"{name} sets the step, about {solid:.2g} s; "
-                      f"{' and '.join(facts.media)} would bear {fluid:.2g} s, {fluid/solid:.2g} "
-                      "times as much", f"maxSubSteps {min(10, int(fluid/solid))}: so many steps of "
-                      "the points in one of the gas or fluids", "fluids.md#points-in-a-gas")
+    solid = facts.trial.deltaT if facts.trial else solid*n
+    # The Courant number of a cell is the sum of those along the axes
+    width = float(facts.widths.min()) if len(facts.widths) else facts.width
+    fluid = coGas*width/facts.sound/facts.nDim
+    ratio = fluid/solid
+    if ratio >= SUBSTEPS:
+        remedy = f"maxSubSteps {min(100 if n > 1 else 10, int(n*ratio))}: so many steps of the " \
+            "points in one of the gas or fluids"
+        if n*ratio > 10:        # the steps of the points alone are many
+            E = facts.lawOf(name).get("E")
+            remedy += f" (100 at most); {name} as type rigid; motion {{ type free; }} where its " \
+                "shape stays; or a softer E" + (
+                    f", {E/ratio**2:.2g} Pa for the step of the fluids"
+                    if isinstance(E, (int, float)) else "")
+        yield Finding("note", CONTROL, "maxSubSteps", f"{name} sets the step, about {solid:.2g} s"
+                      + (f" with maxSubSteps {n}" if n > 1 else "") + "; "
+                      f"{' and '.join(facts.media)} would bear {fluid:.2g} s, {ratio:.2g} times as "
+                      "much", remedy, "fluids.md#points-in-a-gas")
 
 
 def _way(centres, d, low, high):

@@ -344,11 +344,14 @@ def build(content, other, n, output, refresh=None, cache=None):
     if other:
         together(plots, other.plots)
         together(more, other.more)
+    for plot in plots + more:
+        plot.changes()
+    short = shortName(other.name, content.name) if other else ""
     factor, unit = content.timeScale()
     axis = f"time [{unit}]"
 
     def still(plot):
-        return page.still(plot, factor, axis, shortName(other.name) if other else "")
+        return page.still(plot, factor, axis, short)
     zoom = dygraphs() is not None
     said = "".join(f'<div class="note">{t}</div>' for t in notices(content))
     said += "".join(f'<div class="note">{esc(t)}</div>' for t in notes)
@@ -382,7 +385,7 @@ def build(content, other, n, output, refresh=None, cache=None):
     data = {"page": {"times": [t for t, _ in times], "names": [n for _, n in times],
                      "timeLabel": axis, "timeName": "t ="},
             "frames": frames,
-            "plots": packed(plots + more, factor, shortName(other.name) if other else "")}
+            "plots": packed(plots + more, factor, short)}
     return page.document(f"{content.name}: report", "".join(body) + "</main>\n", data,
                          refresh), notes
 

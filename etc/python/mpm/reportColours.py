@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mpm.pictures import SIGNED, VALUES
+from mpm.pictures import SIGNED, VALUES, to_rgb
 
 #: What points are coloured by: column, label, colours, expression; the first that has values
 COLUMNS = (("plasticStrain", "plastic strain", VALUES, lambda v: v),
@@ -12,6 +12,9 @@ COLUMNS = (("plasticStrain", "plastic strain", VALUES, lambda v: v),
            ("U", "speed", VALUES, lambda v: np.linalg.norm(v, axis=1)))
 #: Failed points, by name: like no colour of VALUES and SIGNED, whose dark violet FAILED is near to
 FAILED = "magenta"
+#: Colours of more than two fluids, liquids first, and of gases among them: pale, under points
+LIQUIDS = ("#3f7fbf", "#e0a030", "#70a860", "#b070a8", "#a07050", "#60a8a8")
+GASES = ("#eef2f6", "#d8e0d0", "#e6dccb")
 UNITS = {"sigmaEq": "Pa", "pPoint": "Pa", "p": "Pa", "U": "m/s"}
 
 
@@ -61,9 +64,24 @@ def gasField(scene):
     """Field and label of a gas or fluids: the share of the first liquid, or the pressure."""
     if not scene.gas:
         return None
+    if scene.mixed:
+        return f"alpha.{scene.gas[0]}", "fluids"
     if scene.fluids and len(scene.gas) > 1:
         return f"alpha.{scene.gas[0]}", f"share of {scene.gas[0]}"
     return "p", "pressure of the gas"
+
+
+def fluidColours(dictionary):
+    """Colours of fluids by name, red, green and blue, where there are more than two."""
+    fluids = {n: d for n, d in dictionary.items() if isinstance(d, dict)
+              and d.get("type") == "fluid"}
+    if len(fluids) < 3:
+        return {}
+    gases = [n for n, d in fluids.items() if "thermo" in d]
+    liquids = [n for n in fluids if n not in gases]
+    return {n: np.array(to_rgb(colours[i % len(colours)]))
+            for some, colours in ((liquids, LIQUIDS), (gases, GASES))
+            for i, n in enumerate(some)}
 
 
 def joined(limits, others, what):

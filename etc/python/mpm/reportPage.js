@@ -102,7 +102,7 @@
     const graph = new Dygraph(canvas, rows(plot), {
       labels: ["time"].concat(names), series: series, labelsDiv: box.querySelector(".legend"),
       legend: "always", connectSeparatedPoints: true, strokeWidth: 1.4, logscale: plot.log,
-      xlabel: page.timeLabel, ylabel: plot.unit, xLabelHeight: 17, yLabelWidth: 17,
+      xlabel: page.timeLabel, ylabel: plot.axis, xLabelHeight: 17, yLabelWidth: 17,
       axisLabelFontSize: 11, includeZero: false, xRangePad: 4, yRangePad: 8,
       animatedZooms: false, highlightCircleSize: 2.5, gridLineColor: "#e3e8ed",
       axisLineColor: "#8a949e", dateWindow: state["zoom " + plot.id] || null,

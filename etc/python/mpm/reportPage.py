@@ -303,7 +303,7 @@ def still(plot, factor, timeLabel, name):
             some = np.unique(np.linspace(0, len(t) - 1, 300).astype(int))
             ax.plot(factor*t[some], y[some], f"C{k % 10}" + ("--" if run else ""), lw=1,
                     label=title + (f" ({name})" if run else ""))
-    ax.set(xlabel=timeLabel, ylabel=plot.unit)
+    ax.set(xlabel=timeLabel, ylabel=plot.axis)
     if plot.log:
         ax.set_yscale("log")
     ax.legend(fontsize=6)

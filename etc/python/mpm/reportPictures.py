@@ -1,6 +1,6 @@
 """Pictures of a case at chosen times for mpm.report: those of its view.py, or of an automatic
-choice: points by plastic strain, damage, stress or speed, a gas by pressure, fluids by the
-share of the first; in 3D the outer points seen from the side and a section of the gas.
+choice: points by plastic strain, damage, stress or speed, a gas by pressure, two fluids by the
+share of the first, more by mixed colours; in 3D outer points from the side, a section of a gas.
 
     for picture in pictures(case, 12): ...      # picture.title, picture.frames [(time, image)]
 """
@@ -16,9 +16,9 @@ import PIL.Image
 from mpm import animate, views
 from mpm.case import Case
 from mpm.files import readField, readLists
-from mpm.pictures import (BODY, GAS, VALUES, Normalize, PolyCollection, ScalarMappable,
-                          _pixels, colourBar, drawPoints, frame, layOut, plt)
-from mpm.reportColours import FAILED, columnOf, gasField, joined, span, unitOf
+from mpm.pictures import (BODY, GAS, VALUES, ListedColormap, Normalize, PolyCollection,
+                          ScalarMappable, _pixels, colourBar, drawPoints, frame, layOut, plt)
+from mpm.reportColours import FAILED, columnOf, fluidColours, gasField, joined, span, unitOf
 
 #: Dots per inch of the pictures
 DPI = 110
@@ -138,6 +138,7 @@ class Scene:
                     and d.get("type") in ("gas", "fluid")]
         self.fluids = any(d.get("type") == "fluid" for d in dictionary.values()
                           if isinstance(d, dict))
+        self.mixed = fluidColours(dictionary)
         self.rigid = [n for n, d in dictionary.items() if isinstance(d, dict)
                       and d.get("type") == "rigid"]
         last = self.times[-1] if self.times else "0"
@@ -248,6 +249,12 @@ class Section:
                 values.append(some[cells] if len(some) > 1 else np.full(len(cells), some[0]))
         return corners, np.concatenate(values)
 
+    def mixture(self, time, colours):
+        """Polygons and colours of the cells: of all that flows by shares (colours: by name)."""
+        corners, shares = zip(*(self.cells(time, f"alpha.{name}") for name in colours))
+        shares = np.maximum(np.stack(shares, axis=1), 1e-9)
+        return corners[0], shares/shares.sum(axis=1)[:, None] @ np.array([*colours.values()])
+
 
 class Automatic:
     """Figures of a scene in 2D or 3D, points over a section of the gas."""
@@ -263,6 +270,7 @@ class Automatic:
         self.seen = Oblique(scene) if scene.nDim == 3 and not self.gas else None
         if self.gas:
             self.section = Section(scene, scene.normal())
+        if self.gas and not scene.mixed:
             self.gasLimits = joined(gasRange(scene, self.section, self.gas[0], some), others,
                                     self.gas[0])
             low, high = self.gasLimits
@@ -290,9 +298,9 @@ class Automatic:
         factor = self.length[0]
         self.box = factor*self.scene.box[[a, b]].ravel()
         if self.scene.nDim == 1:
-            n = bool(self.column) + bool(self.gas)
-            self.figure, axes = plt.subplots(max(1, n), figsize=(6, 1.2 + 1.9*max(1, n)),
-                                             sharex=True, squeeze=False)
+            n = max(1, bool(self.column) + bool(self.gas))
+            self.figure, axes = plt.subplots(n, figsize=(6, 1.2 + 1.9*n), sharex=True,
+                                             squeeze=False)
             self.figure.set_dpi(DPI)
             self.all = axes[:, 0]
             return
@@ -330,14 +338,21 @@ class Automatic:
             factor, unit = unitOf(self.column[0], self.column[4])
             limits = [factor*v for v in self.column[4]]
             self.bar(self.colours(self.column), limits, self.column[1], unit)
-        if self.gasLimits:
+        if self.scene.mixed:
+            self.legend()
+        elif self.gasLimits:
             factor, unit = unitOf(self.gas[0], self.gasLimits)
-            self.bar(self.gasColours(),
-                     [factor*v for v in self.gasLimits], self.gas[1], unit)
+            self.bar(self.gasColours(), [factor*v for v in self.gasLimits], self.gas[1], unit)
+
+    def legend(self):
+        """Of more than two fluids: a bar with their names."""
+        of = self.scene.mixed
+        self.bar(ListedColormap([*of.values()]), (0, len(of)), self.gas[1], "").set_ticks(
+            np.arange(len(of)) + 0.5, labels=of)
 
     def bar(self, cmap, limits, label, unit):
-        colourBar(self.figure, ScalarMappable(Normalize(*limits), cmap), self.ax,
-                  label + (f" [{unit}]" if unit else ""), shrink=0.9, aspect=22)
+        return colourBar(self.figure, ScalarMappable(Normalize(*limits), cmap), self.ax,
+                         label + (f" [{unit}]" if unit else ""), shrink=0.9, aspect=22)
 
     def draw(self, time):
         title = f"{self.time[0]*float(time):.4g} {self.time[1]}s"
@@ -350,12 +365,15 @@ class Automatic:
         if self.seen:
             self.seen.frame(self.ax, *self.length)
         if self.section:
-            corners, values = self.section.cells(time, self.gas[0])
-            some = [self.length[0]*c[:, self.scene.axes] for c in corners]
+            if self.scene.mixed:
+                corners, values = self.section.mixture(time, self.scene.mixed)
+                paint = {"facecolors": values}
+            else:
+                corners, values = self.section.cells(time, self.gas[0])
+                paint = dict(array=values, cmap=self.gasColours(), norm=Normalize(*self.gasLimits))
             self.ax.add_collection(PolyCollection(
-                some, array=values, cmap=self.gasColours(),
-                norm=Normalize(*self.gasLimits), edgecolors="face", linewidths=0.3,
-                rasterized=True, zorder=GAS))
+                [self.length[0]*c[:, self.scene.axes] for c in corners], **paint,
+                edgecolors="face", linewidths=0.3, rasterized=True, zorder=GAS))
         for phase, cloud, some in self.clouds(time):
             self.points(phase, cloud, some)
         return self.figure
@@ -415,12 +433,16 @@ class Automatic:
             if self.all[0].lines:
                 self.all[0].legend(loc="upper right")
         if self.gas:
-            corners, values = self.section.cells(time, self.gas[0])
-            x = np.array([c[:, a].mean() for c in corners])
-            order = np.argsort(x)
-            size = unitOf(self.gas[0], self.gasLimits)
-            self.label(self.all[-1], self.gas[1], self.gasLimits, *size)
-            self.all[-1].plot(factor*x[order], size[0]*values[order], "C0", lw=1.2)
+            limits = self.gasLimits or (0, 1)
+            size = unitOf(self.gas[0], limits)
+            self.label(self.all[-1], self.gas[1], limits, *size)
+            for field in [f"alpha.{n}" for n in self.scene.mixed] or [self.gas[0]]:
+                corners, values = self.section.cells(time, field)
+                x = np.array([c[:, a].mean() for c in corners])
+                order = np.argsort(x)
+                self.all[-1].plot(factor*x[order], size[0]*values[order], lw=1.2, label=field[6:])
+            if self.scene.mixed:
+                self.all[-1].legend(loc="upper right")
         self.all[-1].set(xlabel=self.labels()[0], xlim=self.box[:2])
 
     @staticmethod
@@ -558,7 +580,7 @@ def ranges(cases, n):
         if column:
             found[column[0]] = column[4]
         gas = gasField(scene)
-        if gas and times:
+        if gas and times and not scene.mixed:
             found[gas[0]] = gasRange(scene, Section(scene, scene.normal()), gas[0], times)
     return found
 

@@ -15,6 +15,8 @@ import numpy as np
 ROOM = 110000
 #: Columns of a table that are drawn as lines; of more the least, mean and largest
 LINES = 10
+#: A constant part so many times larger than all changes of a plot is left out of its lines
+FLAT = 20
 
 _UNITS = {"kinetic": "J", "strain": "J", "total": "J", "energy": "J", "stored": "J",
           "energy added": "J", "mass": "kg", "mass held back": "kg", "momentum": "kg m/s",
@@ -33,7 +35,7 @@ class Plot:
     def __init__(self, section, title, unit, lines, log=False, comment=""):
         self.section, self.title, self.unit = section, title, unit
         self.lines, self.log, self.comment = lines, log, comment
-        self.other, self.digits = [], 1e-12
+        self.other, self.digits, self.axis = [], 1e-12, unit
 
     def zero(self):
         return all(not np.any(np.nan_to_num(y)) for _, _, y in self.lines + self.other)
@@ -41,16 +43,38 @@ class Plot:
     def constant(self):
         """Values of lines that all stay the same, to rounding; "" of others."""
         words = []
-        for name, _, y in self.lines + self.other:
-            some = y[np.isfinite(y)]
+        for name, t, y in self.lines + self.other:
+            known = np.isfinite(y)
+            some = y[known]
             if not len(some) or np.ptp(some) > self.digits*abs(some[0]):
                 return ""
+            # Of what is not in every report: from when to when
+            when = "" if known.all() else f" (from {t[known][0]:.4g} to {t[known][-1]:.4g} s)"
             if np.ptp(some) > 1e-12*abs(some[0]):
-                words.append(f"{name} {some.min():.6g} to {some.max():.6g}")
+                words.append(f"{name} {some.min():.6g} to {some.max():.6g}{when}")
                 continue
-            words.append(f"{name} {some[0]:.6g}" if name != "value" else f"{some[0]:.6g}")
+            words.append(f"{some[0]:.6g}{when}" if name == "value" else
+                         f"{name} {some[0]:.6g}{when}")
         return f"{self.title} [{self.unit}]: {', '.join(words)}" if self.unit else \
             f"{self.title}: {', '.join(words)}"
+
+    def changes(self):
+        """Energies whose constant part would flatten all lines: their changes in its place."""
+        if self.unit != "J" or len(self.lines) < 2 or self.constant():
+            return
+        lines = [y[np.isfinite(y)] for _, _, y in self.lines]
+        most = FLAT*max((np.ptp(y) for y in lines if len(y)), default=0)
+        large = {line[0]: y[0] for line, y in zip(self.lines, lines)
+                 if len(y) and np.abs(y).min() > most}
+        if not large:
+            return
+        for some in (self.lines, self.other):
+            some[:] = [(name, t, y - y[np.isfinite(y)][:1] if name in large else y)
+                       for name, t, y in some]
+        self.axis = "J, changes since the start"
+        starts = ", ".join(f"{n} {v:.6g} J" for n, v in large.items())
+        digits = " (the log has six digits)" if self.digits > 1e-6 else ""
+        self.comment = f"at the start: {starts}{digits}. {self.comment}".strip()
 
     def withoutZeros(self):
         """Lines that are zero, or rounding beside the others, lie over the axis: said."""
@@ -94,7 +118,10 @@ def quantities(history):
             for k in range(v.shape[1]):
                 yield head, f"{name} {'xyz'[k]}".strip(), unitOf(head, name), v[:, k]
         else:
-            yield head, name, unitOf(head, name), history.series(head, name)
+            values = history.series(head, name)
+            if head.startswith("Steps of the points"):      # the log leaves out a single one
+                values = np.where(np.isnan(values), 1, values)
+            yield head, name, unitOf(head, name), values
 
 
 def section(head, unit):
@@ -258,9 +285,22 @@ def _rounded(values, digits=6):
     return [float(f"{v:.{digits}g}") if np.isfinite(v) else None for v in values]
 
 
-def shortName(name, most=12):
-    """Of another run for legends: of a long one its end, in which runs of a study differ."""
-    return name if len(name) <= most else "…" + name[1 - most:]
+def shortName(name, own="", most=12):
+    """Of another run for legends: of a long one the parts (between "-") in which it differs from
+    this run's, of a part that is long its end."""
+    if len(name) <= most:
+        return name
+    parts, of = (re.split(r"(?<!\de)-", n) for n in (name, own))
+    if parts != of:
+        while parts and of and parts[-1] == of[-1]:
+            parts, of = parts[:-1], of[:-1]
+        while len(parts) > 1 and of and parts[0] == of[0]:
+            parts, of = parts[1:], of[1:]
+    part = "-".join(parts) or name
+    same = len(os.path.commonprefix([part[::-1], own[::-1]]))
+    if most <= same + 1 and same < len(part) > most:    # its end says nothing
+        part = part[:-same]
+    return part if len(part) <= most else "…" + part[1 - most:]
 
 
 def packed(plots, factor, name):
@@ -268,7 +308,7 @@ def packed(plots, factor, name):
     each = max(60, ROOM//max(1, sum(1 + len(p.lines) + len(p.other) for p in plots)))
     data = []
     for plot in plots:
-        one = {"title": plot.title, "unit": plot.unit, "log": bool(plot.log),
+        one = {"title": plot.title, "axis": plot.axis, "unit": plot.unit, "log": bool(plot.log),
                "id": f"{plot.title} {plot.unit}", "t": [], "lines": []}
         for run, lines in enumerate((plot.lines, plot.other)):
             if not lines:

@@ -41,10 +41,11 @@ Foam::wordList Foam::mpm::phaseNames(const dictionary& dict, const wordList& typ
     {
         if (e.isDict() && !valid.found(e.keyword()))
         {
+            const string near(meant(e.keyword(), valid));
             FatalIOErrorInFunction(dict)
                 << "Dictionary " << e.keyword() << " is not a phase: not in"
-                << " the list phases " << flatOutput(names) << "." << nl
-                << "Add it there, or remove the dictionary; others that may"
+                << " the list phases " << flatOutput(names) << (near.empty() ? "." : near.c_str())
+                << nl << "Add it there, or remove the dictionary; others that may"
                 << " be there are contact, fluids, outflow and stepParts." << exit(FatalIOError);
         }
     }

@@ -113,6 +113,17 @@ def main():
         result, _ = compare(case, other, "-tolerance", "0", "-fields", "(x U)")
         table.check("-fields: only these", set(result) == {"x", "U"}, " ".join(result))
 
+        # What decomposePar reads is no result
+        weighed = copyOf(case, "weighed")
+        with open(weighed.file(last, "cellWeights"), "w") as f:
+            f.write(fileHeader("cellWeights", "volScalarField") + "dimensions [0 0 0 0 0 0 0];\n"
+                    "internalField uniform 1;\nboundaryField { \".*\" { type calculated; } }\n")
+        compare(case, weighed, "-tolerance", "0")
+        _, text = compare(case, weighed, "-tolerance", "0", "-fields", "(x cellWeights)",
+                          fails=True)
+        table.check("cellWeights in one case: no difference, unless -fields names it",
+                    "second case: field cellWeights" in text)
+
         change(other, last, "sigma", row, sigma[row])
         change(other, last, "V", row, points["V"][row]*1.5)
         result, _ = compare(case, other, "-tolerance", "1e-3", fails=True)

@@ -36,17 +36,17 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from bar import barRun
 from blockInGas import blockInGas
 from browser import Browser, inBrowser
-from foamCase import PATIENCE, PROJECT, RUN, FoamCase, runParts
+from foamCase import PATIENCE, PROJECT, RUN, FoamCase, fileHeader, runParts
 from plates import plateCase
 
 sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
 from mpm.reportCase import Meanings, parse, tables
 from mpm.pictures import SIGNED, VALUES, to_rgb
-from mpm.reportColours import FAILED, joined
+from mpm.reportColours import FAILED, fluidColours, joined
 from mpm.reportLog import History, _Reader
 from mpm.reportPage import Remedies, numbers
-from mpm.reportPictures import choose
-from mpm.reportPlots import heldBack, logPlots, probes, tablePlots
+from mpm.reportPictures import choose, pictures
+from mpm.reportPlots import Plot, heldBack, logPlots, probes, shortName, tablePlots, together
 
 TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
 TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
@@ -431,6 +431,8 @@ def parts(table):
     table.check("an error after steps: no remedy of the start",
                 "at the start" in remedies.find(text) and "maxCoGas" in remedies.find(text, True)
                 and "at the start" not in remedies.find(text, True))
+    table.check("#calc as root: its remedy", "#eval" in remedies.find(
+        "This code should not be executed by someone with administrator rights for security"))
     for file, path, data, word in MEANINGS:
         meaning = Meanings().find(file, path, parse(data))[1]
         table.check(f"meaning of {path} in {file}: {'has ' + word if word else 'none'}",
@@ -445,6 +447,13 @@ def parts(table):
                 "0 0 0\n1 0.5 -3\n2 0.25 1\n")
     ofTables(table, case)
     ofFluids(table)
+    missing(table)
+    flatLines(table)
+    mixed(table)
+    for own, shown in (("E_1e+06-drop_0.03", "E_4e+06"), ("E_4e+06-drop_0.01", "drop_0.03"),
+                       ("E_1e-06-drop_0.01", "…6-drop_0.03"), ("reference", "…6-drop_0.03")):
+        table.check(f"legends: E_4e+06-drop_0.03 beside {own}: {shown}",
+                    shortName("E_4e+06-drop_0.03", own) == shown)
     spread(table)
     found = probes(t for t in tables(case) if t.function == "tip")
     table.check("probes: the largest, its time, short names", found == [
@@ -533,6 +542,74 @@ def ofFluids(table):
                 in text)
     comment = next(p.comment for p in logPlots(history) if p.title == "Fluids")
     table.check("fix-ups: share beside their plot", "0.05 % of the mass" in comment, comment)
+
+
+def mixed(table):
+    """Three fluids, a third of the picture each, the one in the middle half of the last."""
+    case = template("mixed")
+    shutil.rmtree(case.file("0/lagrangian"))
+    third = np.arange(2400)//(2400//3)
+    for i, name in enumerate(("water", "oil", "air")):
+        share = np.where(third == i, 1.0, 0.0) if i == 0 else np.where(
+            third == 1, 0.5, 1.0*(third == i))
+        with open(case.file(f"0/alpha.{name}"), "w") as f:
+            f.write(fileHeader(f"alpha.{name}", "volScalarField") + "dimensions [0 0 0 0 0 0 0];\n"
+                    "internalField nonuniform List<scalar> 2400\n(\n"
+                    + "\n".join(map(str, share)) + "\n);\nboundaryField {}\n")
+    fluids = {n: {"type": "fluid", **({"thermo": "perfectGas"} if n == "air" else {})}
+              for n in ("water", "oil", "air")}
+    shown = pictures(case, fluids, 1)
+    with PIL.Image.open(io.BytesIO(base64.b64decode(shown[0].frames[0][1].split(",")[1]))) as one:
+        pixels = lab(np.asarray(one.convert("RGB")).reshape(-1, 3)/255)
+    of = fluidColours(fluids)
+    for name, colour in (("water", of["water"]), ("oil and air", (of["oil"] + of["air"])/2),
+                         ("air", of["air"])):
+        n = (np.linalg.norm(pixels - lab(colour), axis=1) < 4).sum()
+        if name == "water":
+            first = n
+        table.row(f"three fluids: pixels of {name} over those of water", 1, n/max(first, 1), 0.05)
+    table.check("two fluids: by the share of the first", not fluidColours(
+        {n: fluids[n] for n in ("water", "air")}))
+
+
+def missing(table):
+    """Lines that the log has only at first: three sub-steps, a force until 2 us."""
+    text = "".join(FLUIDS.replace("Build", "Build" if t == 1 else "#Build").replace(
+        "Time = 1e-6", f"Time = {t}e-6\n" + ("Steps of the points in this one of the gas: 3\n"
+        "Force: of wall 5" if t < 3 else "")) for t in (1, 2, 3, 4))
+    reader = _Reader("")
+    for i, line in enumerate(text.split("\n"), 1):
+        reader.line(i, line)
+    reader.store()
+    history = History(reader.runs)
+    plots = {p.title: p for p in logPlots(history)}
+    steps = plots["Steps of the points in this one of the fluids"]
+    table.check("missing lines: one step of the points where the log has no line",
+                not steps.constant() and list(steps.lines[0][2]) == [3, 3, 1, 1], steps.lines)
+    said = plots["Force"].constant()
+    table.check("missing lines: a value that stays, from when to when",
+                said == "Force: of wall 5 (from 1e-06 to 2e-06 s)", said)
+
+
+def flatLines(table):
+    """An energy of 3095 J beside what it gains."""
+    t = np.arange(4.)
+
+    def of(start, gained):
+        return Plot("", "Energy budget, fluids", "J", [("value", t, start + gained*t),
+                                                       ("gained", t, gained*t)])
+    plot = of(3095, 0.01)
+    together([plot], [of(3000, 0.02)])
+    plot.changes()
+    ends = [y[-1] for _, _, y in plot.lines + plot.other]
+    table.row("flat lines: changes since the start in both runs [J]", 0, np.abs(
+        np.array(ends) - (0.03, 0.03, 0.06, 0.06)).max(), 1e-9)
+    table.check("flat lines: the axis and the comment say so", "changes since the start" in
+                plot.axis and "value 3095 J" in plot.comment, (plot.axis, plot.comment))
+    plot = of(1, 0.1)
+    plot.changes()
+    table.check("flat lines: no others are changed", plot.axis == "J"
+                and plot.lines[0][2][0] == 1)
 
 
 def spread(table):
