@@ -13,6 +13,7 @@ answer is BrowserLost; inBrowser() then begins anew.
 """
 
 import base64
+import fcntl
 import json
 import os
 import re
@@ -66,8 +67,8 @@ class Browser:
         self.input, write = os.pipe()
 
         def ends():
-            # The two ends that the protocol wants; copies first, either may be the other
-            a, b = os.dup(read), os.dup(write)
+            # The two ends that the protocol wants, of copies above both: any may be one of them
+            a, b = (fcntl.fcntl(end, fcntl.F_DUPFD, 5) for end in (read, write))
             os.dup2(a, 3)
             os.dup2(b, 4)
         self.process = subprocess.Popen(
