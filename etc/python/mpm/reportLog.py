@@ -130,7 +130,8 @@ class _Reader:
                           if line.startswith("[") else line.rstrip())
         self.store()
         # Of another program
-        return [run for run in self.runs if run.header.get("Exec", SOLVER).startswith(SOLVER)]
+        return [run for run in self.runs if run.header.get("Exec", SOLVER).startswith(SOLVER)
+                and "-postProcess" not in run.header.get("Exec", "")]
 
     def line(self, number, line):
         if line.startswith("Build  :"):
@@ -237,7 +238,7 @@ def logs(case):
     for entry in os.scandir(case.path):
         if entry.is_file() and re.search(r"(?i)log|out|\.txt$|nohup", entry.name):
             with open(entry.path, errors="replace") as f:
-                if re.search(rf"^Exec   : {SOLVER}\b", f.read(20000), flags=re.M):
+                if re.search(rf"^Exec   : {SOLVER}\b(?!.*-postProcess)", f.read(20000), flags=re.M):
                     found.append(entry.path)
     return sorted(found)
 

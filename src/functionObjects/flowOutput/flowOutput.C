@@ -120,6 +120,13 @@ bool Foam::functionObjects::flowOutput::read(const dictionary& dict)
     requireEachStep(dict, type());
     checkOutputKeywords(dict, keywords());
 
+    if (functionObject::postProcess)
+    {
+        WarningInFunction << "Rows of all steps belong to the run: " << type() << ' ' << name()
+                          << " writes nothing with -postProcess." << endl;
+        return true;
+    }
+
     // Mistakes stop the run before its first step
     if (mesh_.foundObject<volScalarField>("p"))
     {
@@ -130,6 +137,10 @@ bool Foam::functionObjects::flowOutput::read(const dictionary& dict)
 
 bool Foam::functionObjects::flowOutput::execute()
 {
+    if (functionObject::postProcess)
+    {
+        return true;
+    }
     if (!mesh_.foundObject<volScalarField>("p"))
     {
         FatalErrorInFunction << type() << " " << name() << ": there is no gas and no fluid."
@@ -146,7 +157,10 @@ bool Foam::functionObjects::flowOutput::execute()
 
 bool Foam::functionObjects::flowOutput::write()
 {
-    writeRows();
+    if (ready_)
+    {
+        writeRows();
+    }
     return true;
 }
 

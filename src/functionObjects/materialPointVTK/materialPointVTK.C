@@ -35,6 +35,7 @@ Usage
         type     | materialPointVTK                     | yes      |
         phases   | names of phases                      | no       | all
         columns  | quantities, see pointQuantity.H      | no       | U m sigma, damage, T
+                 | (those that a phase has)             |          |
         fields   | names, expressions; (): no mesh      | no       | all
     \endtable
 
@@ -141,6 +142,13 @@ class materialPointVTK : public materialPointOutput
 
     wordList keywords() const override { return {"phase", "phases", "columns", "fields"}; }
 
+    //- A phase has a quantity, or that of a component
+    static bool has(const mpm::materialPointPhase& material, const word& name)
+    {
+        const wordList all(mpm::pointQuantity::names(material));
+        return all.found(name) || all.found(name.substr(0, name.rfind('_')));
+    }
+
     void prepare(const mpm::materialPointSystem& points) override
     {
         phases_ = selectedPhases(points);
@@ -153,7 +161,20 @@ class materialPointVTK : public materialPointOutput
             const wordList all(mpm::pointQuantity::names(material));
             columns_[i] = wordList({"U", "m", "sigma", "damage", "T"});
             inplaceSubsetList(columns_[i], [&](const word& name) { return all.found(name); });
-            dict_.readIfPresent("columns", columns_[i]);
+            if (dict_.readIfPresent("columns", columns_[i]))
+            {
+                // What another phase has and this one has not is left out
+                inplaceSubsetList(
+                    columns_[i],
+                    [&](const word& name)
+                    {
+                        return has(material, name)
+                            || std::none_of(
+                                   phases_.begin(), phases_.end(),
+                                   [&](const word& other)
+                                   { return has(phase(points, other), name); });
+                    });
+            }
             start_.set(i, startOf(material, columns_[i]).ptr());
         }
     }

@@ -441,6 +441,15 @@ def gasAlone(table):
                 and np.array_equal(arrays["sigmaEq"][order], points.byId("sigmaEq")),
                 " ".join(sorted(arrays)))
 
+    some = plates("points-some", air=False, fields="()", columns="(U damage)")
+    some.change("constant/phaseProperties",
+                r"(?s)(\n\s*flyer\s*\{.*?)failureModel\s*\{[^}]*\}", r"\1")
+    some.run("materialPointFoam")
+    found = {p: set(load(series(some, f"points.{p}")[some.times()[-1]])[1])
+             for p in ("target", "flyer")}
+    table.check("a column that one phase has: left out of the other",
+                found == {"target": {"x", "id", "U", "damage"}, "flyer": {"x", "id", "U"}}, found)
+
 
 def times(table):
     case = plates("times", writeControl="timeStep", writeInterval=3, fields='(p "alpha.*")')

@@ -43,7 +43,7 @@ sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
 from mpm.reportCase import Meanings, parse, tables
 from mpm.pictures import SIGNED, VALUES, to_rgb
 from mpm.reportColours import FAILED, fluidColours, joined
-from mpm.reportLog import History, _Reader
+from mpm.reportLog import History, _Reader, logs
 from mpm.reportPage import Remedies, numbers
 from mpm.reportPictures import choose, pictures
 from mpm.reportPlots import Plot, heldBack, logPlots, probes, shortName, tablePlots, together
@@ -530,6 +530,14 @@ def ofFluids(table):
     for i, line in enumerate(FLUIDS.split("\n"), 1):
         reader.line(i, line)
     reader.store()
+    case = FoamCase("report", "afterwards")
+    for name, text in (("log.run", FLUIDS), ("log.post", FLUIDS.replace(
+            "Foam\n", "Foam -postProcess\n", 1))):
+        with open(case.file(name), "w") as f:
+            f.write(text)
+    found = [os.path.basename(p) for p in logs(case)], [
+        len(_Reader(case.file(name)).read()) for name in ("log.run", "log.post")]
+    table.check("a log of -postProcess is no run", found == (["log.run"], [1, 0]), found)
     history = History(reader.runs)
     heads = {h for h, _ in history.keys} | {who for who, _, _, _ in history.limiters()}
     table.check("fluids: no head says gas", {"Energy budget, fluids", "the fluids"} <= {

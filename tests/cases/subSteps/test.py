@@ -278,6 +278,7 @@ def onFloor(name, split=None):
                 "sums": {"type": "materialPointBalance", "libs": libs, "writeControl": "timeStep"},
                 "walls": {"type": "materialPointPatchForces", "libs": libs,
                           "patches": "(sides)", "writeControl": "timeStep"},
+                "gauges": {"type": "blastProbes", "libs": libs, "probeLocations": "((0.18 0.1 0))"},
                 "view": {"type": "materialPointVTK", "libs": libs, "columns": "(U sigma)"}}})
     if split:
         case.decompose(split)
@@ -308,6 +309,9 @@ def walls(table):
     case.run("materialPointFoam", "-postProcess")
     found = sorted(len(case.table(f"sums/{name}.dat")["Time"]) for name in ("block", "total"))
     table.check("-postProcess in a gas: rows of the points at all times", found == [3, 3], found)
+    table.check("-postProcess: blastProbes writes nothing",
+                not os.path.exists(case.file("postProcessing/gauges"))
+                and "gauges writes nothing" in case.log(), "")
     files = sorted(os.listdir(case.file("postProcessing/view/points.block")))
     table.check("-postProcess, materialPointVTK with columns: files of all times",
                 files == ["0.0002.vtp", "0.0004.vtp", "0.vtp"], files)
