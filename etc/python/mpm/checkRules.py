@@ -289,6 +289,19 @@ def damage(facts):
         yield Finding("note", PHASES, f"failureModel of {', '.join(names)}",
                       "without Gf the energy of cracks follows the width of the cells",
                       "Gf [J/m2] of the material", "materials.md#energy-of-failure")
+    for name, phase in facts.phases.items():
+        law, failure = facts.lawOf(name), facts.of(name).get("failureModel", {})
+        given = [law.get("E"), *(failure.get(k) for k in ("Gf", "strength"))] if isinstance(
+            failure, dict) else [None]
+        if not phase.n or not all(isinstance(v, (int, float)) and v > 0 for v in given):
+            continue
+        E, Gf, strength = given
+        size, length = max((phase.high - phase.low)[d] for d in facts.axes), E*Gf/strength**2
+        if length > 2*size:
+            yield Finding("note", PHASES, f"{name}.failureModel.Gf",
+                          f"E Gf/strength^2 is {length:.2g} m, the phase {size:.2g} m large: it will"
+                          " stretch rather than break", f"Gf {Gf*size/length:.1g} J/m2 or less, if"
+                          " it is to be brittle", "materials.md#energy-of-failure")
 
 
 def writing(facts):

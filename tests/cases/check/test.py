@@ -163,6 +163,14 @@ def told(table):
 
 
 def mistakes(table):
+    for Gf, much in ((1e4, False), (1e7, True)):
+        case = FoamCase("check", f"Gf-{Gf:g}", TEMPLATE)
+        case.set("constant/phaseProperties", "target.failureModel.Gf", Gf)
+        check = Check(case.path, trial=False)
+        check.run()
+        said = [f.text for f in check.findings if "stretch rather than break" in f.text]
+        table.check(f"mistakes: Gf {Gf:g}, {'larger than the body bears' if much else 'fits'}",
+                    bool(said) == much, said)
     for name, (changes, word, file) in MISTAKES.items():
         case = FoamCase("check", re.sub(r"\W", "-", name), TEMPLATE)
         if changes[0][0] == "constant/g":
