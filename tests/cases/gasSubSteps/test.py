@@ -47,7 +47,7 @@ def soft(rho, c, **more):
 
 def gasSteps(case):
     """Most steps of the gas in one of the points in the log."""
-    return max([int(n) for n in re.findall(r"Steps of the gas in this one of the points: (\d+)",
+    return max([int(n) for n in re.findall(r"Steps of the \w+ in this one of the points: (\d+)",
                                            case.log())] or [1])
 
 
