@@ -117,7 +117,7 @@ Foam::word Foam::mpm::nearWord(const word& key, const UList<word>& words)
         {
             distance = editDistance(key, w);
         }
-        else if (swapped(key, w))
+        else if (withoutDigits(key) != withoutDigits(w) && swapped(key, w))
         {
             distance = 1;
         }

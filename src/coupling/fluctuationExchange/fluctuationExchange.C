@@ -19,21 +19,21 @@ void Foam::mpm::fluctuationExchange::exchange(const label phasei, const scalar d
     {
         const label c = cloud.cells()[k];
         const scalar V = fraction_.mesh().V()[c];
-        scalar M = 0, volume = 0;
-        vector mU(Zero);
-        for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
-        {
-            M += m[p];
-            volume += v[p];
-            mU += m[p] * cloud.velocity(p);
-        }
+        const scalar M = cellSum(cloud, k, m);
+        const vector mU(
+            cellSumOf(cloud, k, [&](const label p) { return m[p] * cloud.velocity(p); }));
         const scalar u = mag(gas_.rhoU()[c] / gas_.rho()[c] - mU / M);
-        const scalar b = drag_.coefficient(phasei, c, fraction_.ofPoints(volume, V), u) * V / M;
+        const scalar thetaS = fraction_.ofPoints(cellSum(cloud, k, v), V);
+        const scalar b = drag_.coefficient(phasei, c, thetaS, u) * V / M;
+
+        // Of s^3 what is left of the start, and what J has added
+        const scalar x = 3 * b * dt, left = std::exp(-x);
         const scalar J = sqr(b * u) * d_[phasei] / (4 * rootPi);
+        const scalar fed = J * dt * (x > 1e-8 ? -std::expm1(-x) / x : 1);
         for (label p = cloud.start()[k]; p < cloud.start()[k + 1]; ++p)
         {
             const scalar before = T[p];
-            T[p] = sqr(std::cbrt(cubeAfter(before * std::sqrt(before), b, J, dt)));
+            T[p] = sqr(std::cbrt(left * before * std::sqrt(before) + fed));
             energy[k] -= 1.5 * m[p] * (T[p] - before) / V;
         }
     }

@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "nodeReactions.H"
+#include "Time.H"
 #include "scalarField.H"
 #include <algorithm>
 
@@ -15,15 +16,15 @@ Foam::mpm::nodeReactions::nodeReactions(
     dt_(0),
     index_(grid.mesh().time().timeIndex())
 {
-    label n = 0;
     for (const part& p : parts_)
     {
         if (place_[p.node] < 0)
         {
-            place_[p.node] = n++;
+            place_[p.node] = nodes_.size();
+            nodes_.append(p.node);
         }
     }
-    impulse_.setSize(grid_.nDim() * n, Zero);
+    impulse_.setSize(grid_.nDim() * nodes_.size(), Zero);
     taken_ = impulse_;
 
     // Ghost nodes have no mesh point: the mean of what other processors have,
@@ -108,11 +109,10 @@ void Foam::mpm::nodeReactions::start(
 void Foam::mpm::nodeReactions::accept()
 {
     const int D = grid_.nDim();
-    forAll(place_, n)
+    forAll(nodes_, k)
     {
-        const scalar share =
-            place_[n] >= 0 && nActive_.size() ? 1 / max(nActive_[n], scalar(1)) : 1;
-        for (label i = D * place_[n]; place_[n] >= 0 && i < D * (place_[n] + 1); ++i)
+        const scalar share = nActive_.size() ? 1 / max(nActive_[nodes_[k]], scalar(1)) : 1;
+        for (label i = D * k; i < D * (k + 1); ++i)
         {
             taken_[i] += share * impulse_[i];
         }

@@ -256,7 +256,8 @@ def immersed(table):
 
 
 def bubble(table):
-    """Diameter of the bubble that a jet blows, 10 % of that by twoPhaseEulerFoam. MPM_VERIFY=1:
+    """Diameter of the bubble that a jet blows, 10 % of that by twoPhaseEulerFoam; of the granular
+    temperature (median) a quarter of it. MPM_VERIFY=1:
     that computed anew, both on cells of half the size; ours without collisions."""
     end = 0.3 if VERIFY else 0.2
     case, found = beds.ours("bed", 1, end)
