@@ -9,7 +9,8 @@ import re
 
 import numpy as np
 
-from mpm.checkFacts import CONTROL, FLUIDS, GRAVITY, LIQUIDS, PHASES, REGIONS, patchFaces
+from mpm.checkFacts import (CONTROL, FLUIDS, GRAVITY, LIQUIDS, PHASES, REGIONS, SOLUTION,
+                            patchFaces)
 from mpm.checkFinding import Finding
 from mpm.files import readField, readLists
 
@@ -102,10 +103,11 @@ def noGravity(facts):
     if not fall > facts.width or rho[heavy] < (1.05 if liquid else 10)*rho[light]:
         return
     said = os.path.exists(facts.case.file(GRAVITY))     # that there is none
-    yield Finding("warning" if liquid and not said else "note", GRAVITY, "", f"there is no gravity, and {heavy} of {rho[heavy]:.4g} "
-                  f"kg/m3 is beside {light} of {rho[light]:.4g}: till endTime it would fall by "
-                  f"{fall:.3g} m", f"value (0 -9.81 0) in {GRAVITY}, and hydrostatic in "
-                  f"{FLUIDS}; value (0 0 0) if there is none", "materials.md#body-forces")
+    yield Finding("warning" if liquid and not said else "note", GRAVITY, "", "there is no "
+                  f"gravity, and {heavy} of {rho[heavy]:.4g} kg/m3 is beside {light} of "
+                  f"{rho[light]:.4g}: till endTime it would fall by {fall:.3g} m",
+                  f"value (0 -9.81 0) in {GRAVITY}, and hydrostatic in {FLUIDS}; value (0 0 0) if "
+                  "there is none", "materials.md#body-forces")
 
 
 def notAtRest(facts):
@@ -263,6 +265,21 @@ def subSteps(facts):
                       "much", remedy, "fluids.md#points-in-a-gas")
 
 
+def shakes(facts):
+    """FLIP keeps what shakes a body that lies in a liquid: seen of a block on the floor."""
+    fraction = facts.number("PICfraction", 0)
+    bodies = [n for n, p in facts.phases.items()
+              if p.n and p.law not in LIQUIDS and facts.of(n).get("type") != "rigid"]
+    if facts.transfer != "FLIP" or fraction >= 0.01 or not bodies or not np.linalg.norm(facts.g()):
+        return
+    liquids = [name for name, _, _ in _liquids(facts)]
+    if liquids:
+        yield Finding("note", SOLUTION, "materialPoints.PICfraction", f"FLIP with PICfraction "
+                      f"{fraction:g}: {' and '.join(bodies)} may shake where it lies in "
+                      f"{' and '.join(liquids)}", "PICfraction 0.01, or transfer APIC",
+                      "fluids.md#a-body-that-floats-or-falls-into-water")
+
+
 def _way(centres, d, low, high):
     """From a box along d to each of some places [m]; inf: not in its way."""
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -355,4 +372,4 @@ def _arrival(facts, name, centres):
     return first
 
 
-RULES = (noGravity, notAtRest, runsOut, softened, gaugesInSoftened, subSteps, leavesMesh)
+RULES = (noGravity, notAtRest, runsOut, softened, gaugesInSoftened, subSteps, shakes, leavesMesh)

@@ -27,6 +27,7 @@ from mpm import reportPage as page
 from mpm.case import Case
 from mpm.reportCase import (FILES, Meanings, differences, fields, meshOf, readDictionary,
                             tables)
+from mpm.reportColours import ofPressure
 from mpm.reportLog import SOLVER, History, logs, readRuns
 from mpm.reportPage import dygraphs, esc, number
 from mpm.reportPictures import pictures, scale, writtenTimes
@@ -209,13 +210,24 @@ def probeParts(content, other):
         return ""
     if not other:
         return '<div class="cards">' + cardBoxes([
-            (what, f"{v:.5g} {u}", f"largest, at {factor*t:.5g} {unit}")
+            (what, withUnit(v, u), f"largest, at {factor*t:.5g} {unit}")
             for what, v, u, t in mine]) + "</div>\n"
-    known = [{(what, u): f"{v:.5g}" for what, v, u, _ in some} for some in (mine, theirs)]
+    known = [{(what, u): v for what, v, u, _ in some} for some in (mine, theirs)]
+    rows = []
+    for what, u in {**known[0], **known[1]}:
+        values = [some.get((what, u)) for some in known]
+        factor, shown = ofPressure(max(abs(v) for v in values if v is not None)) if u == "Pa" \
+            else (1, u)
+        rows.append(page.row(esc(what), esc(shown), *(
+            "" if v is None else f"{factor*v:.5g}" for v in values)))
     return page.table(["probe", "unit", f"largest of {content.name}", f"largest of {other.name}"],
-                      [page.row(esc(key[0]), esc(key[1]), known[0].get(key, ""),
-                                known[1].get(key, ""))
-                       for key in {**known[0], **known[1]}])
+                      rows)
+
+
+def withUnit(value, unit):
+    """A value as text, pressures in kPa, MPa or GPa."""
+    factor, unit = ofPressure(abs(value)) if unit == "Pa" else (1, unit)
+    return f"{factor*value:.5g} {unit}"
 
 
 def cardBoxes(some, guide=""):
@@ -346,6 +358,7 @@ def build(content, other, n, output, refresh=None, cache=None):
         together(more, other.more)
     for plot in plots + more:
         plot.changes()
+        plot.pressures()
     short = shortName(other.name, content.name) if other else ""
     factor, unit = content.timeScale()
     axis = f"time [{unit}]"

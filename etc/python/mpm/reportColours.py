@@ -52,12 +52,15 @@ def columnOf(scene, times):
 def unitOf(column, limits):
     """Factor and unit of a column's values."""
     unit = UNITS.get(column, "")
-    size = max(abs(v) for v in limits)
-    if unit == "Pa":
-        for factor, name in ((1e-9, "GPa"), (1e-6, "MPa"), (1e-3, "kPa")):
-            if size*factor >= 1:
-                return factor, name
-    return 1, unit
+    return ofPressure(max(abs(v) for v in limits)) if unit == "Pa" else (1, unit)
+
+
+def ofPressure(size):
+    """Factor and unit for pressures up to this one."""
+    for factor, name in ((1e-9, "GPa"), (1e-6, "MPa"), (1e-3, "kPa")):
+        if size*factor >= 1:
+            return factor, name
+    return 1, "Pa"
 
 
 def gasField(scene):

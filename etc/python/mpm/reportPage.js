@@ -85,6 +85,19 @@
     }
     return data;
   };
+  // With another run a colour stands once, the other's lines are dashed; under the cursor all
+  // lines that have a value there
+  const legend = plot => data => {
+    const here = data.x !== undefined, both = plot.t.length > 1;
+    const own = new Set(plot.lines.filter(line => line.run === 0).map(line => line.name));
+    const shown = data.series.filter((s, k) => here ? s.yHTML :
+      !both || own.has(s.label) || !own.has(plot.lines[k].of));
+    const words = shown.map(s => `<b style="color: ${s.color}">${here ? "" : s.dashHTML} `
+      + `${s.labelHTML}</b>${here ? ": " + s.yHTML : ""}`);
+    const dashed = document.createElement("i");
+    dashed.textContent = both && !here ? "dashed: " + plot.other : "";
+    return (here ? data.xHTML + ": " : "") + words.join(" ") + " " + dashed.outerHTML;
+  };
   const graphs = {};
   const draw = (plot, i) => {
     const box = document.getElementById("plot" + i);
@@ -101,7 +114,8 @@
     const canvas = box.querySelector(".canvas");
     const graph = new Dygraph(canvas, rows(plot), {
       labels: ["time"].concat(names), series: series, labelsDiv: box.querySelector(".legend"),
-      legend: "always", connectSeparatedPoints: true, strokeWidth: 1.4, logscale: plot.log,
+      legend: "always", legendFormatter: legend(plot), connectSeparatedPoints: true,
+      strokeWidth: 1.4, logscale: plot.log,
       xlabel: page.timeLabel, ylabel: plot.axis, xLabelHeight: 17, yLabelWidth: 17,
       axisLabelFontSize: 11, includeZero: false, xRangePad: 4, yRangePad: 8,
       animatedZooms: false, highlightCircleSize: 2.5, gridLineColor: "#e3e8ed",

@@ -11,6 +11,8 @@ import re
 
 import numpy as np
 
+from mpm.reportColours import ofPressure
+
 #: Numbers of all plots of a page, times and values
 ROOM = 110000
 #: Columns of a table that are drawn as lines; of more the least, mean and largest
@@ -75,6 +77,16 @@ class Plot:
         starts = ", ".join(f"{n} {v:.6g} J" for n, v in large.items())
         digits = " (the log has six digits)" if self.digits > 1e-6 else ""
         self.comment = f"at the start: {starts}{digits}. {self.comment}".strip()
+
+    def pressures(self):
+        """Pressures that change in kPa, MPa or GPa."""
+        if self.unit != "Pa" or self.constant():
+            return
+        known = [np.abs(y[np.isfinite(y)]).max(initial=0) for _, _, y in self.lines + self.other]
+        factor, self.unit = ofPressure(max(known, default=0))
+        self.axis = self.unit
+        for some in (self.lines, self.other):
+            some[:] = [(name, t, factor*y) for name, t, y in some]
 
     def withoutZeros(self):
         """Lines that are zero, or rounding beside the others, lie over the axis: said."""
@@ -309,7 +321,7 @@ def packed(plots, factor, name):
     data = []
     for plot in plots:
         one = {"title": plot.title, "axis": plot.axis, "unit": plot.unit, "log": bool(plot.log),
-               "id": f"{plot.title} {plot.unit}", "t": [], "lines": []}
+               "id": f"{plot.title} {plot.unit}", "other": name, "t": [], "lines": []}
         for run, lines in enumerate((plot.lines, plot.other)):
             if not lines:
                 continue

@@ -36,6 +36,14 @@ def fluids(liquid=WATER, air=AIR, p="1e5", T="300", far=None, points=False, kind
     return change
 
 
+def chargeOf(rho):
+    """A charge of another density than its entry's."""
+    def change(case):
+        fluids(TNT % "0")(case)
+        putField(case, "rho.liquid", "volScalarField", "[1 -3 0 0 0 0 0]", rho, "type zeroGradient;")
+    return change
+
+
 def withDict(*missing):
     """Points and fluids with a setFluidsDict; without these files of the start."""
     def change(case):
@@ -78,6 +86,9 @@ def fluidRows(solve, line):
         ("allowed: charge lit after the end", dry, fluids(TNT % "10"), None,
          {"warnings": 1, "has": "The detonation is lit at 10 s (entries time"}),
         ("allowed: charge lit in the run", dry, fluids(TNT % "1e-4"), None, {"warnings": 0}),
+        ("allowed: charge of another density", dry, chargeOf("1500"), None,
+         {"warnings": 1, "has": "starts with rho 1500 kg/m3 .*, but its entry rho is 1630"}),
+        ("allowed: charge of its density", dry, chargeOf("1631"), None, {"warnings": 0}),
         ("allowed: products at 1 bar", dry, fluids((TNT % "0").split(" detonation")[0]), None,
          {"warnings": 1, "has": "Pa: it will not explode"}),
         ("allowed: points on a charge", dry, fluids(TNT % "0", points=True), None,

@@ -296,6 +296,7 @@ def basin(name):
                          ("velocity", (0, -1, 0))):
         case.set(REGIONS, "regions.obstacle." + entry, value, add=True)
     case.change("0.orig/U.solids", "fixedValue;\n *value .*;", "slip;")
+    case.set("system/fvSolution", "materialPoints.PICfraction", 0.01)
     return case
 
 
@@ -323,6 +324,19 @@ def dropped(table):
     floors(table)
     steps(table)
     gauges(table)
+    shaking(table)
+
+
+def shaking(table):
+    """FLIP without PIC keeps what shakes a body in water."""
+    for name, entry, value, exact in (("FLIP alone", "PICfraction", 0.001, [("note", SOLUTION)]),
+                                      ("FLIP with PIC", "PICfraction", 0.01, []),
+                                      ("APIC", "transfer", "APIC", [])):
+        case = basin("shaking")
+        case.set(SOLUTION, "materialPoints.PICfraction", 0.001)
+        case.set(SOLUTION, "materialPoints." + entry, value)
+        hits, check = toldOf(case, "obstacle may shake where it lies in water")
+        table.check(f"dropped: {name}", hits == exact, found(check))
 
 
 def atRest(table):

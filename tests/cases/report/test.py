@@ -449,6 +449,7 @@ def parts(table):
     ofFluids(table)
     missing(table)
     flatLines(table)
+    pressureUnits(table)
     mixed(table)
     for own, shown in (("E_1e+06-drop_0.03", "E_4e+06"), ("E_4e+06-drop_0.01", "drop_0.03"),
                        ("E_1e-06-drop_0.01", "…6-drop_0.03"), ("reference", "…6-drop_0.03")):
@@ -618,6 +619,23 @@ def flatLines(table):
     plot.changes()
     table.check("flat lines: no others are changed", plot.axis == "J"
                 and plot.lines[0][2][0] == 1)
+
+
+def pressureUnits(table):
+    """Plots of pressures have the unit of their largest, both runs the same."""
+    t = np.arange(3.)
+    for size, unit, factor in ((50, "Pa", 1), (2e5, "kPa", 1e-3), (3e6, "MPa", 1e-6),
+                               (2e10, "GPa", 1e-9)):
+        plot = Plot("", "gauges: p", "Pa", [("p", t, 0.01*size*(1 + t))])
+        together([plot], [Plot("", "gauges: p", "Pa", [("p", t, -size*t/2)])])
+        plot.pressures()
+        table.check(f"pressure up to {size:g} Pa: unit", plot.unit == plot.axis == unit, plot.unit)
+        table.row(f"pressure up to {size:g} Pa: least of the other run [{unit}]", -factor*size,
+                  plot.other[0][2].min(), 1e-12, "relative")
+    plot = Plot("", "gauges: p", "Pa", [("value", t, 1e5 + 0*t)])
+    plot.pressures()
+    table.check("pressure that stays: in Pa", plot.constant() == "gauges: p [Pa]: 100000",
+                plot.constant())
 
 
 def spread(table):
@@ -797,6 +815,11 @@ def browser(table):
     path = case.file("report.html")
     inBrowser(table, os.path.join(RUN, "report", "profile"),
               lambda held, chromium: looks(held, chromium, path, case))
+    other = FoamCase("report", "browserOther", case.path)
+    shutil.copytree(case.path, other.path, dirs_exist_ok=True)
+    report(other.path, "-with", case.path)
+    inBrowser(table, os.path.join(RUN, "report", "profile"), lambda held, chromium: legends(
+        held, chromium.open(other.file("report.html"), 1400, 900), "browser"))
 
 
 def looks(table, chromium, path, case):
@@ -823,6 +846,22 @@ def looks(table, chromium, path, case):
         others = [u for u in page.requests
                   if not u.startswith(("data:", "file://" + path))]
         table.check(f"{name}: nothing is loaded", not others, others)
+
+
+def legends(table, page, name):
+    """With another run each line stands once in a legend, without its dashed one; an error in
+    the console would be one of the page's."""
+    page.evaluate("document.querySelector('.plot').scrollIntoView({block: 'center'})")
+    page.wait("Object.keys(mpmReport.graphs).length > 0")
+    shown = page.evaluate("document.querySelector('.plot .legend').innerText").split()
+    lines = page.evaluate("mpmReport.plots[0].lines.filter(l => l.run === 0).map(l => l.name)")
+    table.check("legend with another run: each line once, and whose the dashed ones are",
+                shown == " ".join(lines + ["dashed:", name]).split(), (shown, lines))
+    over = page.evaluate("(() => { mpmReport.graphs[0].setSelection(2);"
+                         " return document.querySelector('.plot .legend').innerText; })()")
+    table.check("legend under the cursor: lines of both runs with values",
+                all(f"{n}: " in over and f"{n} ({name}): " in over for n in lines), over)
+    table.check("legend: no error in the console", not page.errors, page.errors)
 
 
 def slider(table, name, page):
