@@ -113,6 +113,47 @@ void Foam::mpm::pointContact::addPair(
     pairs_.append(pair);
 }
 
+void Foam::mpm::pointContact::addWalls(
+    const dictionary& dict, const rule& how, const wordList& names, DynamicList<labelPair>& walls)
+{
+    const word name(dict.get<word>("patch"));
+    const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
+    const label patchi = patches.findPatchID(name);
+    if (patchi < 0 || patches[patchi].coupled() || isA<emptyPolyPatch>(patches[patchi]))
+    {
+        const string what(
+            patchi < 0 ? "the mesh has no patch " + name
+                       : "patch " + name + " is of type " + patches[patchi].type()
+                    + ", which no point touches");
+        FatalIOErrorInFunction(dict) << "Contact " << dict.dictName() << ": " << what.c_str() << "."
+                                     << nl << "Patches: " << patches.names() << exit(FatalIOError);
+    }
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict) << "fields must name the velocity fields that touch patch "
+                                     << name << "; it has none." << exit(FatalIOError);
+    }
+    for (const word& field : names)
+    {
+        const label a = fieldNamed(dict, field);
+        if (fields_[a].holds(patchi))
+        {
+            FatalIOErrorInFunction(dict)
+                << "U." << field << " has a condition on patch " << name
+                << " that holds the points already; make it calculated for contact."
+                << exit(FatalIOError);
+        }
+        if (walls.found(labelPair(a, patchi)))
+        {
+            FatalIOErrorInFunction(dict)
+                << "field " << field << ", patch " << name << ": this pair has a contact already."
+                << exit(FatalIOError);
+        }
+        walls.append(labelPair(a, patchi));
+        addPair(how, a, -1, patchi);
+    }
+}
+
 void Foam::mpm::pointContact::read(const dictionary& dict)
 {
     const dictionary* others = nullptr;
@@ -140,47 +181,18 @@ void Foam::mpm::pointContact::read(const dictionary& dict)
             continue;
         }
         const wordList names(required<wordList>(sub, "fields"));
-        if (names.size() != (patch ? 1 : 2))
-        {
-            FatalIOErrorInFunction(sub) << "fields must name "
-                                        << (patch ? "one field, which touches the"
-                                                    " patch"
-                                                  : "two velocity fields")
-                                        << "; it has " << names << "." << exit(FatalIOError);
-        }
-        const label a = fieldNamed(sub, names[0]);
         if (patch)
         {
-            const word name(sub.get<word>("patch"));
-            const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
-            const label patchi = patches.findPatchID(name);
-            if (patchi < 0 || patches[patchi].coupled() || isA<emptyPolyPatch>(patches[patchi]))
-            {
-                const string what(
-                    patchi < 0 ? "the mesh has no patch " + name
-                               : "patch " + name + " is of type " + patches[patchi].type()
-                            + ", which no point touches");
-                FatalIOErrorInFunction(sub)
-                    << "Contact " << sub.dictName() << ": " << what.c_str() << "." << nl
-                    << "Patches: " << patches.names() << exit(FatalIOError);
-            }
-            if (fields_[a].holds(patchi))
-            {
-                FatalIOErrorInFunction(sub)
-                    << "U." << names[0] << " has a condition on patch " << name
-                    << " that holds the points already; make it calculated"
-                    << " for contact." << exit(FatalIOError);
-            }
-            if (walls.found(labelPair(a, patchi)))
-            {
-                FatalIOErrorInFunction(sub)
-                    << "fields " << names << ", patch " << name
-                    << ": this pair has a contact already." << exit(FatalIOError);
-            }
-            walls.append(labelPair(a, patchi));
-            addPair(how, a, -1, patchi);
+            addWalls(sub, how, names, walls);
             continue;
         }
+        if (names.size() != 2)
+        {
+            FatalIOErrorInFunction(sub)
+                << "fields must name two velocity fields, or with a patch those which touch it;"
+                << " it has " << names << "." << exit(FatalIOError);
+        }
+        const label a = fieldNamed(sub, names[0]);
         const label b = fieldNamed(sub, names[1]);
         if (a == b || between(a, b))
         {

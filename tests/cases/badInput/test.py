@@ -1166,6 +1166,16 @@ ROWS += [
      contact("one { fields (base block); type Coulomb; mu 0.3; }"
              " two { fields (base); patch ground; type stick; }"), None,
      {"has": "Contact two between base and patch ground: force"}),
+    ("allowed: contact of two fields with a patch", SOLVE,
+     contact("one { fields (base block); type stick; }"
+             " two { fields (block base); patch ground; type stick; }"), None,
+     {"has": "Contact two between base and patch ground: force"}),
+    ("contact of two fields with a patch, one of them twice", SOLVE,
+     contact("one { fields (base block); patch ground; type frictionless; }"
+             " two { fields (block); patch ground; type stick; }"),
+     inContact + ["field block, patch ground: .*already"]),
+    ("contact with a patch of no field", SOLVE,
+     contact("one { fields (); patch ground; type stick; }"), inContact + ["it has none"]),
     ("contact of a field that does not exist", SOLVE,
      contact("one { fields (base brick); type frictionless; }"),
      inContact + ["brick", VALID, "base"]),

@@ -481,6 +481,42 @@ def ledger(table):
     table.row("transfer takes energy in all of them [J]", 0, gain, 0, "atMost")
 
 
+def shared(table):
+    """Two blocks on one floor: by a dictionary for both as by one for each."""
+    h = 1e-3
+    soft = {"constitutiveModel": {"type": "neoHookean", "rho": 1000, "E": 1e8, "nu": 0.3}}
+    how = {"patch": "floor", "type": "Coulomb", "mu": 0.2}
+    said = []
+    for name, contact in (("one", {"floor": {"fields": "(a b)", **how}}), (
+            "each", {"floorA": {"fields": "(a)", **how}, "floorB": {"fields": "(b)", **how}})):
+        case = FoamCase("contact", "shared-" + name)
+        case.write("constant/phaseProperties", {
+            "phases": ["a", "b"], "a": soft, "b": soft, "contact": contact})
+        case.write("system/blockMeshDict", boxMesh(
+            (0, 0, 0), (14*h, 6*h, h), (14, 6, 1),
+            {"floor": ("patch", ("y-",)), "rest": ("patch", ("x-", "x+", "y+")),
+             "frontAndBack": ("empty", ("z-", "z+"))}))
+        for p in "ab":
+            velocityFile(case, p, {"floor": "calculated", "rest": "calculated",
+                                   "frontAndBack": "empty"})
+        case.write("system/setMaterialPointsDict", {"regions": {p: {
+            "phase": p, "type": "box", "min": (x, 0.3*h, 0), "max": (x + 3*h, 3.3*h, h),
+            "pointsPerCell": 2, "velocity": v}
+            for p, x, v in (("a", 1.4*h, BLOCK), ("b", 8.2*h, (-5, -20, 0)))}})
+        case.write("system/fvSolution", {"materialPoints": {"shapeFunction": "GIMP"}})
+        noSchemes(case)
+        case.write("system/controlDict", controlDict(3e-5, 3e-5, 0.4))
+        for program in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
+            case.run(program)
+        said.append([[float(v) for v in re.findall(
+            rf"^Contact \w+ between {p} and patch floor: .*impulse \((\S+) (\S+)", case.log(),
+            re.M)[-1]] for p in "ab"])
+    table.row("two fields on a patch by one dictionary: impulses as with one for each [N s]", 0,
+              np.abs(np.array(said[0]) - said[1]).max(), 0)
+    table.row("two fields on a patch: least impulse on the floor over what a block brought", 0.5,
+              min(-s[1]/(9*h**3*1000*v) for s, v in zip(said[0], (-BLOCK[1], 20))), 0.5, "atLeast")
+
+
 def hertz(table):
     said = tutorial("hertz")
     for name in ("half-width", "peak pressure"):
@@ -499,7 +535,7 @@ def sand(table):
 
 
 def main():
-    return runParts("contact", plates, pair, incline, disks, balls, ledger,
+    return runParts("contact", plates, pair, incline, disks, balls, ledger, shared,
                     thin, bounce, hertz, sand)
 
 
