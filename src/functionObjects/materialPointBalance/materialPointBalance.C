@@ -209,12 +209,13 @@ class materialPointBalance : public materialPointOutput
 
             files.append(gas->phaseName());
             headers.append(
-                "Gas " + gas->phaseName()
+                (gas->phaseName() == "fluids" ? string("All fluids") : "Gas " + gas->phaseName())
                 + ", mass, impulse and energy through the"
                   " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
                   "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]");
             files.append(word("mixture"));
-            headers.append("Gas and all points, impulse of boundaries, gravity and rigid phases"
+            headers.append("Gas or fluids and all points, impulse of boundaries, gravity and rigid"
+                           " phases"
                            "\n\tmass[kg]\tmassRest[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
                            "\tJx[N.s]\tJy[N.s]\tJz[N.s]\trestx[N.s]\tresty[N.s]\trestz[N.s]");
         }

@@ -503,9 +503,10 @@ def shared(table):
             "phase": p, "type": "box", "min": (x, 0.3*h, 0), "max": (x + 3*h, 3.3*h, h),
             "pointsPerCell": 2, "velocity": v}
             for p, x, v in (("a", 1.4*h, BLOCK), ("b", 8.2*h, (-5, -20, 0)))}})
-        case.write("system/fvSolution", {"materialPoints": {"shapeFunction": "GIMP"}})
+        case.write("system/fvSolution", {"materialPoints": {
+            "shapeFunction": "GIMP", "transfer": "FLIP"}})
         noSchemes(case)
-        case.write("system/controlDict", controlDict(3e-5, 3e-5, 0.4))
+        case.write("system/controlDict", controlDict(7e-5, 7e-5, 0.4))
         for program in ("blockMesh", "setMaterialPoints", "materialPointFoam"):
             case.run(program)
         said.append([[float(v) for v in re.findall(
