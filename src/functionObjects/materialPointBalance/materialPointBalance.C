@@ -209,7 +209,7 @@ class materialPointBalance : public materialPointOutput
 
             files.append(gas->phaseName());
             headers.append(
-                (gas->phaseName() == "fluids" ? string("All fluids") : "Gas " + gas->phaseName())
+                gas->phaseName()
                 + ", mass, impulse and energy through the"
                   " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
                   "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]");
