@@ -1,24 +1,24 @@
-// A rank that waits for a message sleeps in place of calling sched_yield() in a loop.
+// A rank that waits for a message looks for it for 50 us, then sleeps between looks, in place of
+// calling sched_yield() in a loop.
 //
 // Tests have more ranks than cores, beside other tests. Who yields comes last behind all that
 // want the core, and each message then waits for some slices of time: a run of three ranks on two
-// busy cores took 127 s, with this 21 s. Preloaded by mpirun (foamCase.py); MPI calls the function
-// where mpi_yield_when_idle is set. Where a sleep itself costs the core much (27 us on a virtual
-// machine whose timers are dear: such a run took more than 500 s for 6) most calls yield.
+// busy cores took 127 s, with sleeps 21 s. Sleeps alone cost too much where timers are dear (27 us
+// of the core each on a virtual machine: 180 steps took more than 500 s, so 20 s, beside a busy
+// process 34 s). Preloaded by mpirun (foamCase.py); MPI calls the function where
+// mpi_yield_when_idle is set.
 
 #include <ctime>
 #include <sys/prctl.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 namespace
 {
 
-//- Of this thread [s]
-double cpuTime()
+//- [s]
+double now()
 {
     timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    clock_gettime(CLOCK_MONOTONIC, &t);
     return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
@@ -30,21 +30,20 @@ extern "C" int sched_yield()
     static const int exact = prctl(PR_SET_TIMERSLACK, 1000UL, 0, 0, 0);
     static_cast<void>(exact);
 
-    static unsigned calls = 0, every = 1;
-    if (++calls % every)
+    // Work between two calls begins a wait anew
+    static double first = 0, last = 0;
+    const double t = now();
+    if (t - last > 1e-5)
     {
-        return int(syscall(SYS_sched_yield));
+        first = t;
     }
-    const timespec little{0, 5000};
-    const double start = cpuTime();
+    last = t;
+    if (t - first < 5e-5)
+    {
+        return 0;
+    }
+    const timespec little{0, 20000};
     const int result = nanosleep(&little, nullptr);
-    if (cpuTime() - start > 1e-5)
-    {
-        every += every < 200;
-    }
-    else if (every > 1)
-    {
-        --every;
-    }
+    last = now();
     return result;
 }
