@@ -60,6 +60,10 @@ def _entries(text, tokens, opened):
             continue
         if name in "{}()":
             raise DictionaryError(f"line {_line(text, start)}: a name expected, found {name}")
+        if re.fullmatch(r"#s?include(Etc|IfPresent)?", name):
+            _, _, end = next(tokens, ("", start, end))  # what follows on its line counts
+            found.append(Entry(name, start, end))
+            continue
         if _LINES.match(name):
             last = text.find("\n", end)
             last = len(text) if last < 0 else last

@@ -255,8 +255,8 @@ def notices(content):
                      + f" <code>{SOLVER} &gt; log.{SOLVER} 2&gt;&amp;1</code>, or name the log"
                      " with <code>-log</code>.")
     elif content.state() == "stopped":
-        found.append("The log ends before its end, and no process writes it: the run was"
-                     " killed, or the log was cut off.")
+        found.append(esc(content.runs[-1].signal) or "The log ends before its end, and no process"
+                     " writes it: the run was killed, or the log was cut off.")
     elif not content.history.rows:
         found.append("The log has no report of a step yet.")
     if dygraphs() is None:
@@ -425,7 +425,7 @@ def watch(case, other, options, output):
     while True:
         now = changed(case)
         content = Content(case, options.log)
-        ended = content.state() in ("done", "failed")
+        ended = content.state() == "failed" or bool(content.runs) and content.runs[-1].ended
         if now != before or ended:
             text, _ = build(content, other, options.times, output,
                             None if ended else options.interval, cache)

@@ -43,6 +43,7 @@ class Run:
         self.log, self.line = log, line
         self.header, self.head, self.rows = {}, [], []
         self.messages, self.parts, self.steps, self.ended = [], "", None, False
+        self.signal = ""        # what the log says of one that ended the run
         self.version, self.loads = "", []
 
     def when(self):
@@ -66,9 +67,9 @@ class Run:
             return False
 
     def state(self):
-        """"done", "failed", "running" or "stopped" (its log ends before its end)."""
+        """"done", "failed", "running" or "stopped" (by a signal, or its log has no end)."""
         if self.ended:
-            return "done"
+            return "stopped" if self.signal else "done"
         if any(m.kind == "error" for m in self.messages):
             return "failed"
         if self.alive() or time.time() - os.path.getmtime(self.log) < QUIET:
@@ -196,6 +197,8 @@ class _Reader:
             run.loads.append(line[6:])
         elif line.startswith("Steps: "):
             run.steps = int(line.split()[1])
+        elif re.match("Signal .* was received", line):
+            run.signal = line
         elif line == "End":
             run.ended = True
         elif line.startswith("deltaT set by "):

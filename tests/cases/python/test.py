@@ -140,6 +140,14 @@ def dictionaries(table):
         except DictionaryError as error:
             table.check(f"dictionaries: {path} is refused with the choices", words in str(error),
                         error)
+    text = 'water { type fluid; #include "$DIR/water" }\nplate { rho 2; #includeIfPresent "x"; }\n'
+    text += "bed { rho 3; }\n"
+    for path, value in (("water.type", "fluid"), ("plate.rho", "2"), ("bed.rho", "3")):
+        try:
+            found = getEntry(text, path)
+        except DictionaryError as error:
+            found = error
+        table.check(f"dictionaries: {path} beside #include", str(found) == value, found)
 
 
 # --- study ----------------------------------------------------------------------

@@ -261,9 +261,11 @@ def going(table):
         solver.send_signal(signal.SIGTERM)
         solver.wait(60)
         said = watch.communicate(timeout=60)[0].decode()
-        table.check("-watch: ends with the run", watch.returncode == 0 and "is done" in said,
-                    said)
+        table.check("-watch: ends with the run, which a signal has stopped",
+                    watch.returncode == 0 and "is stopped" in said, said)
         page = Page(path)
+        table.check("stopped by a signal: the page says which",
+                    "Signal 15 (Terminated) was received." in page.text)
         table.check("-watch: the last page does not reload",
                     page.data["page"]["refresh"] is None)
         table.row("-watch: the last page has the last step",
