@@ -3,10 +3,10 @@
 //
 // Tests have more ranks than cores, beside other tests. Who yields comes last behind all that
 // want the core, and each message then waits for some slices of time: a run of three ranks on two
-// busy cores took 127 s, with sleeps 21 s. Sleeps alone cost too much where timers are dear (27 us
-// of the core each on a virtual machine: 180 steps took more than 500 s, so 20 s, beside a busy
-// process 34 s). Preloaded by mpirun (foamCase.py); MPI calls the function where
-// mpi_yield_when_idle is set.
+// busy cores took 127 s, with sleeps 21 s. Sleeps from the first look on cost too much where timers
+// are dear. On a virtual machine with 27 us of the core for each three ranks did 9 steps in 25 s
+// and do now 179 in 20 s, beside a busy process 116. Preloaded by mpirun (foamCase.py); MPI calls
+// the function where mpi_yield_when_idle is set.
 
 #include <ctime>
 #include <sys/prctl.h>

@@ -19,7 +19,8 @@ from mpm.files import foamText
 _TOKEN = re.compile(
     r'(?P<skip>\s+|//[^\n]*|/\*.*?\*/)|"(?:\\.|[^"\\])*"|#\{.*?#\}|[{}();]'
     r'|[^\s{}();"]+(?:\([^\s{};"]*?\)[^\s{}();"]*)*', re.S)
-_LINES = re.compile(r"#(s?include|inputMode|remove|if|else|endif|func)")
+_INCLUDE = re.compile(r"#s?include(Etc|IfPresent)?")
+_LINES = re.compile(r"#(includeFunc|inputMode|remove|if|else|endif|func)")
 _SWITCHES = {"yes": True, "on": True, "true": True, "no": False, "off": False, "false": False}
 
 
@@ -60,8 +61,8 @@ def _entries(text, tokens, opened):
             continue
         if name in "{}()":
             raise DictionaryError(f"line {_line(text, start)}: a name expected, found {name}")
-        if re.fullmatch(r"#s?include(Etc|IfPresent)?", name):
-            _, _, end = next(tokens, ("", start, end))  # what follows on its line counts
+        if _INCLUDE.fullmatch(name):    # its line may go on behind the name of the file
+            _, _, end = next(tokens, ("", start, end))
             found.append(Entry(name, start, end))
             continue
         if _LINES.match(name):
