@@ -7,7 +7,7 @@
 #include "IOField.H"
 #include "OFstream.H"
 #include "OSspecific.H"
-#include "passiveParticle.H"
+#include "parcelAt.H"
 #include "StringStream.H"
 #include "Time.H"
 #include <fstream>
@@ -291,11 +291,10 @@ void Foam::mpm::caseRows::writeCloud(const word& name) const
     {
         const scalar* row = &rows.values[size * p];
         const scalar* x = row + size - 3;
-        passiveParticle* parcel =
-            new passiveParticle(mesh_, point(x[0], x[1], x[2]), rows.cells[p]);
+        auto parcel = mpm::parcelAt(mesh_, point(x[0], x[1], x[2]), rows.cells[p]);
         parcel->origProc() = 0;
         parcel->origId() = origIds < 0 ? p : label(row[origIds]);
-        parcels.addParticle(parcel);
+        parcels.addParticle(parcel.ptr());
     }
     parcels.write();
 

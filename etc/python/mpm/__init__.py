@@ -20,6 +20,6 @@ try:
     import numpy  # noqa: F401
 except ModuleNotFoundError as error:
     sys.exit(f"mpm: no module {error.name} for {sys.executable}: run the script with a Python that"
-             ' has numpy and matplotlib, . "$MPM_PROJECT_DIR/etc/prepare"; "$MPM_PYTHON" '
-             f"{sys.argv[0] or '<script>'} or /usr/bin/python3 (Debian: apt-get install"
-             " python3-numpy python3-matplotlib)")
+             f" has numpy and matplotlib, /usr/bin/python3 {sys.argv[0] or '<script>'} (Debian: "
+             "apt-get install python3-numpy python3-matplotlib; mpmReport and mpmCheck take"
+             " $MPM_PYTHON)")

@@ -2,12 +2,12 @@
 
 #include "OSspecific.H"
 #include "materialPointCloud.H"
+#include "parcelAt.H"
 #include "dictionaryTools.H"
 #include "noTraps.H"
 #include "fullPrecision.H"
 #include "version.H"
 #include "Cloud.H"
-#include "passiveParticle.H"
 #include "IOField.H"
 #include "IFstream.H"
 #include "OFstream.H"
@@ -129,10 +129,10 @@ void Foam::mpm::materialPointCloud::writeParcels(const labelList& cell) const
     Cloud<passiveParticle> parcels(grid_.mesh(), name(), IDLList<passiveParticle>());
     forAll(cell, p)
     {
-        passiveParticle* parcel = new passiveParticle(grid_.mesh(), position(p, cell[p]), cell[p]);
+        auto parcel = parcelAt(grid_.mesh(), position(p, cell[p]), cell[p]);
         parcel->origProc() = 0;
         parcel->origId() = label(id_[0][p]);
-        parcels.addParticle(parcel);
+        parcels.addParticle(parcel.ptr());
     }
     parcels.write();
 }

@@ -15,6 +15,7 @@ slope      a rigid block turned by 30 degrees slides down a slab turned by 30 de
 sphere     a rigid sphere, R = 100 h, pressed by h into an elastic half space: Hertz
 """
 
+import glob
 import itertools
 import os
 import re
@@ -24,6 +25,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
+from cellMesh import boxOfCells
 from foamCase import (VERIFY, FoamCase, boxMesh, controlDict, foamText, noSchemes,
                       runParts, velocityFile)
 from gasCases import writeVolField
@@ -338,6 +340,17 @@ def joined(table):
             m @ ((x - middle)**2 + l**2/3)/(M*side**2/12) - 1).max(), 1e-8)
 
 
+def parcels(case, phase):
+    """Positions, as foamToVTK writes them (4 bytes each)."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(glob.glob(case.file("VTK/lagrangian", phase, "*.vtp"))[0])
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
+
+
 def soft(**more):
     return {"constitutiveModel": {"type": "linearElastic", "rho": RHO, "E": 1e6, "nu": 0.3},
             **more}
@@ -511,6 +524,25 @@ def messages(table):
             check(label, said, *words)
         else:
             table.check(f"{label}: no warning", "Warning" not in said and "End" in said)
+    # The boxes cut into triangles or tetrahedra count as before
+    for kind, D in (("prisms", 2), ("tets", 3)):
+        for width in (0.019, 0.02):
+            case = build(f"says-{kind}{width}", (0,)*D, 0.01, (10,)*D, {
+                "a": {**box, "max": (width, 0.05, 0.1)}}, phases={"a": soft()}, run=False)
+            boxOfCells(case, kind, (0, 0, 0), (0.1, 0.1, 0.01 if D == 2 else 0.1),
+                       (10, 10, 1 if D == 2 else 10), {"rest": (
+                           "patch", ("x-", "x+", "y-", "y+") + ("z-", "z+")*(D == 3)),
+                           **({"empty": ("empty", ("z-", "z+"))} if D == 2 else {})})
+            case.run("setMaterialPoints")
+            # OpenFOAM's own track to a place has no end in some of these tetrahedra
+            case.run("foamToVTK")
+            table.row(f"{width/0.01:g} cells wide, {kind}: OpenFOAM's parcels [m]", 0,
+                      abs(parcels(case, "a") - case.points("0", "a")["x"]).max(), 1e-8)
+            said = " ".join(case.log("setMaterialPoints").split())
+            table.check(f"{width/0.01:g} cells wide, {kind}: "
+                        + ("warning" if width < 0.02 else "no warning"),
+                        ("1.9 cells wide in x, fewer than 2" in said) == (width < 0.02)
+                        and "End" in said, said[-300:])
     air = {"type": "gas", "thermo": "perfectGas", "R": 287, "gamma": 1.4}
 
     def bar(case):

@@ -12,9 +12,11 @@ import glob
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 import numpy as np
 
@@ -248,6 +250,51 @@ def copiedTutorial(table, case):
                 " ".join(bad))
 
 
+def copiedCheckout(table, case):
+    """What was built in a checkout is good where that is copied to; a build with other settings
+    that is interrupted leaves the programs that were there."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = os.path.join(folder, "project")
+        os.makedirs(os.path.join(copy, "tests"))
+        for name in ("src", "applications", "etc", "platforms", "Allwmake", "tests/unit",
+                     "benchmarks"):
+            subprocess.run(["cp", "-a", os.path.join(PROJECT, name), os.path.join(copy, name)],
+                           check=True)
+        library = os.path.join(copy, os.path.relpath(os.environ["FOAM_USER_LIBBIN"], PROJECT))
+        target = os.path.dirname(library)
+        stamp = max((os.path.join(target, name) for name in os.listdir(target)
+                     if name.startswith("built")), key=os.path.getmtime)
+        kind = re.fullmatch(r"built(\+tests)?(\+benchmarks)?(-separate-(\w+)-(\w+))?",
+                            os.path.basename(stamp))
+        options = [option for option, has in
+                   (("-tests", kind[1]), ("-benchmarks", kind[2]),
+                    (f"-separate={kind[4]}/{kind[5]}", kind[3])) if has]
+        # cp gives folders and links their times too, so nothing is newer than the build
+        made = subprocess.run(["bash", "Allwmake", *options], cwd=copy, text=True, timeout=60,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        table.check("a copied checkout is up to date", made.returncode == 0
+                    and made.stdout == f"Everything is up to date in {target}\n", made.stdout)
+        with open(os.path.join(target, "settings")) as f:
+            table.check("its settings name its place", f"target    {target}\n" in f.read())
+        build = subprocess.Popen(["bash", "Allwmake"], cwd=copy, start_new_session=True,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                 env={**os.environ, "MPM_EXTRA_CXXFLAGS": "-DOTHER"}, text=True)
+        first = build.stdout.readline()
+        anew = os.path.join(target, "anew")
+        until = time.monotonic() + 20
+        while not os.path.isdir(anew) and time.monotonic() < until:
+            time.sleep(0.1)
+        os.killpg(build.pid, signal.SIGTERM)
+        build.communicate()
+        program = os.path.join(target, "bin/materialPointFoam")
+        helped = subprocess.run([program, "-help"], capture_output=True,
+                                env={**os.environ, "LD_LIBRARY_PATH": library + ":"
+                                     + os.environ["LD_LIBRARY_PATH"]})
+        table.check("an interrupted build with other settings leaves the programs",
+                    first.startswith("other settings than before") and os.path.isdir(anew)
+                    and helped.returncode == 0 and b"Usage" in helped.stdout, first)
+
+
 def variants(table, case):
     """What the tutorials' variants change is still in their dictionaries: programs that do
     nothing stand for the solver and its tools."""
@@ -289,7 +336,7 @@ def main():
         table.check("the case runs", False, error)
         return table.finish()
     for check in (ownOptions, ownPostProcess, times, foamLog, fieldTools, dictionaries,
-                  copiedTutorial, variants):
+                  copiedTutorial, copiedCheckout, variants):
         check(table, case)
     return table.finish()
 

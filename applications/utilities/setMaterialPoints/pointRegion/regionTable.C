@@ -215,7 +215,8 @@ void checkSpeed(
     }
 }
 
-//- Warn of a body that is narrower than two cells: a wrong unit, or too coarse.
+//- Warn of a body that is narrower than two cells: a wrong unit, or too coarse. Triangles and
+//  tetrahedra count as the squares and cubes of which they are halves and sixths.
 //  body: box around the region and those that continue it
 void checkWidth(
     const mpm::pointGrid& grid, const mpm::materialPointPhase& phase, const mpm::pointRegion& r,
@@ -231,7 +232,9 @@ void checkWidth(
         scalar h = GREAT;
         for (const label celli : r.cells())
         {
-            h = min(h, grid.width(celli, d));
+            // The mean chord of a simplex that is part of a box is side/nDim
+            const bool simplex = grid.nDim() > 1 && grid.nodesOf(celli).size() == grid.nDim() + 1;
+            h = min(h, grid.width(celli, d) * (simplex ? grid.nDim() : 1));
         }
         const scalar all = grid.mesh().bounds().span()[way];
         const scalar n = (body.max()[way] - body.min()[way]) / h;

@@ -1,0 +1,42 @@
+// materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
+
+#include "parcelAt.H"
+#include "polyMesh.H"
+#include "tetIndices.H"
+
+Foam::autoPtr<Foam::passiveParticle>
+Foam::mpm::parcelAt(const polyMesh& mesh, const point& x, const label celli)
+{
+    const vector& centre = mesh.cellCentres()[celli];
+    barycentric best;
+    tetIndices of;
+    scalar deepest = -GREAT;
+    for (const label facei : mesh.cells()[celli])
+    {
+        for (label i = 1; i < mesh.faces()[facei].size() - 1; ++i)
+        {
+            const tetIndices tet(celli, facei, i);
+            const triFace corners(tet.faceTriIs(mesh));
+            const vector d = x - centre;
+            const vector e1 = mesh.points()[corners[0]] - centre;
+            const vector e2 = mesh.points()[corners[1]] - centre;
+            const vector e3 = mesh.points()[corners[2]] - centre;
+            const scalar six = e1 & (e2 ^ e3);
+            if (mag(six) <= SMALL * mag(e1) * mag(e2) * mag(e3))
+            {
+                continue;
+            }
+            const scalar l1 = (d & (e2 ^ e3)) / six;
+            const scalar l2 = (d & (e3 ^ e1)) / six;
+            const scalar l3 = (d & (e1 ^ e2)) / six;
+            const barycentric l(1 - l1 - l2 - l3, l1, l2, l3);
+            if (cmptMin(l) > deepest)
+            {
+                deepest = cmptMin(l);
+                best = l;
+                of = tet;
+            }
+        }
+    }
+    return autoPtr<passiveParticle>(new passiveParticle(mesh, best, celli, of.face(), of.tetPt()));
+}
