@@ -33,6 +33,7 @@ int main(int argc, char* argv[])
                      " OpenFOAM's mesh.");
     argList::addNote(mpm::version);
 
+#define CREATE_TIME createCheckedTime.H
 #include "postProcess.H"
 
 #include "addCheckCaseOptions.H"

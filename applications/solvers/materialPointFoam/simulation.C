@@ -17,6 +17,7 @@ Foam::mpm::simulation::simulation(const fvMesh& mesh) :
         false))),
     seconds_(0)
 {
+    warnOfChangedProperties(mesh.time(), properties_);
     makePhases(nullptr);
 }
 

@@ -304,7 +304,15 @@ class Check:
         if t.ranks == 1:
             self._line("time step", f"{t.deltaT:.4g} s at least, set by {t.setBy}")
         self._line("run", f"about {t.steps} steps to endTime {t.end:g} s, {_duration(t.seconds)} "
-                   f"on {where}, if the time step stays")
+                   f"on {where}, if the time step stays" + (
+                       f"; it still grows ({t.grows:.3g} s at half of the trial): less then"
+                       if t.grows else ""))
+        if t.imbalance > 30:
+            self._find("note", "system/decomposeParDict", "",
+                       f"the fullest of {t.ranks} ranks has {t.imbalance:.3g} % more points than "
+                       "the mean, and sets the pace", "setMaterialPoints -cellWeights before "
+                       "decomposePar, and weightField cellWeights; in decomposeParDict, or slabs "
+                       "across the bodies", "running.md#several-processors")
         self._line("memory", _bytes(t.memory*2**20) + (
             "" if t.ranks == 1 else f" of the largest of {t.ranks} ranks") + ", as in the trial")
 
@@ -348,10 +356,11 @@ def _remedy(message):
         for line in f:
             if line.startswith("## "):
                 heading = "#" + re.sub(r"[^\w -]", "", line[3:].strip().lower()).replace(" ", "-")
-            row = re.fullmatch(r"\| `(.*)` \| (.*) \|\n", line)
-            pieces = [p.strip() for p in row[1].split("...") if p.strip()] if row else []
+            row = re.fullmatch(r"\| (?:`(.*)`|(.*) \(OpenFOAM's\)) \| (.*) \|\n", line)
+            pieces = [p.strip() for p in (row[1] or row[2]).split("...") if p.strip()] \
+                if row else []
             if pieces and all(" ".join(p.split()) in message for p in pieces):
-                text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", row[2]).replace("`", "")
+                text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", row[3]).replace("`", "")
                 return re.sub("^a warning[^:]*: ", "", text), page + heading
     return "", ""
 

@@ -42,8 +42,9 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from mpm.case import Case, RunFailed
+from mpm.dictionaries import DictionaryError
 from mpm.files import foamText
-from mpm.reportCase import Meanings, flat, readDictionary
+from mpm.reportCase import UNITS, Meanings, flat, readDictionary
 
 RECORD = "study.json"
 BUDGET = "energyBudget yes; in materialPoints of system/fvSolution"
@@ -85,9 +86,10 @@ class Study:
     def _name(self, point):
         """The folder of a run: its values; of one parameter with words the word."""
         if len(point) == 1 and isinstance(next(iter(point.values())), str):
-            return next(iter(point.values()))
-        return "-".join(re.sub(r"[^\w.+-]+", "_", f"{n}_{_text(v)}").rstrip("_")
-                        for n, v in point.items()) or "base"
+            parts = point.values()
+        else:
+            parts = [f"{n}_{_text(v)}" for n, v in point.items()]
+        return "-".join(re.sub(r"[^\w.+-]+", "_", p).rstrip("_") for p in parts) or "base"
 
     def case(self, **values):
         """The case of a run by its values: study.case(E=70e9, speed=50)."""
@@ -252,7 +254,7 @@ class _Parameter:
             self.function, values = spec
         elif len(spec) == 3:
             *self.entry, values = spec
-            self.function = lambda case, value: case.set(*self.entry, value)
+            self.function = self._set
         else:
             raise ValueError(f"parameter {name}: (file, entry, values) or (function, values)")
         self.values = values if isinstance(values, dict) else {_key(v): v for v in values}
@@ -263,6 +265,13 @@ class _Parameter:
         """Before anything runs: an entry that is not there is an error (DictionaryError)."""
         if self.entry:
             base.get(*self.entry)
+
+    def _set(self, case, value):
+        try:
+            case.set(*self.entry, value)
+        except DictionaryError:
+            # Of a file that is included: an entry behind it counts
+            case.set(*self.entry, value, add=True)
 
     def apply(self, case, shown):
         self.function(case, self.values[shown])
@@ -336,7 +345,8 @@ class Results:
         for key, line in lines.items():
             if self[x].dtype.kind in "if":
                 line = sorted(line)
-            ax.plot(*zip(*line), "o-", ms=4, label=f"{by} {_text(key)}" if by else None)
+            unit = " " + self.units[by] if by in self.units else ""
+            ax.plot(*zip(*line), "o-", ms=4, label=f"{by} {_text(key)}{unit}" if by else None)
         names = [f"{n} [{self.units[n]}]" if n in self.units else n for n in (x, y)]
         ax.set(xlabel=xlabel or names[0], ylabel=ylabel or names[1],
                **{f"{a}scale": "log" for a in log})
@@ -378,8 +388,14 @@ def _ofTable(table, quantity, column):
         return (f"no function object {name} in {case.file('system/controlDict')} to write the"
                 f" table {table}; there are: {' '.join(functions) or 'none'}")
     quantity.need = need
-    quantity.unit = lambda case: case.table(table).units.get(_nameOf(case, table, column), "")
+    quantity.unit = lambda case: _unit(case, table, column)
     return quantity
+
+
+def _unit(case, table, column):
+    """As the table says, or of the field whose name it has (blastProbes: p.dat)."""
+    field = os.path.splitext(os.path.basename(table))[0]
+    return case.table(table).units.get(_nameOf(case, table, column)) or UNITS.get(field, "")
 
 
 def _nameOf(case, table, column):

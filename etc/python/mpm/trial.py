@@ -72,7 +72,7 @@ class Trial:
         if run.returncode:
             raise RunFailed(case.reason(log.name))
         self.memory = used.ru_maxrss/1024
-        self._read()
+        self.read()
 
     def _decompose(self):
         """Into slabs along the longest side, unless decomposeParDict has that number of ranks."""
@@ -91,7 +91,7 @@ class Trial:
                 "hierarchicalCoeffs": {"n": n, "delta": 0.001, "order": "xyz"}})
         case.run("decomposePar", "-force")
 
-    def _read(self):
+    def read(self):
         """Time step, cost of a step and of a write from the log."""
         case, log = self.case, self.case.log()
         reports = [(int(a), float(b)) for a, b in re.findall(
@@ -102,7 +102,13 @@ class Trial:
         if not reports or not limits:
             raise RunFailed("the log of the trial has no reports")
         self.deltaT, self.setBy = min(((float(d), who) for d, who in limits), key=lambda x: x[0])
-        now = float(limits[-1][0])
+        steps = [float(d) for d, _ in limits]
+        now = steps[-1]
+        #: The step at half of the trial, if it has grown since by a tenth or more
+        half = steps[len(steps)//2]
+        self.grows = half if now > 1.1*half else 0.0
+        said = re.search(r"points per processor: .* imbalance (\S+) %", log)
+        self.imbalance = float(said[1]) if said else 0.0
         inner = reports[1:-1] if len(reports) > 4 else reports
         if len(inner) > 1 and inner[-1][0] > inner[0][0]:
             self.perStep = (inner[-1][1] - inner[0][1])/(inner[-1][0] - inner[0][0])

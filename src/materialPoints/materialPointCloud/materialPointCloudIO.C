@@ -189,8 +189,9 @@ bool Foam::mpm::materialPointCloud::present(const cloudColumn& c) const
     if (written || ours)
     {
         FatalErrorInFunction << "Column " << c.name() << " of phase " << this->name()
-                             << " is missing in time " << time().timeName() << ", which was"
-                             << " written with it." << nl
+                             << " is missing in time " << time().timeName() << ": its file was"
+                             << " removed, or the time was written with another law, failure"
+                             << " model or scheme." << nl
                              << "Restart from another time, or run setMaterialPoints."
                              << exit(FatalError);
     }

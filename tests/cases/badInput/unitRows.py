@@ -136,6 +136,13 @@ def unitRows(solve, replace, remove, several, withPoints, meshOf, line, air, gra
          {**half, "has": "rho of phase block has changed from 1000 to 2700"}),
         ("allowed: E at a restart", solve, replace(phases, "E +1e6;", "E 1.1e6;"), None,
          {**half, "has": "modulus of phase block has changed from"}),
+        ("allowed: E at a restart, which entry", solve, replace(phases, "E +1e6;", "E 1.1e6;"),
+         None, {**half, "has": "block.constitutiveModel.E: 1000000 before, 1100000 now"}),
+        ("law at a restart", solve, replace(
+            phases, r"type\s+linearElastic;", "type J2Plasticity; yield 1e4;"
+            " hardening linear; H 0;"),
+         ["Column elasticStrain of phase base is missing", "another law"],
+         {**half, "has": "block.constitutiveModel.type: linearElastic before, J2Plasticity now"}),
         ("allowed: no failureModel at a restart", solve, replace(
             phases, r"failureModel\s*\{.*?\}", ""), None,
          {**half, "has": "failureModel maxPrincipalStress at time 0.1, but the phase has no"}),

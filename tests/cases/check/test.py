@@ -27,6 +27,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
 from foamCase import PROJECT, FoamCase, runParts
 from mpm.check import Check, _place, write
+from mpm.trial import Trial
 
 TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
 PHASES, REGIONS = "constant/phaseProperties", "system/setMaterialPointsDict"
@@ -478,6 +479,17 @@ def codes(table):
     code, said = command(case.file("system"))
     table.check("codes: 2 where there is no case", code == 2 and "is no case" in said,
                 " ".join(said.split())[-60:])
+    # What OpenFOAM itself says has a remedy and a page too
+    for file, words in ((None, "cannot find file"), ("lawz", "Cannot open include file")):
+        lacking = FoamCase("check", "lacking", case.path)
+        if file:
+            lacking.change(PHASES, "^phases", f'#include "{file}"\nphases')
+        else:
+            os.remove(lacking.file("system/fvSchemes"))
+        code, said = command(lacking.path, "-noTrial")
+        table.check(f"codes: 2 for {words}", code == 2 and words in said and "    do: " in said
+                    and "troubleshooting.md#mesh-and-start-of-a-run" in said,
+                    " ".join(said.split())[-60:])
     code, said = command(case.path, "-n", "0")
     table.check("codes: 2 for a wrong option", code == 2 and "a whole number" in said,
                 " ".join(said.split())[-30:])
@@ -505,6 +517,26 @@ def trial(table):
     said = [text for _, text in check.lines]
     table.check("trial: one core and two ranks", all(any(w in t for t in said) for w in (
         "on 1 core, if", "on 2 ranks, if", "largest of 2 ranks")), said[-3])
+    # The target on one of them
+    case = FoamCase("check", "uneven", TEMPLATE)
+    case.write("system/decomposeParDict", {
+        "numberOfSubdomains": 2, "method": "hierarchical",
+        "hierarchicalCoeffs": {"n": "(1 2 1)", "delta": 0.001, "order": "xyz"}})
+    table.check("trial: even slabs are no finding", "decomposeParDict" not in found(check))
+    uneven = Check(case.path, ranks=2)
+    uneven.run()
+    table.check("trial: uneven slabs are a note", any(
+        f.kind == "note" and "58.4 % more points than the mean" in f.text
+        for f in uneven.findings), found(uneven))
+    for last, words in ((2e-7, True), (1.05e-7, False)):
+        with open(case.file("log.materialPointFoam"), "w") as f:
+            for i, dt in enumerate((1e-8, 1e-7, last), 1):
+                f.write(f"Time = {i}e-6\ndeltaT = {dt}\ndeltaT set by points of target\n"
+                        f"Progress: step {i}0\nExecutionTime = {i} s\n")
+        short = Trial(case)
+        short.read()
+        table.check(f"trial: a step that {'grows' if words else 'has grown'}",
+                    (short.grows == 1e-7) == words, short.grows)
     # Neither less than Python's own pages nor more than the machine's
     table.row("trial: memory [MB]", 20, check.trial.memory, 20, "atLeast")
 

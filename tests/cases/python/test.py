@@ -169,8 +169,8 @@ def tableOnly(case):
         f.write("# Time\tforce\n0 0\n1 2\n")
 
 
-def series(base, folder, modulus=(100.0, 400.0, -1.0)):
-    return Study(base, {"E": ("constant/phaseProperties", "bar.E", list(modulus))},
+def series(base, folder, modulus=(100.0, 400.0, -1.0), entry="bar.E"):
+    return Study(base, {"E": ("constant/phaseProperties", entry, list(modulus))},
                  {"period": period("balance/bar.dat", "Px"), "steps": steps}, folder=folder,
                  steps=start)
 
@@ -273,6 +273,19 @@ def study(table):
         said = str(error)
     table.check("study: an entry that is not there is an error before anything runs",
                 "no entry bar.e; bar has constitutiveModel" in said, said[-60:])
+    apart = Case(os.path.join(RUN, "python", "apart"))
+    apart.copy(source=base.path)
+    with open(apart.file("constant/law"), "w") as f:
+        f.write("type linearElastic; rho 1; E 100; nu 0;\n")
+    apart.change("constant/phaseProperties", r"constitutiveModel\s*\{[^}]*\}",
+                 'constitutiveModel { #include "law" }')
+    included = series(apart.path, folder + "Apart", (400.0,), "bar.constitutiveModel.E").run()
+    table.row("study: period with E of a file that is included", 4*L/np.sqrt(400),
+              included["period"][0], 2e-3, "relative")
+    words = Study(base.path, {"E": ("constant/phaseProperties", "bar.E", ["100 Pa"])}, {},
+                  folder=folder)
+    table.check("study: no blank in the folder of a value", words.case(E="100 Pa").path.endswith(
+        "/100_Pa"), words.case(E="100 Pa").path)
     try:
         last("balance/bar.dat", "Pq")(made.case(E=400.0))
         said = ""
@@ -287,6 +300,15 @@ def study(table):
                 ax.get_xlabel() == "E [Pa]" and ax.get_ylabel() == "period [s]" and last(
                     "balance/bar.dat", "kin*").unit(made.case(E=400.0)) == "J",
                 (ax.get_xlabel(), ax.get_ylabel()))
+    _, ax = rows.plot("period", "period", by="E", file=os.path.join(folder, "by.svg"))
+    words = [text.get_text() for text in ax.get_legend().get_texts()]
+    table.check("study: a legend with units", words[0] == "E 100 Pa", words)
+    gauges = made.case(E=400.0)
+    os.makedirs(gauges.file("postProcessing/gauges/0"))
+    with open(gauges.file("postProcessing/gauges/0/p.dat"), "w") as f:
+        f.write("# Probes: 0 at (-1 0 2.5), field p\n# Time[s]\t0\n0 1\n1 2\n")
+    table.check("study: probes of a field have its unit",
+                last("gauges/p.dat", "0").unit(gauges) == "Pa")
     with open(os.path.join(folder, "table.csv")) as f:
         table.row("study: lines of the CSV", 4, len(f.readlines()), 0)
     table.check("study: picture as SVG", os.path.getsize(os.path.join(folder, "period.svg")) > 1000)
