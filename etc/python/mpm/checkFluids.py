@@ -280,6 +280,21 @@ def shakes(facts):
                       "fluids.md#a-body-that-floats-or-falls-into-water")
 
 
+def dissipates(facts):
+    """What a body pushes slowly in a liquid: the dissipation of its shocks."""
+    bodies = [n for n, p in facts.phases.items() if p.n and p.law not in LIQUIDS and (
+        facts.of(n).get("type") != "rigid" or "motion" in facts.of(n))]
+    low = facts.of("fluids").get("lowMach", False)
+    liquids = [name for name, _, _ in _liquids(facts)]
+    charge = any("detonation" in facts.of(name) for name in facts.media)
+    if bodies and liquids and low != "solids" and not charge:
+        yield Finding("note", PHASES, "fluids.lowMach", f"{'yes' if low else 'no'}: "
+                      f"{' and '.join(bodies)} moves less than it should where a slow load pushes "
+                      f"it in {' and '.join(liquids)} (a plate two cells thick: "
+                      f"{'0.82' if low else '0.64'} of its acceleration)",
+                      "fluids { lowMach solids; }, or compare both", "fluids.md#several-fluids")
+
+
 def _way(centres, d, low, high):
     """From a box along d to each of some places [m]; inf: not in its way."""
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -372,4 +387,5 @@ def _arrival(facts, name, centres):
     return first
 
 
-RULES = (noGravity, notAtRest, runsOut, softened, gaugesInSoftened, subSteps, shakes, leavesMesh)
+RULES = (noGravity, notAtRest, runsOut, softened, gaugesInSoftened, subSteps, shakes, dissipates,
+         leavesMesh)

@@ -298,6 +298,7 @@ def basin(name):
         case.set(REGIONS, "regions.obstacle." + entry, value, add=True)
     case.change("0.orig/U.solids", "fixedValue;\n *value .*;", "slip;")
     case.set("system/fvSolution", "materialPoints.PICfraction", 0.01)
+    case.set(PHASES, "fluids.lowMach", "solids")
     return case
 
 
@@ -326,6 +327,7 @@ def dropped(table):
     steps(table)
     gauges(table)
     shaking(table)
+    dissipating(table)
 
 
 def shaking(table):
@@ -342,6 +344,16 @@ def shaking(table):
         table.check(f"dropped: {name}", hits == exact
                     and (not exact or "obstacle may shake where it lies in water" in
                          check.findings[0].text), found(check))
+
+
+def dissipating(table):
+    """What lowMach leaves beside a body, as tests/cases/lightInWater measures it."""
+    for word, exact in (("yes", "yes: obstacle moves less"), ("solids", ""), ("no", "no: obst")):
+        case = basin("dissipating")
+        case.set(PHASES, "fluids.lowMach", word)
+        hits, check = toldOf(case, "moves less than it should")
+        table.check(f"dropped: lowMach {word}", hits == [("note", PHASES)]*bool(exact) and (
+            not exact or check.findings[0].text.startswith(exact)), found(check))
 
 
 def atRest(table):
