@@ -283,7 +283,8 @@ def shakes(facts):
 def dissipates(facts):
     """What a body pushes slowly in a liquid: the dissipation of its shocks."""
     bodies = [n for n, p in facts.phases.items() if p.n and p.law not in LIQUIDS and (
-        facts.of(n).get("type") != "rigid" or "motion" in facts.of(n))]
+        facts.of(n).get("type") != "rigid" or (facts.of(n).get("motion") or {}).get("type")
+        == "free")]
     low = facts.of("fluids").get("lowMach", False)
     liquids = [name for name, _, _ in _liquids(facts)]
     charge = any("detonation" in facts.of(name) for name in facts.media)
