@@ -290,8 +290,8 @@ def dissipates(facts):
     charge = any("detonation" in facts.of(name) for name in facts.media)
     if bodies and liquids and low != "solids" and not charge:
         yield Finding("note", PHASES, "fluids.lowMach", f"{'yes' if low else 'no'}: "
-                      f"{' and '.join(bodies)} moves less than it should where a slow load pushes "
-                      f"it in {' and '.join(liquids)} (a plate two cells thick: "
+                      f"{' and '.join(bodies)} may move less than it should where a slow load "
+                      f"pushes it in {' and '.join(liquids)} (a plate two cells thick: "
                       f"{'0.82' if low else '0.64'} of its acceleration)",
                       "fluids { lowMach solids; }, or compare both", "fluids.md#several-fluids")
 
