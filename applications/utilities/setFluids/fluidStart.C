@@ -14,15 +14,15 @@ void Foam::mpm::fluidStart::readRegions(const dictionary& dict)
 {
     // Other words are variables of the user, as in setMaterialPointsDict, if not misspelt
     const wordList own({"default", "regions", "hydrostatic"});
-    wordList valid(own);
+    dictionary read(dict);
     for (const word& key : dict.toc())
     {
-        if (nearWord(key, own).empty())
+        if (!own.found(key) && nearWord(key, own).empty())
         {
-            valid.append(key);
+            read.remove(key);
         }
     }
-    checkKeywords(dict, valid);
+    checkKeywords(read, own);
     const dictionary& rest = requiredDict(dict, "default");
     regions_.append(new fluidRegion(grid_, mixture_, rest, false));
     if (dict.found("regions"))

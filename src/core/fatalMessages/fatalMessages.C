@@ -116,7 +116,7 @@ void warnOfWords(const dictionary& control)
 {
     const wordList own(
         {"adjustTimeStep", "maxCo", "maxCoGas", "maxDeltaT", "minDeltaT", "maxEnergyGrowth",
-         "reportInterval", "rebuildInterval"});
+         "maxSubSteps", "maxGasSubSteps", "reportInterval", "rebuildInterval"});
     const wordHashSet openFOAM(
         {"FoamFile",
          "application",

@@ -412,11 +412,32 @@ void Foam::mpm::materialPointSystem::reportBalance() const
     }
 }
 
+Foam::label Foam::mpm::materialPointSystem::nNodesOfAll() const
+{
+    label n = grid_.nNodes();
+    if (Pstream::parRun())
+    {
+        // Of those that processors share the first one counts
+        const sharedNodes& shared = grid_.shared(1);
+        bitSet elsewhere(n);
+        for (label i = 0; i < shared.procs().size(); ++i)
+        {
+            if (shared.procs()[i] < Pstream::myProcNo())
+            {
+                elsewhere.setMany(shared.with(i).begin(), shared.with(i).end());
+            }
+        }
+        n -= elsewhere.count();
+    }
+    return returnReduce(n, sumOp<label>());
+}
+
 void Foam::mpm::materialPointSystem::reportStart() const
 {
+    const label nNodes = nNodesOfAll();
     Info << "Material points: " << nPoints() << " in " << phases_.size()
          << (phases_.size() == 1 ? " phase, " : " phases, ")
-         << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, " << grid_.nNodes()
+         << (grid_.radial() >= 0 ? "axisymmetric " : "") << grid_.nDim() << "D, " << nNodes
          << " nodes, " << (grid_.hasLattice() ? "lattice" : cellTypes(mesh_)).c_str() << nl
          << "    shape function " << numerics_.get<word>("shapeFunction")
          << (gridTransfer_->cellMeans ? ", dilatation cellMean" : "") << ", stress update "

@@ -215,8 +215,27 @@ void checkSpeed(
     }
 }
 
-//- Warn of a body that is narrower than two cells: a wrong unit, or too coarse. Triangles and
-//  tetrahedra count as the squares and cubes of which they are halves and sixths.
+//- Width of a cell along d [m]: of a box its side; of another cell that of the square or cube of
+//  its size, of which triangles and tetrahedra are halves and sixths (mpmCheck counts likewise)
+scalar cellWidth(const mpm::pointGrid& grid, const label celli, const int d)
+{
+    const int D = grid.nDim();
+    const vector size = grid.mesh().bounds().span();
+    scalar volume = grid.mesh().cellVolumes()[celli] / cmptProduct(size), box = 1;
+    for (int e = 0; e < D; ++e)
+    {
+        volume *= size[grid.direction(e)];
+        box *= grid.width(celli, e);
+    }
+    if (grid.radial() >= 0 || mag(box - volume) <= 1e-6 * volume)
+    {
+        return grid.width(celli, d);
+    }
+    const bool simplex = grid.nodesOf(celli).size() == D + 1;
+    return std::pow((simplex ? (D == 2 ? 2 : 6) : 1) * volume, 1.0 / D);
+}
+
+//- Warn of a body that is narrower than two cells: a wrong unit, or too coarse.
 //  body: box around the region and those that continue it
 void checkWidth(
     const mpm::pointGrid& grid, const mpm::materialPointPhase& phase, const mpm::pointRegion& r,
@@ -232,9 +251,7 @@ void checkWidth(
         scalar h = GREAT;
         for (const label celli : r.cells())
         {
-            // The mean chord of a simplex that is part of a box is side/nDim
-            const bool simplex = grid.nDim() > 1 && grid.nodesOf(celli).size() == grid.nDim() + 1;
-            h = min(h, grid.width(celli, d) * (simplex ? grid.nDim() : 1));
+            h = min(h, cellWidth(grid, celli, d));
         }
         const scalar all = grid.mesh().bounds().span()[way];
         const scalar n = (body.max()[way] - body.min()[way]) / h;

@@ -206,7 +206,8 @@ void Foam::mpm::pressurePart::stateOf(
     {
         FatalErrorInFunction << "The equation of state " << equation_->type() << " has no state"
                              << " with the pressure " << p << " Pa that " << b.nameOf(point).c_str()
-                             << " starts with." << exit(FatalError);
+                             << " starts with. Moduli are in Pa (1e6 for 1 MPa, 1e9 for 1 GPa)."
+                             << exit(FatalError);
     }
     checkEnergy(p, e, b, point);
     theta = std::log(equation_->rho0() / rho);
