@@ -296,6 +296,32 @@ def dissipates(facts):
                       "fluids { lowMach solids; }, or compare both", "fluids.md#several-fluids")
 
 
+def narrowGaps(facts):
+    """Boxes of points beside each other with less than two cells of fluids between them."""
+    boxes = []
+    for name, region in facts.regions.items() if facts.media else ():
+        corners = [region.get(k) for k in ("min", "max")] if isinstance(region, dict) else []
+        if (corners and region.get("type") == "box" and region.get("phase") in facts.phases
+                and all(isinstance(c, list) and len(c) == 3 for c in corners)):
+            try:
+                boxes.append((name, region["phase"], *np.array(corners, float)))
+            except (TypeError, ValueError):     # words of a macro
+                pass
+    for i, (a, phase, low, high) in enumerate(boxes):
+        for b, _, from_, to in boxes[:i]:
+            apart = np.maximum(from_ - high, low - to)[facts.axes]
+            d = int(apart.argmax())
+            width = facts.least(phase, facts.axes[d], low, high)
+            if np.count_nonzero(apart > 0) != 1 or not width:
+                continue
+            if 1e-3*width < apart[d] < 2*width*(1 - 1e-6):
+                yield Finding("note", REGIONS, f"regions.{a}", f"{a} and {b} are {apart[d]:.3g} m "
+                              f"apart, {apart[d]/width:.2g} cells: what flows between them is not "
+                              "resolved, and may have the pressure of the other side of a body",
+                              "two cells or more between them, or let them touch",
+                              "fluids.md#several-fluids")
+
+
 def _way(centres, d, low, high):
     """From a box along d to each of some places [m]; inf: not in its way."""
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -389,4 +415,4 @@ def _arrival(facts, name, centres):
 
 
 RULES = (noGravity, notAtRest, runsOut, softened, gaugesInSoftened, subSteps, shakes, dissipates,
-         leavesMesh)
+         narrowGaps, leavesMesh)

@@ -328,6 +328,7 @@ def dropped(table):
     gauges(table)
     shaking(table)
     dissipating(table)
+    gaps(table)
 
 
 def shaking(table):
@@ -344,6 +345,21 @@ def shaking(table):
         table.check(f"dropped: {name}", hits == exact
                     and (not exact or "obstacle may shake where it lies in water" in
                          check.findings[0].text), found(check))
+
+
+def gaps(table):
+    """Two bodies with a part of a cell between them, 2 cells, none."""
+    h = 0.3514/71
+    for cells in (0.5, 2, 0):
+        case = basin("gap")
+        low = 0.24 + cells*h
+        case.set(REGIONS, "regions.second", {
+            "phase": "obstacle", "type": "box", "min": (low, 0.2, 0),
+            "max": (low + 0.04, 0.24, 0.005), "velocity": (0, -1, 0), "pointsPerCell": 2,
+            "stress": "ambient", "pressure": 1e4}, add=True)
+        hits, check = toldOf(case, "is not resolved")
+        table.check(f"dropped: a second body beside it, {cells:g} cells away",
+                    hits == [("note", REGIONS)]*(cells == 0.5), found(check))
 
 
 def dissipating(table):
