@@ -221,18 +221,21 @@ def tablePlots(tables):
             heads = [re.sub(r"\[[^]]*\]$", "", table.columns[c]) for c in columns]
             heads = short(heads)
             kinds = {re.sub(r"\d+|\W", "", h) for h in heads}
+            # The place of angular momentum is none of the others'
+            said = table.title if unit == "kg.m2/s" else re.sub(
+                ", angular momentum about .*", "", table.title)
             if len(columns) > LINES and len(kinds) > 3:
                 # Terms of their own: the ten that change most
                 some = np.sort(np.argsort(-np.ptp(data, axis=0), kind="stable")[:LINES])
                 lines = [(heads[k], t, data[:, k]) for k in some]
-                comment = f"the {LINES} of {len(columns)} columns that change most. {table.title}"
+                comment = f"the {LINES} of {len(columns)} columns that change most. {said}"
             elif len(columns) > LINES:
                 lines = [(what, t, f(data, axis=1)) for what, f in (
                     ("least", np.min), ("mean", np.mean), ("largest", np.max))]
-                comment = f"of {len(columns)} columns. {table.title}"
+                comment = f"of {len(columns)} columns. {said}"
             else:
                 lines = [(h, t, data[:, k]) for k, h in enumerate(heads)]
-                comment = table.title
+                comment = said
             what = heads[0] if len(columns) == 1 else ""
             along = {h[-2:] for h in heads if re.match("(min|max|centre)_[xyz]$", h)}
             if len(along) == 1 and len(heads) == 3:

@@ -477,7 +477,9 @@ TABLES = {
                   "#        Time\n 0 300 400\n 1 301 402\n",
     "extent/0/rod.dat": "# Phase rod, coordinates of points\n# Time[s]\t" + "\t".join(
         f"{what}_{d}[m]" for what in ("min", "max", "centre") for d in "xyz") + "\n"
-                        "0 0 1 1e-19 2 3 1e-19 1 2 1e-19\n1 4 1 0 6 3 0 5 2 0\n"}
+                        "0 0 1 1e-19 2 3 1e-19 1 2 1e-19\n1 4 1 0 6 3 0 5 2 0\n",
+    "sums/0/rod.dat": "# Phase rod, angular momentum about (0 0 0)\n"
+                      "# Time[s]\tPx[kg.m/s]\tLz[kg.m2/s]\n0 1 2\n1 2 3\n"}
 
 
 def ofTables(table, case):
@@ -496,6 +498,9 @@ def ofTables(table, case):
             ("extent", "extent: rod, along x [m]", ["min", "max", "centre"])):
         table.check(f"{what}: lines named by {'direction' if what == 'extent' else 'place'}",
                     plots.get(title) == names, plots)
+    said = [p.comment for p in tablePlots([found["sums", "rod.dat"]])]
+    table.check("sums: the place of angular momentum stands with that alone", said == [
+        "Phase rod", "Phase rod, angular momentum about (0 0 0)"], said)
     known = probes([found["gauges", "p.dat"], found["probes", "T"], found["extent", "rod.dat"]])
     table.check("probes of fields: the largest of each place", known == [
         ("gauges: p at (-1 0 2.5)", 2, "Pa", 1), ("gauges: p at (1 0 0)", 3, "Pa", 1),
