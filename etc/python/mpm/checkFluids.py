@@ -297,10 +297,14 @@ def dissipates(facts):
 
 
 def narrowGaps(facts):
-    """Boxes of points beside each other with less than two cells of fluids between them."""
+    """Boxes of points beside each other with less than two cells of fluids between them, which
+    their drag holds there."""
     boxes = []
     for name, region in facts.regions.items() if facts.media else ():
         corners = [region.get(k) for k in ("min", "max")] if isinstance(region, dict) else []
+        drag = facts.of(region.get("phase")).get("drag") if corners else {}
+        if isinstance(drag, dict) and drag.get("direction") == "normal":
+            continue
         if (corners and region.get("type") == "box" and region.get("phase") in facts.phases
                 and all(isinstance(c, list) and len(c) == 3 for c in corners)):
             try:
@@ -316,9 +320,10 @@ def narrowGaps(facts):
                 continue
             if 1e-3*width < apart[d] < 2*width*(1 - 1e-6):
                 yield Finding("note", REGIONS, f"regions.{a}", f"{a} and {b} are {apart[d]:.3g} m "
-                              f"apart, {apart[d]/width:.2g} cells: what flows between them is not "
-                              "resolved, and may have the pressure of the other side of a body",
-                              "two cells or more between them, or let them touch",
+                              f"apart, {apart[d]/width:.2g} cells: their drag holds what is between "
+                              "them, and it may get the pressure of the other side of a body",
+                              "drag { type stick; direction normal; } for both and fluids { "
+                              "faceDrag none; }, or two cells or more between them",
                               "fluids.md#several-fluids")
 
 

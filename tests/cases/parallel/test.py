@@ -145,6 +145,8 @@ def smooth(table, label):
         table.row(f"{label}: 1 against {text} processors, {steps} steps, largest difference",
                   0, one.largestDifference(several, end, ["block"], COLUMNS), 1e-10,
                   "atMost")
+        nodes = [int(re.search(r", (\d+) nodes, ", case.log())[1]) for case in (one, several)]
+        table.row(f"{label}: nodes that the log of {text} processors names", *nodes, 0)
     moved = np.max(abs(one.points(end, "block").byId("x") - start))
     stress = np.max(abs(one.points(end, "block")["sigma"]))/E
     table.row(f"{label}: it moved, cells", 3, moved/H, 3, "atLeast")
