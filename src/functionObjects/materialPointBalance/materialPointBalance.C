@@ -21,7 +21,7 @@ Description
 
     In a gas also its mass, momentum and energy with what came through the
     boundaries, and gas and points together with the impulse J that they got from
-    boundaries, gravity and rigid phases since the first row:
+    boundaries, patches with contact, gravity and rigid phases since the first row:
 
         rest = (P - J) - (P - J)_0                                   [kg m/s]
 
@@ -58,6 +58,7 @@ Usage
 #include "materialPointOutput.H"
 #include "pointEnergy.H"
 #include "pointErosion.H"
+#include "pointContact.H"
 #include "rigidBodies.H"
 
 namespace Foam::functionObjects
@@ -214,8 +215,8 @@ class materialPointBalance : public materialPointOutput
                   " boundaries\n\tmass[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
                   "\tenergy[J]\tmassIn[kg]\tJx[N.s]\tJy[N.s]\tJz[N.s]\tenergyIn[J]");
             files.append(word("mixture"));
-            headers.append("Gas or fluids and all points, impulse of boundaries, gravity and rigid"
-                           " phases"
+            headers.append("Gas or fluids and all points, impulse of boundaries, contact, gravity"
+                           " and rigid phases"
                            "\n\tmass[kg]\tmassRest[kg]\tPx[kg.m/s]\tPy[kg.m/s]\tPz[kg.m/s]"
                            "\tJx[N.s]\tJy[N.s]\tJz[N.s]\trestx[N.s]\tresty[N.s]\trestz[N.s]");
         }
@@ -264,6 +265,10 @@ class materialPointBalance : public materialPointOutput
                 mass += phase.mass();
                 P += phase.momentum();
             }
+        }
+        if (const auto* contact = points.parts().find<mpm::pointContact>())
+        {
+            J -= contact->impulseOnPatches();
         }
         if (first_)
         {

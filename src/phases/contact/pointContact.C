@@ -420,6 +420,16 @@ void Foam::mpm::pointContact::end(const scalar)
     update();
 }
 
+Foam::vector Foam::mpm::pointContact::impulseOnPatches() const
+{
+    vector sum(Zero);
+    for (const contactPair& pair : pairs_)
+    {
+        sum += pair.b < 0 ? pair.sum : vector(Zero);
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
 void Foam::mpm::pointContact::report() const
 {
     for (const contactPair& pair : pairs_)

@@ -132,6 +132,23 @@ def mixtureRows(table, label, case):
               np.max(abs(m[:, 2]))/m[0, 1], 1e-12, "atMost")
 
 
+def landing(table):
+    """The block falls on a wall by contact and slides along it: what that gets is booked."""
+    def floor(case):
+        with open(case.file("constant/phaseProperties"), "a") as f:
+            f.write("contact { floor { fields (block); patch yLow; type Coulomb; mu 0.3; } }\n")
+        case.change("0/U.block", r"yLow\s*\{[^}]*\}", "yLow { type calculated; }")
+    case = block("landing", None, 0.4, 300, {
+        "type": "box", "min": (12.2e-3, 1e-3, -1), "max": (22.3e-3, 11.1e-3, 1)},
+        walls=True, prepare=floor)
+    case.run("materialPointFoam", limit=300)
+    given = case.numbers(r"^Contact floor .*impulse \(N N N\)")[-1]
+    fell = 30*2700*10.1e-3**2*1e-3
+    table.check("landing on a wall: it is turned round and slides", fell < -given[1] < 2*fell
+                and abs(given[0]/given[1] + 0.3) < 1e-6, str(given))
+    mixtureRows(table, "landing on a wall", case)
+
+
 def piston(table):
     L, width, rho, E = 0.45, 0.1, 27.0, 7e7
     for drag in ("none", "stick"):
@@ -262,7 +279,7 @@ def value(case, keyword):
 
 def main():
     table = Report("energyInGas")
-    parts = [spall, shock, piston, blast, load, restart]
+    parts = [spall, shock, landing, piston, blast, load, restart]
     words = sys.argv[1:]
     for part in parts:
         if words and part.__name__ not in words:
