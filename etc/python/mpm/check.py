@@ -23,6 +23,7 @@ from mpm.case import Case, RunFailed
 from mpm.checkFacts import Facts
 from mpm.checkFinding import Finding
 from mpm.dictionaries import DictionaryError
+from mpm.reportCase import Meanings, readDictionary
 from mpm.trial import Trial
 
 #: Files beside the dictionaries, which they may read, up to this size [bytes]
@@ -218,7 +219,14 @@ class Check:
         file, entry = _place(place[1]) if place else ("", "")
         message = re.sub(r"\n*^file: .*", "", message, flags=re.M).strip()
         message = checkPatches.nearestFirst(message)
-        self._find("error", file, entry, f"{command} stops: {message}", *_remedy(message))
+        remedy, page = _remedy(message)
+        lacks = re.match(r"Entry (\w+) is missing", message)
+        if lacks and file and os.path.exists(self.case.file(file)):
+            unit, meaning = Meanings().find(file, f"{entry}.{lacks[1]}".lstrip("."),
+                                         readDictionary(self.case, file))
+            if meaning:
+                remedy = f"{lacks[1]}{f' [{unit}]' if unit else ''}: {meaning}; see doc/entries.md"
+        self._find("error", file, entry, f"{command} stops: {message}", remedy, page)
 
     def _find(self, kind, file, entry, text, remedy, page=""):
         self.findings.append(Finding(kind, file, entry, text, remedy, page))

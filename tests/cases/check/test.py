@@ -519,6 +519,11 @@ def codes(table):
         table.check(f"codes: 2 for {words}", code == 2 and words in said and "    do: " in said
                     and "troubleshooting.md#mesh-and-start-of-a-run" in said,
                     " ".join(said.split())[-60:])
+    lacking = FoamCase("check", "lacking", TEMPLATE)
+    lacking.change(PHASES, r" nu 0\.33;", "")
+    code, said = command(lacking.path, "-noTrial")
+    table.check("codes: the meaning of an entry that is missing",
+                "do: nu: Poisson" in said, " ".join(said.split())[-90:])
     code, said = command(case.path, "-n", "0")
     table.check("codes: 2 for a wrong option", code == 2 and "a whole number" in said,
                 " ".join(said.split())[-30:])

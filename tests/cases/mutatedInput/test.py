@@ -82,6 +82,7 @@ UNREAD = r".*/lagrangian/\w+/(coordinates|positions|p|pPoint|sigmaEq|origId|orig
     r"|\d.*/(alpha|Umean|sigma)\.\w+|system/fvSchemes" \
     r"|.*/uniform/(lagrangian|functionObjects)/.*"
 
+RECORD = r".*/uniform/phaseProperties"
 DICTS = r"(system|constant|0)/[\w.]+"
 REGIONS = "system/setMaterialPointsDict"
 PHASES = "constant/phaseProperties"
@@ -90,6 +91,7 @@ OTHER = r"(?!.*FoamFile).*"
 HARMLESS = [
     # Not read, or not by us
     (UNREAD, ".*", ".*", "our tools do not read the file", SAME),
+    (RECORD, ".*", ".*", "only a warning of what has changed since", SAME),
     (r".*/uniform/time", ".*", ".*",
      "OpenFOAM's own; materialPointState has the exact time", SAME),
     (".*", r"FoamFile(\.\w+)?|header format", ".*",
@@ -277,6 +279,8 @@ def files(path, tutorial, later):
 def tools(tutorial, change):
     """The tools that the user runs after an edit of the file."""
     name = os.path.basename(change.file)
+    if "uniform" in change.file:
+        return ("materialPointFoam",)
     if tutorial in fluidSeeds.SEEDS:
         before = fluidSeeds.SEEDS[tutorial][1]
         first = {"blockMeshDict": 0, "phaseProperties": 1, "g": 1, "setFluidsDict": 1,
