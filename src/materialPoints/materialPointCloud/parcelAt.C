@@ -8,12 +8,15 @@ Foam::autoPtr<Foam::passiveParticle>
 Foam::mpm::parcelAt(const polyMesh& mesh, const point& x, const label celli)
 {
     const vector& centre = mesh.cellCentres()[celli];
-    barycentric best;
-    tetIndices of;
+    const cell& faces = mesh.cells()[celli];
+
+    // Of a place that is no number the centre
+    barycentric best(1, 0, 0, 0);
+    tetIndices of(celli, faces[0], 1);
     scalar deepest = -GREAT;
-    for (const label facei : mesh.cells()[celli])
+    for (const label facei : faces)
     {
-        for (label i = 1; i < mesh.faces()[facei].size() - 1; ++i)
+        for (label i = 1; i < mesh.faces()[facei].size() - 1 && deepest < 0; ++i)
         {
             const tetIndices tet(celli, facei, i);
             const triFace corners(tet.faceTriIs(mesh));
