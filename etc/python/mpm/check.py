@@ -399,6 +399,7 @@ def write(check, out):
     for name, text in check.lines:
         print(f"{name:{width}}  {text}", file=out)
     order = ("error", "warning", "note")
+    count = {k: sum(f.kind == k for f in check.findings) for k in order}
     lead = "\n" if check.lines else ""
     for f in sorted(check.findings, key=lambda f: order.index(f.kind)):
         place = ", ".join(p for p in (f.file, f.entry) if p)
@@ -407,8 +408,9 @@ def write(check, out):
             print(f"    do: {f.remedy}", file=out)
         if f.page:
             print(f"    see doc/guide/{f.page}", file=out)
+        if f.kind == "error" and count["warning"]:
+            print("    or mend first what is warned of below: it may be the cause", file=out)
         lead = "\n"
-    count = {k: sum(f.kind == k for f in check.findings) for k in order}
     words = [f"{n} {k}{'s' if n > 1 else ''}" for k, n in count.items() if n]
     print("\n" + (", ".join(words) if words else "Nothing found."), file=out)
 

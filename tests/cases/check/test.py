@@ -18,6 +18,7 @@ tutorials   all tutorials: the warnings are those listed here with what is true 
 
 import glob
 import hashlib
+import io
 import os
 import re
 import subprocess
@@ -27,6 +28,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
 from foamCase import PROJECT, FoamCase, runParts
 from mpm.check import Check, _place, write
+from mpm.checkFinding import Finding
 from mpm.trial import Trial
 
 TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
@@ -524,6 +526,13 @@ def codes(table):
     code, said = command(lacking.path, "-noTrial")
     table.check("codes: the meaning of an entry that is missing",
                 "do: nu: Poisson" in said, " ".join(said.split())[-90:])
+    told = []
+    for kinds in (("warning", "error"), ("note", "error")):
+        check, out = Check(TEMPLATE, trial=False), io.StringIO()
+        check.findings = [Finding(kind, "", "", kind, "") for kind in kinds]
+        write(check, out)
+        told.append("what is warned of below: it may be the cause" in out.getvalue())
+    table.check("codes: an error with warnings points to them", told == [True, False], told)
     code, said = command(case.path, "-n", "0")
     table.check("codes: 2 for a wrong option", code == 2 and "a whole number" in said,
                 " ".join(said.split())[-30:])
