@@ -532,17 +532,25 @@ def messages(table):
             boxOfCells(case, kind, (0, 0, 0), (0.1, 0.1, 0.01 if D == 2 else 0.1),
                        (10, 10, 1 if D == 2 else 10), {"rest": (
                            "patch", ("x-", "x+", "y-", "y+") + ("z-", "z+")*(D == 3)),
-                           **({"empty": ("empty", ("z-", "z+"))} if D == 2 else {})})
+                           **({"empty": ("empty", ("z-", "z+"))} if D == 2 else {})},
+                       moved=0)
             case.run("setMaterialPoints")
-            # OpenFOAM's own track to a place has no end in some of these tetrahedra
-            case.run("foamToVTK")
-            table.row(f"{width/0.01:g} cells wide, {kind}: OpenFOAM's parcels [m]", 0,
-                      abs(parcels(case, "a") - case.points("0", "a")["x"]).max(), 1e-8)
             said = " ".join(case.log("setMaterialPoints").split())
-            table.check(f"{width/0.01:g} cells wide, {kind}: "
-                        + ("warning" if width < 0.02 else "no warning"),
-                        ("1.9 cells wide in x, fewer than 2" in said) == (width < 0.02)
-                        and "End" in said, said[-300:])
+            wide = re.search(r"is (\S+) cells wide in x, fewer than 2", said)
+            if width < 0.02:
+                table.row(f"1.9 cells wide, {kind}: cells of the warning", 1.9,
+                          float(wide[1]) if wide else np.inf, 1e-9)
+            else:
+                table.check(f"2 cells wide, {kind}: no warning", not wide and "End" in said)
+    # Inner points moved: OpenFOAM's own track to some place in them has no end
+    boxOfCells(case, "tets", (0, 0, 0), (0.1, 0.1, 0.1), (10, 10, 10),
+               {"rest": ("patch", ("x-", "x+", "y-", "y+", "z-", "z+"))})
+    for width in (0.019, 0.02):
+        case.set("system/setMaterialPointsDict", "regions.a.max", (width, 0.05, 0.1))
+        case.run("setMaterialPoints", "-force")
+        case.run("foamToVTK")
+        table.row(f"box of {width:g} m in moved tets: OpenFOAM's parcels [m]", 0,
+                  abs(parcels(case, "a") - case.points("0", "a")["x"]).max(), 1e-8)
     air = {"type": "gas", "thermo": "perfectGas", "R": 287, "gamma": 1.4}
 
     def bar(case):
