@@ -19,6 +19,7 @@ Description
 #include "Time.H"
 #include "volFields.H"
 // Of the solver, not of a library
+#include "propertiesRecord.C"
 #include "simulation.C"
 #include "fatalMessages.H"
 #include <algorithm>
