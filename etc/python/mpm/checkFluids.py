@@ -302,17 +302,19 @@ def narrowGaps(facts):
     boxes = []
     for name, region in facts.regions.items() if facts.media else ():
         corners = [region.get(k) for k in ("min", "max")] if isinstance(region, dict) else []
-        drag = facts.of(region.get("phase")).get("drag") if corners else {}
-        if isinstance(drag, dict) and drag.get("direction") == "normal":
-            continue
         if (corners and region.get("type") == "box" and region.get("phase") in facts.phases
                 and all(isinstance(c, list) and len(c) == 3 for c in corners)):
             try:
                 boxes.append((name, region["phase"], *np.array(corners, float)))
             except (TypeError, ValueError):     # words of a macro
                 pass
+    drags = {phase: facts.of(phase).get("drag") for phase in facts.phases}
+    normal = [phase for phase, drag in drags.items()
+              if isinstance(drag, dict) and drag.get("direction") == "normal"]
     for i, (a, phase, low, high) in enumerate(boxes):
-        for b, _, from_, to in boxes[:i]:
+        for b, other, from_, to in boxes[:i]:
+            if phase in normal and other in normal:
+                continue
             apart = np.maximum(from_ - high, low - to)[facts.axes]
             d = int(apart.argmax())
             width = facts.least(phase, facts.axes[d], low, high)
@@ -320,8 +322,9 @@ def narrowGaps(facts):
                 continue
             if 1e-3*width < apart[d] < 2*width*(1 - 1e-6):
                 yield Finding("note", REGIONS, f"regions.{a}", f"{a} and {b} are {apart[d]:.3g} m "
-                              f"apart, {apart[d]/width:.2g} cells: their drag holds what is between "
-                              "them, and it may get the pressure of the other side of a body",
+                              f"apart, {apart[d]/width:.2g} cells: their drag holds what is "
+                              "between them, and it may get the pressure of the other side of a "
+                              "body",
                               "drag { type stick; direction normal; } for both and fluids { "
                               "faceDrag none; }, or two cells or more between them",
                               "fluids.md#several-fluids")
