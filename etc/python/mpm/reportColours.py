@@ -15,6 +15,8 @@ FAILED = "magenta"
 #: Colours of more than two fluids, liquids first, and of gases among them: pale, under points
 LIQUIDS = ("#3f7fbf", "#e0a030", "#70a860", "#b070a8", "#a07050", "#60a8a8")
 GASES = ("#eef2f6", "#d8e0d0", "#e6dccb")
+#: Field and label of what fluids have beside their shares
+PRESSURE = "p", "pressure of the fluids"
 UNITS = {"sigmaEq": "Pa", "pPoint": "Pa", "p": "Pa", "U": "m/s"}
 
 

@@ -165,7 +165,16 @@
       }
     }), { rootMargin: "600px" });
     // Those that are zero all the time have no place
-    document.querySelectorAll(".plot").forEach(box => waiting.observe(box));
+    const boxes = document.querySelectorAll(".plot");
+    boxes.forEach(box => waiting.observe(box));
+    // On paper all are seen
+    window.addEventListener("beforeprint", () => boxes.forEach(box => {
+      const i = Number(box.id.slice(4));
+      if (!graphs[i] && box.offsetParent) {
+        waiting.unobserve(box);
+        draw(plots[i], i);
+      }
+    }));
   }
   window.mpmReport = { graphs: graphs, plots: plots };
 

@@ -1,6 +1,7 @@
 """Pictures of a case at chosen times for mpm.report: those of its view.py, or of an automatic
 choice: points by plastic strain, damage, stress or speed, a gas by pressure, two fluids by the
-share of the first, more by mixed colours; in 3D outer points from the side, a section of a gas.
+share of the first, more by mixed colours, and fluids once more by their pressure; in 3D outer
+points from the side, a section of a gas.
 
     for picture in pictures(case, 12): ...      # picture.title, picture.frames [(time, image)]
 """
@@ -15,10 +16,11 @@ import PIL.Image
 
 from mpm import animate, views
 from mpm.case import Case
-from mpm.files import readField, readLists
 from mpm.pictures import (BODY, GAS, VALUES, ListedColormap, Normalize, PolyCollection,
                           ScalarMappable, _pixels, colourBar, drawPoints, frame, layOut, plt)
-from mpm.reportColours import FAILED, columnOf, fluidColours, gasField, joined, span, unitOf
+from mpm.reportColours import (FAILED, PRESSURE, columnOf, fluidColours, gasField, joined, span,
+                               unitOf)
+from mpm.reportSection import Section
 
 #: Dots per inch of the pictures
 DPI = 110
@@ -174,103 +176,36 @@ class Scene:
             field and any(os.path.exists(os.path.join(d, time, field[0]))
                           for d in (self.case.path, *self.case.processors())))
 
+    def hasPressure(self):
+        """Are the fluids drawn by their shares, and their pressure written?"""
+        field = gasField(self)
+        return bool(field and field[0] != PRESSURE[0] and any(
+            os.path.exists(os.path.join(d, self.times[-1], PRESSURE[0]))
+            for d in (self.case.path, *self.case.processors())))
+
     def cloud(self, time, phase):
         """The points of a phase, None where there are none."""
         cloud = self.case.points(time, phase)
         return cloud if "x" in cloud and len(cloud["x"]) else None
 
 
-class Section:
-    """Cells of a mesh of any kind, cut by the plane through its middle: polygons and values.
-    Of a case that is not put together the meshes of all processors, of a mesh that changes
-    that of the time."""
-
-    def __init__(self, scene, normal):
-        self.normal, self.known = normal, {}
-        case = scene.case
-        whole = os.path.exists(case.file("constant/polyMesh/owner")) and (
-            len(case.times()) > 1 or not case.processors())
-        self.pieces = [case] if whole else [Case(p) for p in case.processors()]
-        # Not through points of the mesh
-        low, high = scene.box[normal]
-        self.place = 0.5*(low + high) + 1.234e-6*(high - low)
-
-    def meshFile(self, piece, time, name):
-        """The newest file of the mesh that is not after the time."""
-        times = [t for t in piece.times(f"polyMesh/{name}") if float(t) <= float(time)]
-        return piece.file(times[-1] if times else "constant", "polyMesh", name)
-
-    def cut(self, piece, time):
-        """Numbers of the cells that the plane meets, and their polygons [corner, 3]."""
-        files = [self.meshFile(piece, time, n)
-                 for n in ("points", "faces", "owner", "neighbour")]
-        if tuple(files) in self.known:
-            return self.known[tuple(files)]
-        x = readField(files[0])
-        first, size = readLists(files[1], flat=True)
-        owner, neighbour = (readLists(f) for f in files[2:])
-        if not len(size):
-            return np.zeros(0, int), []
-        face = np.repeat(np.arange(len(size)), size)
-        start = np.cumsum(size) - size
-        after = np.arange(len(first)) + 1
-        after[start + size - 1] = start
-        second = first[after]
-        # Edges of faces that cross the plane: two of each face that does
-        d = x[:, self.normal] - self.place
-        cross = np.flatnonzero(d[first]*d[second] < 0)
-        i, j, face = first[cross], second[cross], face[cross]
-        point = x[i] + (d[i]/(d[i] - d[j]))[:, None]*(x[j] - x[i])
-        inner = face < len(neighbour)
-        cell = np.concatenate([owner[face], neighbour[face[inner]]])
-        point = np.concatenate([point, point[inner]])
-        if not len(cell):
-            self.known[tuple(files)] = cell, []
-            return cell, []
-        # Corners of each cell in their order about its middle
-        order = np.argsort(cell, kind="stable")
-        cells, at, n = np.unique(cell[order], return_index=True, return_counts=True)
-        point = point[order]
-        across = [a for a in range(3) if a != self.normal]
-        middle = np.repeat(np.add.reduceat(point, at)/n[:, None], n, axis=0)
-        angle = np.arctan2(*(point - middle)[:, across].T)
-        order = np.lexsort((angle, np.repeat(np.arange(len(cells)), n)))
-        self.known[tuple(files)] = cells, np.split(point[order], at[1:])
-        return self.known[tuple(files)]
-
-    def cells(self, time, field):
-        """Polygons [corner, 3] and values of the cells at a time."""
-        corners, values = [], [np.zeros(0)]
-        for piece in self.pieces:
-            if os.path.exists(piece.file(time, field)):
-                cells, polygons = self.cut(piece, time)
-                some = np.atleast_1d(piece.field(time, field))
-                corners += polygons
-                values.append(some[cells] if len(some) > 1 else np.full(len(cells), some[0]))
-        return corners, np.concatenate(values)
-
-    def mixture(self, time, colours):
-        """Polygons and colours of the cells: of all that flows by shares (colours: by name)."""
-        corners, shares = zip(*(self.cells(time, f"alpha.{name}") for name in colours))
-        shares = np.maximum(np.stack(shares, axis=1), 1e-9)
-        return corners[0], shares/shares.sum(axis=1)[:, None] @ np.array([*colours.values()])
-
-
 class Automatic:
-    """Figures of a scene in 2D or 3D, points over a section of the gas."""
+    """Figures of a scene in 2D or 3D, points over a section of the gas; pressure: bodies over
+    that of the fluids."""
 
-    def __init__(self, scene, times, others):
+    def __init__(self, scene, times, others, pressure=False):
         self.scene, self.times = scene, times
         some = choose(times, 5)         # for the limits of colours
-        self.column = columnOf(scene, some) if scene.phases else None
+        self.column = columnOf(scene, some) if scene.phases and not pressure else None
         if self.column:
             self.column = (*self.column[:4], joined(self.column[4], others, self.column[0]))
-        self.gas = gasField(scene)
+        self.gas = PRESSURE if pressure else gasField(scene)
+        self.mixed = {} if pressure else scene.mixed
         self.section, self.gasLimits = None, None
         self.seen = Oblique(scene) if scene.nDim == 3 and not self.gas else None
         if self.gas:
             self.section = Section(scene, scene.normal())
-        if self.gas and not scene.mixed:
+        if self.gas and not self.mixed:
             self.gasLimits = joined(gasRange(scene, self.section, self.gas[0], some), others,
                                     self.gas[0])
             low, high = self.gasLimits
@@ -338,7 +273,7 @@ class Automatic:
             factor, unit = unitOf(self.column[0], self.column[4])
             limits = [factor*v for v in self.column[4]]
             self.bar(self.colours(self.column), limits, self.column[1], unit)
-        if self.scene.mixed:
+        if self.mixed:
             self.legend()
         elif self.gasLimits:
             factor, unit = unitOf(self.gas[0], self.gasLimits)
@@ -346,7 +281,7 @@ class Automatic:
 
     def legend(self):
         """Of more than two fluids: a bar with their names."""
-        of = self.scene.mixed
+        of = self.mixed
         self.bar(ListedColormap([*of.values()]), (0, len(of)), self.gas[1], "").set_ticks(
             np.arange(len(of)) + 0.5, labels=of)
 
@@ -365,8 +300,8 @@ class Automatic:
         if self.seen:
             self.seen.frame(self.ax, *self.length)
         if self.section:
-            if self.scene.mixed:
-                corners, values = self.section.mixture(time, self.scene.mixed)
+            if self.mixed:
+                corners, values = self.section.mixture(time, self.mixed)
                 paint = {"facecolors": values}
             else:
                 corners, values = self.section.cells(time, self.gas[0])
@@ -436,12 +371,12 @@ class Automatic:
             limits = self.gasLimits or (0, 1)
             size = unitOf(self.gas[0], limits)
             self.label(self.all[-1], self.gas[1], limits, *size)
-            for field in [f"alpha.{n}" for n in self.scene.mixed] or [self.gas[0]]:
+            for field in [f"alpha.{n}" for n in self.mixed] or [self.gas[0]]:
                 corners, values = self.section.cells(time, field)
                 x = np.array([c[:, a].mean() for c in corners])
                 order = np.argsort(x)
                 self.all[-1].plot(factor*x[order], size[0]*values[order], lw=1.2, label=field[6:])
-            if self.scene.mixed:
+            if self.mixed:
                 self.all[-1].legend(loc="upper right")
         self.all[-1].set(xlabel=self.labels()[0], xlim=self.box[:2])
 
@@ -539,10 +474,12 @@ def pictures(case, dictionary, n, known=None, notes=None, beside=()):
         try:
             scene = Scene(case, dictionary)
             times = choose([t for t in scene.times if scene.shows(t)], n)
-            if times:
-                automatic = Automatic(scene, times, ranges(beside, n))
+            kinds = [False] + [True]*scene.hasPressure() if times else []
+            others = ranges(beside, n) if times else {}
+            for pressure in kinds:
+                automatic = Automatic(scene, times, others, pressure)
                 found.append(Picture(automatic.title(), times, automatic.draw,
-                                     lambda: plt.close(automatic.figure)))
+                                     lambda a=automatic: plt.close(a.figure)))
                 drawn(found[-1], times, known, notes)
         except Exception as error:      # a page without pictures is better than none
             notes.append(f"no automatic picture: {type(error).__name__}: {error}")
@@ -580,8 +517,10 @@ def ranges(cases, n):
         if column:
             found[column[0]] = column[4]
         gas = gasField(scene)
-        if gas and times and not scene.mixed:
-            found[gas[0]] = gasRange(scene, Section(scene, scene.normal()), gas[0], times)
+        fields = [gas[0]] if gas and times and not scene.mixed else []
+        fields += [PRESSURE[0]]*(bool(times) and scene.hasPressure())
+        for field in fields:
+            found[field] = gasRange(scene, Section(scene, scene.normal()), field, times)
     return found
 
 

@@ -26,6 +26,7 @@ is a row that says why, and is tried again by the next call. A quantity that fai
 says why.
 """
 
+import contextlib
 import csv
 import fnmatch
 import hashlib
@@ -47,6 +48,8 @@ from mpm.files import foamText
 from mpm.reportCase import UNITS, Meanings, flat, readDictionary
 
 RECORD = "study.json"
+#: Seconds between looks at the tables of a run
+WATCH = 2.0
 BUDGET = "energyBudget yes; in materialPoints of system/fvSolution"
 
 
@@ -162,7 +165,8 @@ class Study:
             start = time.monotonic()
             row["state"] = "kept" if self._start(case, point) else "ran"
             if row["state"] == "ran":
-                self._run(case)
+                with self._watched(case):
+                    self._run(case)
             said = f"{row['state']}, {time.monotonic() - start:.0f} s"
             wrong = self._read(case, row)
             if wrong:
@@ -172,10 +176,42 @@ class Study:
             said = (what + str(error)).replace(os.path.abspath(self.folder), self.folder)
             row["state"] = said = "failed: " + " ".join(said.split())
         print(f"{i + 1}/{len(self.points)} {self._name(point)}: {said}", flush=True)
-        if "; quantity " in said and len(self.points) > 1 and self._hinted.acquire(blocking=False):
-            print("If that is so of all runs: Ctrl-C, mend the quantity, start again; runs that "
-                  "have ended are kept", flush=True)
+        if "; quantity " in said:
+            self._hint()
         return row
+
+    def _hint(self, *before):
+        """What to do about a quantity that fails, once."""
+        if len(self.points) > 1 and self._hinted.acquire(blocking=False):
+            print(*before, "If that is so of all runs: Ctrl-C, mend the quantity, start again; "
+                  "runs that have ended are kept", sep="\n", flush=True)
+
+    @contextlib.contextmanager
+    def _watched(self, case):
+        """While a run goes on: a column that its table has not is said as soon as the table is
+        there, not when the run has ended."""
+        ended = threading.Event()
+        quantities = {n: q for n, q in self.quantities.items() if hasattr(q, "column")}
+        watch = threading.Thread(target=self._watch, args=(case, quantities, ended), daemon=True)
+        watch.start()
+        try:
+            yield
+        finally:
+            ended.set()
+            watch.join()
+
+    def _watch(self, case, waiting, ended):
+        while waiting and not self._hinted.locked() and not ended.wait(WATCH):
+            for name, quantity in list(waiting.items()):
+                try:
+                    table = case.table(quantity.table)
+                except Exception:       # not there, without rows, half a line
+                    continue
+                del waiting[name]
+                try:
+                    table[_nameOf(table, quantity.column)]
+                except RunFailed as error:
+                    self._hint(f"{os.path.basename(case.path)}: quantity {name}: {error}")
 
     def _read(self, case, row):
         """The quantities into a row, nan of those that fail; what these say."""
@@ -387,30 +423,30 @@ def _ofTable(table, quantity, column):
             return ""
         return (f"no function object {name} in {case.file('system/controlDict')} to write the"
                 f" table {table}; there are: {' '.join(functions) or 'none'}")
-    quantity.need = need
-    quantity.unit = lambda case: _unit(case, table, column)
+    quantity.need, quantity.table, quantity.column = need, table, column
+    quantity.unit = lambda case: _unit(case.table(table), column)
     return quantity
 
 
-def _unit(case, table, column):
+def _unit(table, column):
     """As the table says, or of the field whose name it has (blastProbes: p.dat)."""
-    field = os.path.splitext(os.path.basename(table))[0]
-    return case.table(table).units.get(_nameOf(case, table, column)) or UNITS.get(field, "")
+    field = os.path.splitext(os.path.basename(table.path))[0]
+    return table.units.get(_nameOf(table, column)) or UNITS.get(field, "")
 
 
-def _nameOf(case, table, column):
+def _nameOf(columns, column):
     """The name of a column by a pattern (*, ?) that only one matches, or as it is."""
-    columns = case.table(table)
     names = [n for n in columns if fnmatch.fnmatchcase(n, column)]
     if column in columns or not names:
         return column                   # an error lists those that are
     if len(names) > 1:
-        raise RunFailed(f"{column} of {table} is each of {', '.join(names)}")
+        raise RunFailed(f"{column} of {columns.path} is each of {', '.join(names)}")
     return names[0]
 
 
 def _column(case, table, column):
-    return case.table(table)[_nameOf(case, table, column)]
+    columns = case.table(table)
+    return columns[_nameOf(columns, column)]
 
 
 def period(table, column, about=0.0):

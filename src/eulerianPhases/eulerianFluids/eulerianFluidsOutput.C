@@ -197,18 +197,23 @@ void Foam::mpm::eulerianFluids::report() const
         }
         shared += largest < (1 - fluidInterfaces::foreign) * theta_[c];
     }
+    // Ten digits at least: what is conserved, and differences of large sums
+    OSstream& log = Info;
+    const int digits = log.precision(max(log.precision(), 10));
     Info << "Fluids: mass";
     for (label k = 0; k < n_; ++k)
     {
         Info << ' ' << mixture_.name(k) << ' ' << total(mass[k]);
     }
-    Info << ", momentum " << total(momentum()) << ", energy " << total(energy()) << nl << "    p "
-         << pressures().c_str() << ", cells at interfaces " << total(shared) << " (mixed "
-         << total(interfaces_->cells().size()) << "), outflow limited " << total(fixups_.limited)
-         << ", theta kept " << total(fixups_.theta) << ", pressure of relaxation kept "
-         << total(relaxed_) << ", isentropic " << total(fixups_.isentropic) << ", voids "
-         << total(voids_) << " (energy " << total(fixups_.energy) << " added, mass "
-         << total(fixups_.heldBack) << " held back, " << total(dropped_) << " dropped)" << endl;
+    Info << ", momentum " << total(momentum()) << ", energy " << total(energy()) << nl;
+    log.precision(digits);
+    Info << "    p " << pressures().c_str() << ", cells at interfaces " << total(shared)
+         << " (mixed " << total(interfaces_->cells().size()) << "), outflow limited "
+         << total(fixups_.limited) << ", theta kept " << total(fixups_.theta)
+         << ", pressure of relaxation kept " << total(relaxed_) << ", isentropic "
+         << total(fixups_.isentropic) << ", voids " << total(voids_) << " (energy "
+         << total(fixups_.energy) << " added, mass " << total(fixups_.heldBack) << " held back, "
+         << total(dropped_) << " dropped)" << endl;
     const label bounded = total(fixups_.positive);
     if (bounded || fixups_.halved)
     {

@@ -19,6 +19,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
 import numpy as np
 
@@ -169,6 +170,15 @@ def tableOnly(case):
         f.write("# Time\tforce\n0 0\n1 2\n")
 
 
+def tableThenWait(case, out):
+    """A table, then a run that goes on until something is said, 30 s at most."""
+    tableOnly(case)
+    start = time.monotonic()
+    while "Ctrl-C" not in out.getvalue() and time.monotonic() < start + 30:
+        time.sleep(0.1)
+    return time.monotonic() - start
+
+
 def series(base, folder, modulus=(100.0, 400.0, -1.0), entry="bar.E"):
     return Study(base, {"E": ("constant/phaseProperties", entry, list(modulus))},
                  {"period": period("balance/bar.dat", "Px"), "steps": steps}, folder=folder,
@@ -258,6 +268,17 @@ def study(table):
                 "do", first.startswith("1/2") and "no column missing" in first
                 and "there are: Time, force" in first and "Ctrl-C" in hint
                 and second.startswith("2/2") and out.getvalue().count("Ctrl-C") == 1, first)
+
+    out, waited = io.StringIO(), []
+    with contextlib.redirect_stdout(out):
+        Study(base.path, {"E": ("constant/phaseProperties", "bar.E", [1.0, 2.0])},
+              {"least": least("balance/bar.dat", "missing")},
+              folder=os.path.join(folder, "early"),
+              steps=lambda case: waited.append(tableThenWait(case, out))).run(1)
+    lines = out.getvalue().splitlines()
+    table.check("study: a column that is missing is said while the first run goes on, once",
+                "no column missing" in lines[1] and "Ctrl-C" in lines[2] and lines[3].startswith(
+                    "1/2") and out.getvalue().count("Ctrl-C") == 1 and waited[0] < 30, lines[1:4])
 
     table.check("study: a run that a signal has ended has not run", all(
         state.startswith("failed: Signal 15") for state in ended), ended)

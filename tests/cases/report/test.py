@@ -574,7 +574,22 @@ def mixed(table):
                     + "\n".join(map(str, share)) + "\n);\nboundaryField {}\n")
     fluids = {n: {"type": "fluid", **({"thermo": "perfectGas"} if n == "air" else {})}
               for n in ("water", "oil", "air")}
+    pressure = {"water": 2e5, "oil": 1e5, "air": 1e5}
+    with open(case.file("0/p"), "w") as f:
+        f.write(fileHeader("p", "volScalarField") + "dimensions [1 -1 -2 0 0 0 0];\n"
+                "internalField nonuniform List<scalar> 2400\n(\n"
+                + "\n".join(str([*pressure.values()][i]) for i in third)
+                + "\n);\nboundaryField {}\n")
     shown = pictures(case, fluids, 1)
+    titles = [p.title.split("): ")[1] for p in shown]
+    table.check("fluids: pictures by shares and by pressure",
+                titles == ["fluids", "pressure of the fluids"], titles)
+    with PIL.Image.open(io.BytesIO(base64.b64decode(shown[1].frames[0][1].split(",")[1]))) as one:
+        pixels = lab(np.asarray(one.convert("RGB")).reshape(-1, 3)/255)
+    high, low = ((np.linalg.norm(pixels - lab(np.array(VALUES(v)[:3])), axis=1) < 4).sum()
+                 for v in (1.0, 0.0))
+    table.row("pressure of fluids: pixels of the lower over those of the higher", 2,
+              low/max(high, 1), 0.1)
     with PIL.Image.open(io.BytesIO(base64.b64decode(shown[0].frames[0][1].split(",")[1]))) as one:
         pixels = lab(np.asarray(one.convert("RGB")).reshape(-1, 3)/255)
     of = fluidColours(fluids)
@@ -848,6 +863,9 @@ def looks(table, chromium, path, case):
         labels = page.evaluate(TICKS)
         table.check(f"{name}: no two ticks of an axis have the same label", len(labels) > 2
                     and len(set(labels)) == len(labels), labels)
+        page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
+        table.row(f"{name}: plots that are drawn to be printed, of all", 1, page.evaluate(
+            "Object.keys(mpmReport.graphs).length/document.querySelectorAll('.plot').length"), 0)
         page.screenshot(case.file(f"page{width}.png"), whole=True)
         table.check(f"{name}: no error in the console", not page.errors, page.errors)
         others = [u for u in page.requests
