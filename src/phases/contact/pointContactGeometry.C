@@ -353,9 +353,6 @@ Foam::mpm::pointContact::reach(const contactNode& m, const scalar* x, const scal
 
 void Foam::mpm::pointContact::setGaps()
 {
-    // Share of a ball's radius that points beside it may sink in
-    constexpr scalar allowed = 0.02;
-
     scalarList reachA(bodies_.size() ? contactNodes_.size() : 0);
     scalarList reachB(reachA.size());
     label first = 0;
@@ -420,6 +417,10 @@ void Foam::mpm::pointContact::setGaps()
                 reachB[i] = e[turn ? 3 : 1];
             }
             e[0] = e[1] = e[2] = e[3] = -GREAT;
+        }
+        if (ball_.size() && pair.b >= 0 && !(mag(pair.how.normal) > 0))
+        {
+            widenGaps(pair, first, last);
         }
         first = last;
     }

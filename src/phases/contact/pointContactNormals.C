@@ -1,6 +1,45 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointContact.H"
+#include "mathematicalConstants.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- Directions about n, nDim each: 3, 6, 9 degrees to both sides; in 3D six at 4.5
+//  degrees and six between them at 9
+void directionsAbout(const scalar* n, const int nDim, scalar* directions)
+{
+    constexpr scalar degree = constant::mathematical::pi / 180;
+    if (nDim == 2)
+    {
+        for (int c = 0; c < 6; ++c)
+        {
+            const scalar angle = (c % 2 ? -3 : 3) * (c / 2 + 1) * degree;
+            directions[2 * c] = std::cos(angle) * n[0] - std::sin(angle) * n[1];
+            directions[2 * c + 1] = std::sin(angle) * n[0] + std::cos(angle) * n[1];
+        }
+        return;
+    }
+    const vector a(n[0], n[1], n[2]);
+    const vector across(mag(a.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0));
+    const vector s(normalised(a ^ across)), t(a ^ s);
+    for (int c = 0; c < 12; ++c)
+    {
+        const scalar angle = (c < 6 ? 4.5 : 9) * degree,
+                     around = (60 * c + (c < 6 ? 0 : 30)) * degree;
+        const vector b(
+            std::cos(angle) * a + std::sin(angle) * (std::cos(around) * s + std::sin(around) * t));
+        for (int d = 0; d < 3; ++d)
+        {
+            directions[3 * c + d] = b[d];
+        }
+    }
+}
+
+}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -94,6 +133,72 @@ void Foam::mpm::pointContact::chooseNormals(
             weighted[stride * m.node + d] = m.n[d] * min(size[0], size[1]);
         }
         e[0] = e[1] = e[2] = e[3] = -GREAT;
+    }
+}
+
+void Foam::mpm::pointContact::widenGaps(
+    const contactPair& pair, const label first, const label last)
+{
+    const int count = nDim_ == 3 ? 12 : nDim_ == 2 ? 6 : 0;
+    directions_.resize(nDim_ * count * (last - first));
+    extents_.resize(4 * count * (last - first));
+    extents_ = -GREAT;
+    for (label i = first; i < last; ++i)
+    {
+        const contactNode& m = contactNodes_[i];
+        placeOf_[m.node] = i;
+        directionsAbout(m.n, nDim_, directions_.data() + nDim_ * count * (i - first));
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+        const scalar sign = side == 0 ? 1 : -1;
+        forMeetings(
+            side == 0 ? pair.a : pair.b,
+            [&](const label place, const scalar* x, const scalar* l, const scalar)
+            {
+                const label node = contactNodes_[place].node;
+                const scalar* n = directions_.cdata() + nDim_ * count * (place - first);
+                scalar* e = extents_.data() + 4 * count * (place - first) + side;
+                e += inBall(node, x) ? 0 : 2;
+                scalar dx[3] = {0, 0, 0};
+                for (int d = 0; d < nDim_; ++d)
+                {
+                    dx[d] = sign * distance(node, x, d);
+                }
+                for (int c = 0; c < count; ++c, n += nDim_, e += 4)
+                {
+                    scalar along = 0, R = 0;
+                    for (int d = 0; d < nDim_; ++d)
+                    {
+                        along += dx[d] * n[d];
+                        R += sqr(l[d] * n[d]);
+                    }
+                    *e = max(*e, along + std::sqrt(R));
+                }
+            });
+    }
+    for (label i = first; i < last; ++i)
+    {
+        placeOf_[contactNodes_[i].node] = -1;
+    }
+    for (int c = 0; c < count; ++c)
+    {
+        for (label i = first; i < last; ++i)
+        {
+            std::copy_n(
+                extents_.cdata() + 4 * (count * (i - first) + c), 4,
+                reach_.data() + nReach_ * contactNodes_[i].node);
+        }
+        fields_[pair.a].largestOfShared(reach_.data(), nReach_, 4);
+        for (label i = first; i < last; ++i)
+        {
+            contactNode& m = contactNodes_[i];
+            scalar* e = reach_.data() + nReach_ * m.node;
+            const scalar sunk = allowed * ball_[nDim_ * m.node] - max(e[0], e[2]) - max(e[1], e[3]);
+            const scalar gap = -(e[0] > -GREAT ? e[0] : e[2]) - (e[1] > -GREAT ? e[1] : e[3]);
+            m.gap = max(m.gap, min(gap, sunk));
+            e[0] = e[1] = e[2] = e[3] = -GREAT;
+        }
     }
 }
 

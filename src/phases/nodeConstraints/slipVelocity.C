@@ -43,10 +43,11 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
     labelHashSet isShared;
     isShared.insert(shared_.nodes());
     DynamicList<faceNormal> mine, others;
-    const auto add = [&](const label n, const label patchi, const vector& nf)
+    const auto add = [&](const label n, const label patchi, const vector& nf, const vector& to)
     {
         const label key = parallel ? grid_.nodeKey()[n] : n;
-        (isShared.found(n) ? mine : others).append(faceNormal(labelPair(key, patchi), nf));
+        (isShared.found(n) ? mine : others)
+            .append(faceNormal(labelPair(key, patchi), Pair<vector>(nf, to)));
     };
 
     forAll(U.boundaryField(), patchi)
@@ -59,10 +60,11 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
         const polyPatch& pp = grid_.mesh().boundaryMesh()[pf.patch().index()];
         forAll(pp.meshPoints(), i)
         {
-            const label n = grid_.pointToNode()[pp.meshPoints()[i]];
+            const label pointi = pp.meshPoints()[i];
             for (const label facei : pp.pointFaces()[i])
             {
-                add(n, patchi, cornerNormal(pp, facei, pp.meshPoints()[i]));
+                add(grid_.pointToNode()[pointi], patchi, cornerNormal(pp, facei, pointi),
+                    pp.faceCentres()[facei] - pp.points()[pointi]);
             }
         }
     }
@@ -72,7 +74,7 @@ Foam::mpm::slipVelocity::allNormals(const pointVectorField& U) const
         radius[grid_.direction(grid_.radial())] = 1;
         for (const label n : onAxis(grid_))
         {
-            add(n, -1, radius);
+            add(n, -1, radius, vector(Zero));
         }
     }
     normals[Pstream::myProcNo()].transfer(mine);
@@ -121,75 +123,90 @@ Foam::mpm::slipVelocity::normalsOfNodes Foam::mpm::slipVelocity::byNode(
     {
         std::sort(
             entry.second.begin(), entry.second.end(),
-            [](const vector& a, const vector& b) {
-                return a.x() != b.x() ? a.x() < b.x()
-                    : a.y() != b.y()  ? a.y() < b.y()
-                                      : a.z() < b.z();
+            [](const Pair<vector>& a, const Pair<vector>& b) {
+                return std::lexicographical_compare(
+                    a[0].begin(), a[0].end(), b[0].begin(), b[0].end());
             });
     }
     return ofNode;
 }
 
-std::vector<Foam::vector> Foam::mpm::slipVelocity::surfaces(std::vector<vector>& faces)
+std::vector<Foam::Pair<Foam::vector>>
+Foam::mpm::slipVelocity::surfaces(const std::vector<Pair<vector>>& faces)
 {
     // pointNormals() would average over the edges of a patch that has some.
-    // Faces at less than 45 degrees are one smooth surface; others are
-    // surfaces of their own (edges, corners)
-    std::vector<vector> groups;
-    for (const vector& nf : faces)
+    // Faces at less than 45 degrees are one smooth surface, at edges of the wall
+    // at less than 20; others are surfaces of their own (edges, corners)
+    std::vector<Pair<vector>> groups;
+    for (const Pair<vector>& f : faces)
     {
         bool known = false;
-        for (vector& g : groups)
+        for (Pair<vector>& g : groups)
         {
-            if (!known && (g & nf) > 0.7 * mag(g) * mag(nf))
+            const scalar least = atEdge(g, f) ? 0.94 : 0.7;
+            if (!known && (g[0] & f[0]) > least * mag(g[0]) * mag(f[0]))
             {
-                g += nf;
+                g[0] += f[0];
+                g[1] += f[1];
                 known = true;
             }
         }
         if (!known)
         {
-            groups.push_back(nf);
+            groups.push_back(f);
         }
     }
     return groups;
 }
 
 void Foam::mpm::slipVelocity::join(
-    const label patchi, const std::vector<vector>& normals, std::vector<surface>& all)
+    const label patchi, const std::vector<Pair<vector>>& normals, std::vector<surface>& all)
 {
-    for (const vector& n : normals)
+    for (const Pair<vector>& f : normals)
     {
         surface* same = nullptr;
         for (surface& s : all)
         {
+            const vector& n = s.second()[0];
             if (!same && s.first() >= 0 && patchi >= 0 && s.first() != patchi
-                && (s.second() & n) > 0.94 * mag(s.second()) * mag(n))
+                && (n & f[0]) > 0.94 * mag(n) * mag(f[0]))
             {
                 same = &s;
             }
         }
         if (same)
         {
-            same->second() += n;
+            same->second()[0] += f[0];
+            same->second()[1] += f[1];
         }
         else
         {
-            all.push_back(surface(patchi, n));
+            all.push_back(surface(patchi, f));
         }
     }
 }
 
+bool Foam::mpm::slipVelocity::atEdge(const Pair<vector>& a, const Pair<vector>& b)
+{
+    // Each leads away from the mesh on the other's side
+    const auto beyond = [](const Pair<vector>& of, const Pair<vector>& to)
+    {
+        const vector &n = of[0], &e = to[1];
+        return (n & e) > 1e-3 * mag(n) * mag(e);
+    };
+    return beyond(a, b) && beyond(b, a);
+}
+
 void Foam::mpm::slipVelocity::findTurn(
-    const label node, const std::vector<vector>& faces, const std::vector<surface>& all)
+    const label node, const std::vector<Pair<vector>>& faces, const std::vector<surface>& all)
 {
     constexpr scalar least = 1e-4;
-    for (const vector& nf : faces)
+    for (const Pair<vector>& f : faces)
     {
         scalar apart = GREAT;
         for (const surface& s : all)
         {
-            apart = min(apart, mag(normalised(nf) - normalised(s.second())));
+            apart = min(apart, mag(normalised(f[0]) - normalised(s.second()[0])));
         }
         if (apart > least)
         {
@@ -228,6 +245,75 @@ void Foam::mpm::slipVelocity::hold(
             part.normal[d] = rest[d] / mag(rest);
         }
         parts_.append(part);
+    }
+}
+
+void Foam::mpm::slipVelocity::add(
+    const label node, const std::vector<surface>& all, DynamicList<scalar>& projections)
+{
+    const int D = grid_.nDim();
+    std::vector<surface> edges;
+    tensor N(Zero);
+    for (const surface& s : all)
+    {
+        const bool edge = std::any_of(
+            all.begin(), all.end(),
+            [&](const surface& other) { return atEdge(s.second(), other.second()); });
+        if (edge)
+        {
+            edges.push_back(s);
+        }
+        else
+        {
+            hold(node, s.first(), s.second()[0], N);
+        }
+    }
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j)
+        {
+            projections.append((i == j ? 1 : 0) - N(i, j));
+        }
+    }
+    const tensor held(N);
+    for (const surface& s : edges)
+    {
+        vector n(Zero);
+        for (int d = 0; d < D; ++d)
+        {
+            n[d] = s.second()[0][grid_.direction(d)];
+        }
+        n = normalised(n - (held & n));
+        for (int d = 0; d < D; ++d)
+        {
+            edge_.append(n[d]);
+        }
+        hold(node, s.first(), s.second()[0], N);
+    }
+    edgeStart_.append(edge_.size());
+}
+
+void Foam::mpm::slipVelocity::applyEdge(const label i, scalar* u) const
+{
+    const int D = grid_.nDim();
+    scalar least = GREAT;
+    const scalar* n = nullptr;
+    for (label at = edgeStart_[i]; at < edgeStart_[i + 1]; at += D)
+    {
+        scalar along = 0;
+        for (int d = 0; d < D; ++d)
+        {
+            along += u[d] * edge_[at + d];
+        }
+        if (along < least)
+        {
+            least = along;
+            n = edge_.cdata() + at;
+        }
+    }
+    for (int d = 0; least > 0 && n && d < D; ++d)
+    {
+        u[d] -= least * n[d];
     }
 }
 
@@ -275,21 +361,11 @@ Foam::mpm::slipVelocity::slipVelocity(
 
     DynamicList<label> nodes;
     DynamicList<scalar> projections;
+    edgeStart_.append(0);
     for (const auto& of : ofAll)
     {
-        tensor N(Zero);
-        for (const surface& s : of.second)
-        {
-            hold(of.first, s.first(), s.second(), N);
-        }
         nodes.append(of.first);
-        for (int i = 0; i < grid_.nDim(); ++i)
-        {
-            for (int j = 0; j < grid_.nDim(); ++j)
-            {
-                projections.append((i == j ? 1 : 0) - N(i, j));
-            }
-        }
+        add(of.first, of.second, projections);
     }
     node_.transfer(nodes);
     projection_.transfer(projections);
@@ -326,6 +402,7 @@ void Foam::mpm::slipVelocity::impose(scalar* u, const int stride, const bool, co
         if (moves)
         {
             apply(i, v);
+            applyEdge(i, v);
         }
     }
 }
