@@ -53,14 +53,24 @@ Foam::string Foam::mpm::fractionWatch::advice(const label celli) const
     }
     else
     {
-        os << "Their volume is " << growth << " times that of the unstressed"
-           << " material. Points that have grown larger than a cell, as the"
+        os << "Their volume is " << growth << " times that of the unstressed material. ";
+        if (growth < 1.05)
+        {
+            os << "They have not grown, so they overlap: they did from the start"
+               << " (setMaterialPointsDict), or something holds some of them in which"
+               << " others run: a wall in 0/U." << phase.velocityField() << " where they leave"
+               << " it (slip holds the patch's normal velocity in both directions), another"
+               << " body of the same velocityField. Valid choices: calculated and contact in"
+               << " place of slip or fixedValue there; contact between the bodies; a"
+               << " smaller maxCo.";
+            return os.str();
+        }
+        os << "Points that have grown larger than a cell, as the"
            << " products of an explosion do, fill cells unevenly. Valid choices:"
            << " as many points per cell at the start as the volume should grow"
            << " (pointsPerCell in setMaterialPointsDict); gas of their energy"
            << " in their place (p and T." << gas_.name() << "); no gas around"
-           << " them. Points that overlap from the start: check"
-           << " setMaterialPointsDict.";
+           << " them.";
     }
     return os.str();
 }

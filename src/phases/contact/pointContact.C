@@ -121,6 +121,7 @@ Foam::mpm::pointContact::pointContact(materialPointSystem& points) :
     reach_(nReach_ * grid_.nNodes(), -GREAT)
 {
     read(requiredDict(points.properties(), "contact"));
+    findEdges();
     pressed_.setSize(pairs_.size());
     if (nReach_ > 4)
     {

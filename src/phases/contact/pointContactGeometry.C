@@ -61,6 +61,10 @@ void Foam::mpm::pointContact::meet(const label pairi)
     {
         const scalar ia = inverse(A, n);
         scalar ib = -1;
+        if (ia >= 0 && pair.b < 0 && passesEdge(pair.a, n))
+        {
+            continue;
+        }
         if (pair.b >= 0)
         {
             ib = other_[n];
@@ -108,6 +112,34 @@ void Foam::mpm::pointContact::meet(const label pairi)
             other_[n] = -1;
         }
     }
+}
+
+bool Foam::mpm::pointContact::passesEdge(const label fieldi, const label node) const
+{
+    const auto at = edges_[fieldi].find(node);
+    if (at == edges_[fieldi].end())
+    {
+        return false;
+    }
+    const scalar* mU = fields_[fieldi].momentum() + fields_[fieldi].stride() * node;
+    scalar most = 0;
+    for (int d = 0; d < nDim_; ++d)
+    {
+        most = max(most, mag(mU[d]));
+    }
+    for (const vector& n : at->second)
+    {
+        scalar along = 0;
+        for (int d = 0; d < nDim_; ++d)
+        {
+            along += mU[d] * n[grid_.direction(d)];
+        }
+        if (along <= 1e-9 * most)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 void Foam::mpm::pointContact::placeAndHalfSize(
@@ -396,12 +428,15 @@ void Foam::mpm::pointContact::setGaps()
                 sunk = allowed * ball_[nDim_ * m.node] - max(e[0], e[4])
                     - (pair.b < 0 ? 0 : max(e[1], e[5]));
             }
+            // A wall with edges ends: its planes do not hold what is beside the ball
+            const bool beside =
+                nReach_ > 4 && pair.b < 0 && !edges_[pair.a].empty() && !(e[0] > -GREAT);
             for (int k = 0; k + 4 < nReach_; ++k)
             {
                 e[k] = e[k] > -GREAT ? e[k] : e[4 + k];
                 e[4 + k] = -GREAT;
             }
-            m.gap = min(-e[0] - (pair.b < 0 ? 0 : e[1]), sunk);
+            m.gap = beside ? GREAT : min(-e[0] - (pair.b < 0 ? 0 : e[1]), sunk);
             const bool turn = pair.b >= 0 && !(mag(pair.how.normal) > 0) && -e[2] - e[3] > m.gap;
             if (turn)
             {

@@ -91,6 +91,41 @@ Foam::scalarList Foam::mpm::pointContact::wallNormals(const label fieldi, const 
     return normal;
 }
 
+void Foam::mpm::pointContact::findEdges()
+{
+    edges_.resize(fields_.size());
+    forAll(fields_, fieldi)
+    {
+        DynamicList<label> patches;
+        for (const contactPair& pair : pairs_)
+        {
+            if (pair.a == fieldi && pair.b < 0)
+            {
+                patches.append(grid_.mesh().boundaryMesh().findPatchID(pair.patch));
+            }
+        }
+        if (patches.empty())
+        {
+            continue;
+        }
+        const wallSurfaces walls(grid_, fields_[fieldi].shared(), patches, false, labelHashSet());
+        for (const auto& of : walls.surfaces())
+        {
+            for (const wallSurfaces::surface& s : of.second)
+            {
+                for (const wallSurfaces::surface& other : of.second)
+                {
+                    if (wallSurfaces::atEdge(s.second(), other.second()))
+                    {
+                        edges_[fieldi][of.first].push_back(normalised(s.second()[0]));
+                        break;
+                    }
+                }
+            }
+        }
+    }
+}
+
 void Foam::mpm::pointContact::addPair(
     const rule& how, const label a, const label b, const label patchi)
 {

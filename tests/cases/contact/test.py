@@ -5,6 +5,8 @@ plates     plates that fly over a gap of part of a cell, press, and part: time o
            contact, stress, momentum of each after they have parted
 pair       plates of different impedance: stress and velocity of the interface
 incline    block on a slope, on a rigid body and on a patch, in 2D and 3D: friction
+anyCells   two blocks fly over a gap of part of a cell on prisms, moved hexahedra and
+           tetrahedra, faces anyhow on the cells: time of contact, force of an elastic wave
 disks      two elastic discs meet off centre: momentum, no pull; 1 and 2 processors
            give the same, a restart the same bit by bit
 balls      two balls in 3D meet off centre: momentum
@@ -27,6 +29,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bounce import bounce
+from cellMesh import boxOfCells
 from foamCase import (PROJECT, VERIFY, FoamCase, boxMesh, controlDict, foamText, noSchemes,
                       runParts, velocityFile)
 
@@ -291,6 +294,55 @@ def parting(table, name, case, n):
           f" first, in contact {t[push > 0].min():.3f} to {t[push > 0].max():.3f} s")
 
 
+def anyCells(table):
+    """The force grows to its half, rho c v A/2, when the faces meet: within 0.05 cells."""
+    h, rho, E = 1e-3, 2700.0, 70e9
+    law = {"constitutiveModel": {"type": "linearElastic", "rho": rho, "E": E, "nu": 0}}
+    for kind, gap, shift, per in (
+            ("prisms", 0.4, 0, 2), ("prisms", 1.6, 0.3, 2), ("prisms", 1.6, 0, 1),
+            ("hexes", 0.4, 0, 2), ("hexes", 0.4, 0.3, 1), ("hexes", 1.6, 0.3, 2),
+            ("tets", 0.4, 0.3, 2)):
+        flat = kind != "tets"
+        # The faces close while the wave crosses the bodies, of which those in 3D are short
+        v = 20.0 if flat else 100.0
+        case = FoamCase("contact", f"anyCells-{kind}-{gap}-{shift}-{per}")
+        n = np.array((26, 14, 1) if flat else (18, 11, 11))
+        low = np.array((-n[0]*h/2, -n[1]*h/2, -n[2]*h/2))
+        wide = (n[1] - 5)*h/2, (h if flat else (n[2] - 5)*h/2)
+        length = (n[0]/2 - 3)*h
+        boxOfCells(case, kind, low, -low, n, {
+            "sides": ("patch", ("x-", "x+", "y-", "y+") + (() if flat else ("z-", "z+"))),
+            **({"frontAndBack": ("empty", ("z-", "z+"))} if flat else {})},
+            moved=0.25 if flat else 0.15)
+        case.write("constant/phaseProperties", {
+            "phases": ["left", "right"], "left": law, "right": law,
+            "contact": {"faces": {"fields": "(left right)", "type": "frictionless"}}})
+        begin = shift*h
+        regions = {"left": (begin - length, begin), "right": (
+            begin + gap*h, begin + gap*h + length)}
+        case.write("system/setMaterialPointsDict", {"regions": {name: {
+            "phase": name, "type": "box", "min": (a, -wide[0], -wide[1]),
+            "max": (b, wide[0], wide[1]), "pointsPerCell": per,
+            **({"velocity": (v, 0, 0)} if name == "left" else {})}
+            for name, (a, b) in regions.items()}})
+        for name in regions:
+            velocityFile(case, name, {"sides": "calculated",
+                                      **({"frontAndBack": "empty"} if flat else {})})
+        case.write("system/fvSolution", {"materialPoints": {
+            "shapeFunction": "nodeDual", "transfer": "FMPM", "order": 2}})
+        noSchemes(case)
+        end = gap*h/v + 0.3*h/v
+        case.write("system/controlDict", {**controlDict(end, end, 0.5), "reportInterval": 1})
+        case.run("setMaterialPoints")
+        case.run("materialPointFoam")
+        t, force, *_ = contactLog(case, "faces")
+        area = 2*wide[0]*(h if flat else 2*wide[1])
+        half = 0.25*rho*np.sqrt(E/rho)*v*area
+        start = t[np.argmax(force[:, 0] > half)] if (force[:, 0] > half).any() else np.inf
+        table.row(f"blocks on {kind}, gap {gap}, face at {shift}, {per} per direction: early"
+                  " contact [cells]", 0, (gap*h/v - start)*v/h, 0.05)
+
+
 def disks(table):
     case, n = discsCase("disks", 3, 0.5)
     case.run("materialPointFoam", limit=300)
@@ -536,7 +588,7 @@ def sand(table):
 
 
 def main():
-    return runParts("contact", plates, pair, incline, disks, balls, ledger, shared,
+    return runParts("contact", plates, pair, anyCells, incline, disks, balls, ledger, shared,
                     thin, bounce, hertz, sand)
 
 
