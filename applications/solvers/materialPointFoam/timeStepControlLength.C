@@ -298,8 +298,8 @@ void Foam::mpm::timeStepControl::checkWrites() const
     if (inTime && !openEnd() && run > 0 && interval > 1.001 * time_.endTime().value())
     {
         IOWarningInFunction(dict) << "writeInterval " << interval << " s is beyond endTime "
-                                  << time_.endTime().value() << " s: nothing will be written."
-                                  << endl;
+                                  << time_.endTime().value() << " s: only its end will be"
+                                  << " written." << endl;
     }
 }
 

@@ -239,7 +239,7 @@ def subSteps(facts):
             or not isinstance(n, int) or control.get("maxGasSubSteps", 1) != 1:
         return
     solids = {n: p for n, p in facts.phases.items() if p.n and p.speed}
-    if not solids or (facts.trial and not facts.trial.setBy.startswith("points of ")):
+    if not solids or (facts.trial and not re.match(r"points? ", facts.trial.setBy)):
         return
     co, coGas = (v if isinstance(v, (int, float)) else d for v, d in (
         (control.get("maxCo"), 0.4), (control.get("maxCoGas"), 0.4)))

@@ -103,9 +103,21 @@ def pressure(facts):
             continue
         p, T = np.min(facts.case.field("0", "p")), np.min(facts.case.field("0", "T." + name))
         if 0 < p < 100 and T > 100:
-            yield Finding("warning", "0/p", "internalField", f"{p:g} Pa at {T:g} K",
+            yield Finding("warning", *_from(facts, "p", p), f"{p:g} Pa at {T:g} K",
                           "in Pa: 1e5 for 1 bar", "fluids.md#gas")
             return
+
+
+def _from(facts, field, value):
+    """File and entry that a value of a field at the start comes from."""
+    for path in ("system/setFieldsDict", "system/setFluidsDict"):
+        if os.path.exists(facts.case.file(path)):
+            with open(facts.case.file(path), errors="replace") as f:
+                found = re.findall(rf"\b({field}\w*)\s+([-+]?\d[\d.]*(?:e[-+]?\d+)?)", f.read())
+            for name, v in found:
+                if abs(float(v) - value) <= 1e-6*abs(value):
+                    return path, name
+    return "0/" + field, "internalField"
 
 
 def duration(facts):
