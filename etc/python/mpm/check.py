@@ -30,7 +30,8 @@ from mpm.trial import Trial
 LARGEST = 5e7
 
 _FATAL = re.compile(r"--> FOAM FATAL (?:IO )?ERROR[^\n]*\n(.*?)(?=\n\s*From |\nFOAM |\Z)", re.S)
-_WARNING = re.compile(r"--> FOAM (?:IO)?Warning[^\n]*\n((?:    [^\n]*\n?)+)")
+_WARNING = re.compile(r"--> FOAM (?:IO)?Warning[^\n]*\n((?:    [^\n]*\n?)+"
+                      r"(?:Valid names[^\n]*\n)?)")
 
 
 class Check:
@@ -204,6 +205,7 @@ class Check:
         text = re.sub(r"^ *(From .*|in file .*)\n", "", text, flags=re.M)
         place = re.match(r'\s*Reading "([^"]*?)"[^\n]*\n', text)
         file, entry = _place(place[1]) if place else _named(text)
+        file = file or ("system/setFieldsDict" if name == "setFields" else "")
         text = " ".join((text[place.end():] if place else text).split())
         if "Increased the timePrecision" in text:       # of the trial's own times
             return
@@ -215,7 +217,8 @@ class Check:
         text = self._own(self.case.log(name))
         found = _FATAL.search(text)
         message = found[1].strip() if found else text[-400:].strip()
-        place = re.search(r"^file: (\S+)", message, re.M)
+        place = re.search(r"^file: (\S+)(?:.*?\b(at line \d+|from line \d+ to line \d+))?", message,
+                          re.M)
         file, entry = _place(place[1]) if place else ("", "")
         message = re.sub(r"\n*^file: .*", "", message, flags=re.M).strip()
         message = checkPatches.nearestFirst(message)
@@ -226,7 +229,8 @@ class Check:
                                          readDictionary(self.case, file))
             if meaning:
                 remedy = f"{lacks[1]}{f' [{unit}]' if unit else ''}: {meaning}; see doc/entries.md"
-        self._find("error", file, entry, f"{command} stops: {message}", remedy, page)
+        where = f" {place[2]}" if place and place[2] else ""
+        self._find("error", file, entry, f"{command} stops{where}: {message}", remedy, page)
 
     def _find(self, kind, file, entry, text, remedy, page=""):
         self.findings.append(Finding(kind, file, entry, text, remedy, page))

@@ -8,6 +8,7 @@ do. Those of schemes are the tables of doc/guide/schemes.md. A rule is a functio
 that gives its findings.
 """
 
+import itertools
 import math
 import os
 import re
@@ -316,6 +317,28 @@ def damage(facts):
                           " it is to be brittle", "materials.md#energy-of-failure")
 
 
+def passThrough(facts):
+    """Bodies with velocity fields of their own that no contact names: nothing acts between."""
+    bodies = {}
+    for name, phase in facts.phases.items():
+        of = facts.of(name)
+        if phase.n and (phase.speed or of.get("type") == "rigid"):
+            bodies.setdefault(str(of.get("velocityField", name)), []).append(name)
+    named = [c for c in facts.properties.get("contact", {}).values() if isinstance(c, dict)]
+    if any("fields" not in c and "patch" not in c for c in named):
+        return
+    pairs = [{str(f) for f in c.get("fields", [])} for c in named if "patch" not in c]
+    apart = [(a, b) for a, b in itertools.combinations(bodies, 2)
+             if not any({a, b} <= pair for pair in pairs)]
+    if apart:
+        a, b = (bodies[field][0] for field in apart[0])
+        yield Finding("note", PHASES, "contact", f"{a} and {b} have velocity fields of their own and"
+                      " no contact: they pass through each other where they meet" + (
+                          f" (so do {len(apart) - 1} other pairs)" if len(apart) > 1 else ""),
+                      "contact { all { type Coulomb; mu 0.3; } }, or one velocityField for both",
+                      "bodies.md#contact", "pass through each other")
+
+
 def writing(facts):
     interval = facts.control.get("writeInterval")
     inTime = facts.control.get("writeControl") in ("adjustableRunTime", "adjustable", "runTime")
@@ -326,7 +349,7 @@ def writing(facts):
 
 RULES = (densities, waveSpeeds, strengths, meshSize, gravity, pressure, duration, wavesLeave,
          *checkFluids.RULES, locking, courant, transfers, shapes, shocks, pointsInCells, damage,
-         writing)
+         passThrough, writing)
 
 
 def findings(facts):

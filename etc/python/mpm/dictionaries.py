@@ -10,6 +10,7 @@ Names stand as the file has them, parts of a path with dots or slashes between. 
 is not there is an error that lists those that are.
 """
 
+import difflib
 import os
 import re
 import subprocess
@@ -158,7 +159,23 @@ def _lacking(tree, path):
         inside, rest = child, rest[len(child.name) + 1:]
     names = [c.name for c in inside.entries or () if c.name != "FoamFile"]
     return (f"no entry {path}; {inside.name or 'the file'} has "
-            + (", ".join(dict.fromkeys(names)) if names else "none"))
+            + (", ".join(dict.fromkeys(names)) if names else "none") + _nearest(tree, path))
+
+
+def _nearest(tree, path):
+    """Entries whose last word is nearly that of the path, those below its first word before
+    others."""
+    places = {}
+
+    def add(entry, above=""):
+        for child in entry.entries or ():
+            places.setdefault(child.name, []).append(above + child.name)
+            add(child, above + child.name + ".")
+    add(tree)
+    first, last = path.split(".")[0], path.split(".")[-1]
+    near = [p for word in difflib.get_close_matches(last, places, 3, 0.75)
+            for p in sorted(places[word], key=lambda p: not p.startswith(first + "."))]
+    return f" (is {near[0]} meant?)" if near and near[0] != path else ""
 
 
 def getEntry(text, path):

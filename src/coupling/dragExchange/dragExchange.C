@@ -50,6 +50,61 @@ Foam::mpm::solidOnFaces::faceDrag Foam::mpm::dragExchange::readForm(const dictio
     return solidOnFaces::faceDrag(words.find(form));
 }
 
+void Foam::mpm::dragExchange::findBetween()
+{
+    const PtrList<velocityField>& fields = points_.fields();
+    between_ = false;
+    if (fields.size() < 2)
+    {
+        return;
+    }
+
+    // Largest number of a field at a node, and of its negative
+    fieldAt_.setSize(2 * points_.grid().nNodes(), -GREAT);
+    for (const label n : marked_)
+    {
+        fieldAt_[2 * n] = fieldAt_[2 * n + 1] = -GREAT;
+    }
+    marked_.clear();
+    forAll(fields, fieldi)
+    {
+        const velocityField& field = fields[fieldi];
+        for (const label n : field.active())
+        {
+            if (!(field.momentum()[field.stride() * n + points_.grid().nDim()] > 0))
+            {
+                continue;
+            }
+            scalar* at = fieldAt_.data() + 2 * n;
+            at[0] = max(at[0], scalar(fieldi));
+            at[1] = max(at[1], scalar(-fieldi));
+            marked_.append(n);
+        }
+    }
+    if (Pstream::parRun())
+    {
+        fields[0].shared().largest(fieldAt_.data(), 2, 2);
+        marked_.append(fields[0].shared().nodes());
+    }
+    for (const label n : marked_)
+    {
+        between_ = between_ || isShared(n);
+    }
+    reduce(between_, orOp<bool>());
+}
+
+bool Foam::mpm::dragExchange::isBetween(const label celli) const
+{
+    for (const label n : points_.grid().nodesOf(celli))
+    {
+        if (isShared(n))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 Foam::vector Foam::mpm::dragExchange::impulse(
     const label phasei, const label celli, const scalar M, const vector& Us, const scalar thetaS,
     const vector& A, const scalar dt)
@@ -71,7 +126,8 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     }
 
     const scalar solid = fraction_.theta()[celli];
-    if (model.normalOnly() && solid <= fraction_.fullForNormal())
+    const bool gap = between_ && model.sticks() && isBetween(celli);
+    if ((model.normalOnly() || gap) && solid <= fraction_.fullForNormal())
     {
         const vector& n = fraction_.normals()[celli];
         if (magSqr(n) > 0)
@@ -108,7 +164,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     }
 
     // Of a surface no drag of the faces, but the cell has some
-    Kc_[celli] += surface ? VSMALL : K;
+    Kc_[celli] += surface || gap ? VSMALL : K;
 
     // Harmonic masses; a rigid phase has no end of it: a free body takes
     // the impulse at the end of the step
@@ -116,7 +172,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     const scalar a = dt * K / shared;
     const vector J(a / (1 + a) * shared * relative);
     ahead_[celli] += a / (1 + a) * shared * (seen - relative);
-    held_[celli] += surface ? 0 : rho * M * a / (rho * (1 + a) + M);
+    held_[celli] += surface || gap ? 0 : rho * M * a / (rho * (1 + a) + M);
 
     J_[celli] += J;
     Q_[celli] += J & (M < GREAT ? Us - 0.5 * J / M : Us);
@@ -334,6 +390,7 @@ Foam::mpm::dragExchange::dragExchange(
     mu_(boundedOrDefault(requiredDict(phaseProperties, gas.name()), "mu", 0, 0, GREAT)),
     models_(points.phases().size()),
     normalOnly_(false),
+    between_(false),
     form_(solidOnFaces::none),
     J_(fraction.mesh().nCells(), Zero),
     Q_(fraction.mesh().nCells(), 0),
@@ -395,7 +452,8 @@ void Foam::mpm::dragExchange::exchange(const scalar dt)
     clear();
     present_.clear();
     work_ = toBodies_ = 0;
-    if (normalOnly_)
+    findBetween();
+    if (normalOnly_ || between_)
     {
         fraction_.updateNormals();
     }

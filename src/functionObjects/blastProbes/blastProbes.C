@@ -150,6 +150,9 @@ private:
     //- Cell of each place on this processor, -1: on another
     labelList cells_;
 
+    //- Places that have been told to be in solid
+    boolList inSolid_;
+
     List<history> histories_;
 
     void findCells()
@@ -255,8 +258,14 @@ private:
         }
     }
 
-    void warnOfSolid() const
+    //- Of each place once
+    void warnOfSolid()
     {
+        inSolid_.setSize(places_.size(), false);
+        if (!inSolid_.found(false))
+        {
+            return;
+        }
         const auto* flow = mesh_.findObject<mpm::eulerianFlow::handle>("eulerianFlow");
         scalarField theta(places_.size(), -1);
         forAll(cells_, i)
@@ -269,10 +278,13 @@ private:
         reduce(theta, maxOp<scalarField>());
         forAll(theta, i)
         {
-            if (theta[i] >= 0 && theta[i] < 0.5)
+            if (theta[i] >= 0 && theta[i] < 0.5 && !inSolid_[i])
             {
+                inSolid_[i] = true;
                 WarningInFunction << name() << ": place " << places_[i] << " is in solid, "
-                                  << field_ << " there is that of the pores." << endl;
+                                  << field_ << " there is that of the pores, from "
+                                  << time_.value() << " s on, its largest in summary.dat, too."
+                                  << endl;
             }
         }
     }
@@ -425,6 +437,7 @@ private:
 
     void writeRows() override
     {
+        warnOfSolid();
         if (writeToFile())
         {
             Ostream& os = row(0);

@@ -3,6 +3,7 @@
 #include "velocityField.H"
 #include "shapeConcept.H"
 #include "pointMesh.H"
+#include "OSspecific.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -11,6 +12,20 @@ namespace
 {
 
 using namespace Foam;
+
+//- Names of the files U.* of a folder
+string filesOf(const fileName& folder)
+{
+    string all;
+    for (const fileName& file : readDir(folder))
+    {
+        if (file.startsWith("U."))
+        {
+            all += (all.empty() ? "" : " ") + file;
+        }
+    }
+    return all.empty() ? string("none") : all;
+}
 
 //- The field of a file, which must be there, or of a state
 pointVectorField
@@ -22,7 +37,9 @@ fieldOfNodes(const IOobject& io, const pointMesh& mesh, const mpm::fieldStates* 
                              << "It holds the velocity of the mesh points of velocityField "
                              << io.group() << " with its boundary conditions: a pointVectorField"
                              << " for each velocityField of constant/phaseProperties (without"
-                             << " the entry: the name of the phase)." << exit(FatalError);
+                             << " the entry: the name of the phase). If the word is misspelt mend"
+                             << " velocityField of the phase that has it. Files of velocity there: "
+                             << filesOf(io.path()).c_str() << "." << exit(FatalError);
     }
     return mpm::fileOrState<pointVectorField>(io, mesh, states);
 }

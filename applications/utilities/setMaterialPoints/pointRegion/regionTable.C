@@ -331,7 +331,8 @@ void checkSoft(const mpm::materialPointPhase& phase, const mpm::pointRegion& r)
         WarningInFunction << "Region " << r.name() << " starts " << above << " Pa above the"
                           << " pressure at which phase " << phase.name()
                           << " is unstressed; its modulus is " << E
-                          << " Pa. If that and rho are those of the material in the gas, write"
+                          << " Pa (moduli are in Pa, 1e6 for 1 MPa). If that and rho are those of"
+                          << " the material in the gas, write"
                           << "  referencePressure " << -tr(r.stress()) / 3 << ";  in the phase."
                           << endl;
     }
