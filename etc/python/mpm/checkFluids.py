@@ -297,8 +297,8 @@ def dissipates(facts):
 
 
 def narrowGaps(facts):
-    """Boxes of points beside each other with less than two cells of fluids between them, which
-    their drag holds there."""
+    """Boxes of points of one velocity field beside each other with less than two cells of fluids
+    between them, which their drag holds there."""
     boxes = []
     for name, region in facts.regions.items() if facts.media else ():
         corners = [region.get(k) for k in ("min", "max")] if isinstance(region, dict) else []
@@ -313,7 +313,8 @@ def narrowGaps(facts):
               if isinstance(drag, dict) and drag.get("direction") == "normal"]
     for i, (a, phase, low, high) in enumerate(boxes):
         for b, other, from_, to in boxes[:i]:
-            if phase in normal and other in normal:
+            fields = {facts.of(n).get("velocityField", n) for n in (phase, other)}
+            if phase in normal and other in normal or len(fields) > 1:
                 continue
             apart = np.maximum(from_ - high, low - to)[facts.axes]
             d = int(apart.argmax())
@@ -325,8 +326,8 @@ def narrowGaps(facts):
                               f"apart, {apart[d]/width:.2g} cells: their drag holds what is "
                               "between them, and it may get the pressure of the other side of a "
                               "body",
-                              "drag { type stick; direction normal; } for both and fluids { "
-                              "faceDrag none; }, or two cells or more between them",
+                              "a velocityField for each (and contact), drag { type stick; direction "
+                              "normal; } and fluids { faceDrag none; }, or two cells between them",
                               "fluids.md#several-fluids")
 
 

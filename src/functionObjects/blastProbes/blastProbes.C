@@ -282,9 +282,8 @@ private:
             {
                 inSolid_[i] = true;
                 WarningInFunction << name() << ": place " << places_[i] << " is in solid, "
-                                  << field_ << " there is that of the pores, from "
-                                  << time_.value() << " s on, its largest in summary.dat, too."
-                                  << endl;
+                                  << field_ << " there is that of the pores, from " << time_.value()
+                                  << " s on, its largest in summary.dat, too." << endl;
             }
         }
     }

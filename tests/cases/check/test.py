@@ -21,6 +21,7 @@ import hashlib
 import io
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -350,19 +351,29 @@ def shaking(table):
 
 
 def gaps(table):
-    """Two bodies with a part of a cell between them, 2 cells, none; drag across faces alone."""
+    """Two bodies with a part of a cell between them, 2 cells, none; drag across faces alone;
+    with velocity fields of their own, and no contact."""
     h = 0.3514/71
-    for cells, drag in ((0.5, "all"), (2, "all"), (0, "all"), (0.5, "normal")):
+    for cells, drag, own in ((0.5, "all", False), (2, "all", False), (0, "all", False),
+                             (0.5, "normal", False), (0.5, "all", True)):
         case = basin("gap")
+        if own:
+            case.set(PHASES, "phases", "(water air obstacle other)")
+            with open(case.file(PHASES), "a") as f:
+                f.write("other { $obstacle; velocityField other; }\n")
+            shutil.copy(case.file("0.orig/U.solids"), case.file("0.orig/U.other"))
         case.set(PHASES, "obstacle.drag", {"type": "stick", "direction": drag}, add=True)
         low = 0.24 + cells*h
         case.set(REGIONS, "regions.second", {
-            "phase": "obstacle", "type": "box", "min": (low, 0.2, 0),
+            "phase": "other" if own else "obstacle", "type": "box", "min": (low, 0.2, 0),
             "max": (low + 0.04, 0.24, 0.005), "velocity": (0, -1, 0), "pointsPerCell": 2,
             "stress": "ambient", "pressure": 1e4}, add=True)
         hits, check = toldOf(case, "their drag holds what is between")
-        table.check(f"dropped: a second body beside it, {cells:g} cells away, drag {drag}",
-                    hits == [("note", REGIONS)]*(cells == 0.5 and drag == "all"), found(check))
+        name = f"{cells:g} cells away, drag {drag}" + (", fields of their own" if own else "")
+        table.check(f"dropped: a second body beside it, {name}", hits == [("note", REGIONS)]*(
+            cells == 0.5 and drag == "all" and not own), found(check))
+        apart = [f for f in check.findings if "pass through each other" in f.text]
+        table.check(f"dropped: {name}: bodies without contact", len(apart) == own, found(check))
 
 
 def dissipating(table):
@@ -441,6 +452,18 @@ def steps(table):
         hits, check = toldOf(case, word, **options)
         table.check(f"dropped: stiff, {name}", hits == [("note", CONTROL)] and any(
             f.remedy.startswith("maxSubSteps 10") for f in check.findings), found(check))
+    read = Trial.read
+
+    def byPoint(trial):
+        read(trial)
+        trial.setBy = "point 7 of obstacle: sound 3162 m/s in 2 mm"
+    Trial.read = byPoint
+    try:
+        hits, check = toldOf(case, word, trial=True, steps=5)
+    finally:
+        Trial.read = read
+    table.check("dropped: stiff, one deformed point sets the step", hits == [("note", CONTROL)],
+                found(check))
     case.set(CONTROL, "maxSubSteps", 10, add=True)
     hits, check = toldOf(case, word)
     table.check("dropped: stiff, with maxSubSteps", not hits, found(check))
