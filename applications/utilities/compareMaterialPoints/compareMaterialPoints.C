@@ -11,7 +11,9 @@ Description
 
     For each column: the largest difference and the L2 norm, absolute and
     relative to the largest value of both cases, and which point is worst and
-    where. Points, columns, clouds and fields that one case alone has are
+    where. The last line, by which -tolerance judges, is relative to the largest
+    value that the field or column of that name has in any phase: U of a body at
+    rest is rounding, whatever it is relative to itself. Points, columns, clouds and fields that one case alone has are
     listed. The field cellWeights of decomposePar counts only where -fields
     names it.
 
@@ -58,8 +60,12 @@ class comparison
     //- Only these; all if empty
     const wordList only_;
 
-    label nRows_ = 0, nMissing_ = 0;
-    scalar worst_ = 0;
+    label nMissing_ = 0;
+
+    //- Of each row its kind (U of U.plate, of a column U) and largest difference; the
+    //  largest value of each kind
+    DynamicList<Tuple2<word, scalar>> rows_;
+    HashTable<scalar> scales_;
 
     //- cellWeights are no result: what decomposePar reads, in one case perhaps
     bool skip(const word& name) const
@@ -88,8 +94,10 @@ class comparison
     template<class Where>
     void row(const word& name, const difference& d, const Where& where)
     {
-        ++nRows_;
-        worst_ = max(worst_, d.relative(d.largest));
+        const word kind(name.substr(0, name.find('.')));
+        rows_.append(Tuple2<word, scalar>(kind, d.largest));
+        scalar& scale = scales_(kind, 0);
+        scale = max(scale, d.scale);
 
         std::ostringstream os;
         os << std::left << std::setw(24) << "  " + name << std::right << std::setw(10)
@@ -261,14 +269,30 @@ public:
     //- The last lines; false if the cases differ by more than the tolerance
     bool finish(const bool judge, const scalar tolerance) const
     {
-        if (!nRows_)
+        if (rows_.empty())
         {
             FatalErrorInFunction << "The cases have nothing in common to compare."
                                  << exit(FatalError);
         }
-        Info << nl << "Largest relative difference: " << worst_ << nl
-             << "Only in one case: " << nMissing_ << nl;
-        const bool same = worst_ <= tolerance && !nMissing_;
+        scalar worst = 0;
+        word of;
+        for (const Tuple2<word, scalar>& r : rows_)
+        {
+            const scalar relative =
+                r.second() > 0 ? r.second() / max(scales_[r.first()], VSMALL) : 0;
+            if (relative > worst)
+            {
+                worst = relative;
+                of = r.first();
+            }
+        }
+        Info << nl << "Largest relative difference: " << worst;
+        if (of.size())
+        {
+            Info << ", of " << of << ", to its largest value in any phase";
+        }
+        Info << nl << "Only in one case: " << nMissing_ << nl;
+        const bool same = worst <= tolerance && !nMissing_;
         if (judge)
         {
             Info << (same ? "Within" : "NOT within") << " the tolerance " << tolerance << nl;

@@ -109,6 +109,19 @@ def main():
                   max(r[1] for n, r in result.items() if n != "sigma"), 0)
         compare(case, other, "-tolerance", repr(5.1/size))
         table.check("exit status follows the tolerance", True)
+
+        # A body at rest but for rounding, beside one that moves with 1 m/s
+        pair = [copyOf(case, "rest1"), copyOf(case, "rest2")]
+        for one, u in zip(pair, (1e-17, -2e-17)):
+            folder = one.file(last, "lagrangian")
+            shutil.copytree(os.path.join(folder, "block"), os.path.join(folder, "rest"))
+            writeField(os.path.join(folder, "rest", "U"), np.full_like(points["U"], u))
+        result, text = compare(*pair, "-tolerance", "1e-15")
+        said = re.search(r"^Largest relative difference: (\S+), of (\w+)", text, re.M)
+        table.row("a body at rest: relative to itself", 1.5, result["U"][2], 1e-3, "relative")
+        table.row("a body at rest: the verdict, relative to the speed of all",
+                  np.sqrt(3)*3e-17/np.linalg.norm(points["U"], axis=1).max(), float(said[1]),
+                  1e-3, "relative")
         compare(case, other)
         result, _ = compare(case, other, "-tolerance", "0", "-fields", "(x U)")
         table.check("-fields: only these", set(result) == {"x", "U"}, " ".join(result))
