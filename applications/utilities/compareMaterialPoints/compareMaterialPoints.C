@@ -13,9 +13,9 @@ Description
     relative to the largest value of both cases, and which point is worst and
     where. The last line, by which -tolerance judges, is relative to the largest
     value that the field or column of that name has in any phase: U of a body at
-    rest is rounding, whatever it is relative to itself. Points, columns, clouds and fields that one case alone has are
-    listed. The field cellWeights of decomposePar counts only where -fields
-    names it.
+    rest is rounding, whatever it is relative to itself. Points, columns, clouds
+    and fields that one case alone has are listed. The field cellWeights of
+    decomposePar counts only where -fields names it.
 
 Usage
     \verbatim

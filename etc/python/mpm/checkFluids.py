@@ -326,8 +326,9 @@ def narrowGaps(facts):
                               f"apart, {apart[d]/width:.2g} cells: their drag holds what is "
                               "between them, and it may get the pressure of the other side of a "
                               "body",
-                              "a velocityField for each (and contact), drag { type stick; direction "
-                              "normal; } and fluids { faceDrag none; }, or two cells between them",
+                              "a velocityField for each (and contact), or drag { type stick; "
+                              "direction normal; } and fluids { faceDrag none; }, or two cells "
+                              "between them",
                               "fluids.md#several-fluids")
 
 
