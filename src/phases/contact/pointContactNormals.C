@@ -143,11 +143,19 @@ void Foam::mpm::pointContact::widenGaps(
     directions_.resize(nDim_ * count * (last - first));
     extents_.resize(4 * count * (last - first));
     extents_ = -GREAT;
+
+    // Wide ones stay open in this step, and 9 degrees do not open those that are
+    // far below 0
+    const auto matters = [&](const contactNode& m)
+    { return mag(m.gap) < 0.4 * ball_[nDim_ * m.node]; };
     for (label i = first; i < last; ++i)
     {
         const contactNode& m = contactNodes_[i];
-        placeOf_[m.node] = i;
-        directionsAbout(m.n, nDim_, directions_.data() + nDim_ * count * (i - first));
+        if (matters(m))
+        {
+            placeOf_[m.node] = i;
+            directionsAbout(m.n, nDim_, directions_.data() + nDim_ * count * (i - first));
+        }
     }
     for (int side = 0; side < 2; ++side)
     {
@@ -181,6 +189,11 @@ void Foam::mpm::pointContact::widenGaps(
     {
         placeOf_[contactNodes_[i].node] = -1;
     }
+    wide_.setSize(last - first);
+    for (label i = first; i < last; ++i)
+    {
+        wide_[i - first] = !matters(contactNodes_[i]);
+    }
     for (int c = 0; c < count; ++c)
     {
         for (label i = first; i < last; ++i)
@@ -196,7 +209,7 @@ void Foam::mpm::pointContact::widenGaps(
             scalar* e = reach_.data() + nReach_ * m.node;
             const scalar sunk = allowed * ball_[nDim_ * m.node] - max(e[0], e[2]) - max(e[1], e[3]);
             const scalar gap = -(e[0] > -GREAT ? e[0] : e[2]) - (e[1] > -GREAT ? e[1] : e[3]);
-            m.gap = max(m.gap, min(gap, sunk));
+            m.gap = wide_[i - first] ? m.gap : max(m.gap, min(gap, sunk));
             e[0] = e[1] = e[2] = e[3] = -GREAT;
         }
     }
