@@ -184,6 +184,9 @@ class Case:
         error = re.search(r"FATAL (?:IO )?ERROR:\s*(?:\(openfoam-[^)]*\)\s*)?(.*?)\n\s*\n",
                           text, flags=re.S)
         words = (error[1] if error else text[-300:]).split()
+        if re.search(r"^size \d+ is not equal to the given value", " ".join(words)):
+            words.append("(a field of 0 is of another mesh: keep the files that you wrote in "
+                         "0.orig, from which each run then starts)")
         return " ".join(words)[:300] + f" ({log})"
 
     def log(self, application="materialPointFoam"):

@@ -20,7 +20,7 @@ import numpy as np
 
 from mpm import checkFluids, checkPatches, checkRules
 from mpm.case import Case, RunFailed
-from mpm.checkFacts import Facts
+from mpm.checkFacts import CONTROL, Facts
 from mpm.checkFinding import Finding
 from mpm.dictionaries import DictionaryError
 from mpm.reportCase import Meanings, readDictionary
@@ -205,7 +205,8 @@ class Check:
         text = re.sub(r"^ *(From .*|in file .*)\n", "", text, flags=re.M)
         place = re.match(r'\s*Reading "([^"]*?)"[^\n]*\n', text)
         file, entry = _place(place[1]) if place else _named(text)
-        file = file or ("system/setFieldsDict" if name == "setFields" else "")
+        file = file or ("system/setFieldsDict" if name == "setFields" else
+                        CONTROL if "Could not load" in text else "")
         text = " ".join((text[place.end():] if place else text).split())
         if "Increased the timePrecision" in text:       # of the trial's own times
             return

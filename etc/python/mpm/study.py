@@ -29,6 +29,7 @@ says why.
 import contextlib
 import csv
 import fnmatch
+import glob
 import hashlib
 import inspect
 import itertools
@@ -124,7 +125,8 @@ class Study:
         {column: unit}, of those that are known."""
         base, meanings, found = Case(self.base), Meanings(), {}
         for name, parameter in self.parameters.items():
-            if parameter.entry:
+            # What a dictionary shows may have another unit than the entry
+            if parameter.entry and all(_key(v) == shown for shown, v in parameter.values.items()):
                 file, path = parameter.entry
                 data = readDictionary(base, file)
                 # A short path is that of one entry
@@ -174,6 +176,7 @@ class Study:
         except Exception as error:      # of any function of a user: a row, not the end
             what = "" if isinstance(error, RunFailed) else type(error).__name__ + ": "
             said = (what + str(error)).replace(os.path.abspath(self.folder), self.folder)
+            said += _warned(case)
             row["state"] = said = "failed: " + " ".join(said.split())
         print(f"{i + 1}/{len(self.points)} {self._name(point)}: {said}", flush=True)
         if "; quantity " in said:
@@ -279,6 +282,16 @@ class Study:
             raise RunFailed(signal[0] if signal else "interrupted")
         with open(case.file(RECORD), "w") as f:
             json.dump(case.digest, f)
+
+
+def _warned(case):
+    """The logs of a run that failed with warnings, which may tell the cause."""
+    logs = []
+    for path in sorted(glob.glob(case.file("log.*"))):
+        with open(path, errors="replace") as f:
+            if re.search(r"^--> FOAM (IO)?Warning", f.read(), re.M):
+                logs.append(os.path.basename(path))
+    return f"; warnings in {', '.join(logs)} may tell the cause" if logs else ""
 
 
 class _Parameter:

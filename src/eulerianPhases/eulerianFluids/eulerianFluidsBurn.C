@@ -33,9 +33,17 @@ void Foam::mpm::eulerianFluids::startBurning()
     boolList charge(mesh_.nCells());
     for (const label k : burnt_.of())
     {
+        // Not traces, unless there is no more
+        scalar largest = 0;
         forAll(charge, c)
         {
-            charge[c] = mass_[n_ * c + k] > 0;
+            largest = max(largest, part_[n_ * c + k] / theta_[c]);
+        }
+        reduce(largest, maxOp<scalar>());
+        forAll(charge, c)
+        {
+            charge[c] =
+                mass_[n_ * c + k] > 0 && part_[n_ * c + k] > min(0.01, 0.5 * largest) * theta_[c];
         }
         mixture_.detonates(k)->start(mesh_, charge, !restarted_);
     }

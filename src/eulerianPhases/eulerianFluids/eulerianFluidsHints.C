@@ -167,14 +167,14 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
                               << " constant/phaseProperties." << nl << endl;
         }
         const scalar rho0 = mixture_.rho0(k);
-        if (mixture_.detonates(k) && (rho.high < 0.99 * rho0 || rho.low > 1.01 * rho0))
+        if (mixture_.detonates(k) && (rho.high < 0.999 * rho0 || rho.low > 1.001 * rho0))
         {
             IOWarningInFunction(requiredDict(properties, mixture_.name(k)))
                 << "The charge of " << mixture_.name(k) << " starts with rho " << rho
                 << " kg/m3 (setFluidsDict: rho, or mass and shape), but its entry rho is " << rho0
-                << ": constants of products and the velocity of detonation are of one density."
-                << nl << "    Give it that density, or constants of the charge's own." << nl
-                << endl;
+                << ": constants of products, the velocity of detonation and E0 are of one density"
+                << " (TNT of 0.4 % less starts with 1.8 % more energy)." << nl
+                << "    Give it that density, or constants of the charge's own." << nl << endl;
         }
         const bool liquid = !isGas(k) && isLiquid(thermo.equation());
         const std::string wrong(doubts(rho, c, ofStrength, isGas(k), liquid));

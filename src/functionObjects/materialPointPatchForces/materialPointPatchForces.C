@@ -220,7 +220,8 @@ class materialPointPatchForces : public materialPointOutput
                     << "Patch " << name
                     << (patchi < 0               ? " is not in the mesh."
                             : !valid.found(name) ? " fixes no velocity: points cannot"
-                                                   " push it."
+                                                   " push it, but by contact, whose force"
+                                                   " is in the log (Contact ...)."
                                                  : " is listed twice.")
                     << nl << nl << "Valid patches are: " << flatOutput(valid) << nl
                     << exit(FatalIOError);

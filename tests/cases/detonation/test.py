@@ -410,10 +410,12 @@ def blast(table):
 # --- wrong input -------------------------------------------------------------
 
 def wrong(table):
-    def case(label, charge, change=None):
-        c = fluidCase("detonation", "wrong-" + label, (8, 1, 1), (1, 0.1, 0.1),
+    def case(label, charge, change=None, rho=1630.0):
+        # Thick layers of cells, where places are far from a cell's corners
+        high = (1, 0.1, 2) if "Thick" in label else (1, 0.1, 0.1)
+        c = fluidCase("detonation", "wrong-" + label, (8, 1, 1), high,
                       {"charge": charge, "air": AIR},
-                      lambda x, y, z: ([1.0*(x < 0.5), 1.0*(x > 0.5)], [1630.0, 1.2], 0.0, 1e5),
+                      lambda x, y, z: ([1.0*(x < 0.5), 1.0*(x > 0.5)], [rho, 1.2], 0.0, 1e5),
                       1e-7)
         if change:
             change(c)
@@ -436,6 +438,8 @@ def wrong(table):
             ("velocity", lit(velocity=-1), ("velocity", "-1"), None),
             ("outside", lit(points=[(0.8, 0.05, 0.05)]),
              ("point (0.8 0.05 0.05)", "outside of the charge", "setFluids"), None),
+            ("outsideThick", lit(points=[(0.8, 0.05, 1)]),
+             ("point (0.8 0.05 1)", "outside of the charge"), None),
             ("outsideLine", lit(lines=[[(0.8, 0, 0), (0.9, 0, 0)]]),
              ("line from (0.8 0 0)", "outside of the charge"), None),
             ("outsidePlane", lit(planes=[[(0.8, 0, 0), (1, 0, 0)]]),
@@ -461,6 +465,15 @@ def wrong(table):
         table.check(f"wrong input: {label}",
                     not missing and "FOAM FATAL" in text and "printStack" not in text,
                     f"message lacks {missing}")
+
+    # Mass and shape that do not fit: the energy is that of another density
+    c = case("density", lit(points=[(0.1, 0.05, 0.05)]), rho=1624.0)
+    c.run("materialPointFoam")
+    energy = c.numbers(r"^Fluids: .*energy N$")[0] - 1e5/0.4*0.005
+    table.row("charge of 1624 kg/m3 in place of 1630: energy over E0 m/rho0", 1.018,
+              energy/(7e9*0.005*1624/1630), 2e-3)
+    table.check("charge of 1624 kg/m3: told", "constants of products, the velocity of detonation "
+                "and E0 are of one density" in " ".join(c.log().split()))
 
 
 if __name__ == "__main__":

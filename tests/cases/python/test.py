@@ -324,6 +324,24 @@ def study(table):
     _, ax = rows.plot("period", "period", by="E", file=os.path.join(folder, "by.svg"))
     words = [text.get_text() for text in ax.get_legend().get_texts()]
     table.check("study: a legend with units", words[0] == "E 100 Pa", words)
+    shown = Study(base.path, {"weight": ("constant/phaseProperties", "bar.E", {1: 100.0})},
+                  {"steps": steps}, folder=os.path.join(folder, "shown")).run()
+    table.check("study: what a dictionary shows has not the unit of the entry",
+                "weight" not in shown.units, shown.units)
+    other = os.path.join(folder, "log.other")
+    with open(other, "w") as f:
+        f.write("--> FOAM Warning : \n    odd\n--> FOAM FATAL IO ERROR: \n"
+                "size 5711 is not equal to the given value of 5889\n\nfile: x\n")
+    table.check("a field of another mesh: what to do", "keep the files that you wrote in 0.orig"
+                in Case.reason(other), Case.reason(other))
+
+    def odd(case):
+        shutil.copy(other, case.file("log.odd"))
+        raise RunFailed("no")
+    state = Study(base.path, {}, {"steps": steps}, folder=os.path.join(folder, "warned"),
+                  steps=odd).run()["state"][0]
+    table.check("study: a run that fails with warnings says where they are",
+                state == "failed: no; warnings in log.odd may tell the cause", state)
     gauges = made.case(E=400.0)
     os.makedirs(gauges.file("postProcessing/gauges/0"))
     with open(gauges.file("postProcessing/gauges/0/p.dat"), "w") as f:

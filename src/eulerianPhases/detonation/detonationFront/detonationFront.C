@@ -237,8 +237,13 @@ void Foam::mpm::detonationFront::start(const fvMesh& mesh, const boolList& charg
                 nearest = min(nearest, mag(d));
                 for (const label p : mesh.cellPoints()[c])
                 {
-                    const scalar reach = mag(mesh.points()[p] - C[c]);
-                    touches = touches || mag(d) <= 1.01 * reach;
+                    // Not along the thickness of a mesh in 2D
+                    vector reach(mesh.points()[p] - C[c]);
+                    for (direction a = 0; a < 3; ++a)
+                    {
+                        reach[a] *= mesh.geometricD()[a] < 0 ? 0 : 1;
+                    }
+                    touches = touches || mag(d) <= 1.01 * mag(reach);
                 }
             }
         }
