@@ -525,7 +525,13 @@ def ranges(cases, n):
 
 
 def gasRange(scene, section, field, times):
-    return span([section.cells(t, field)[1] for t in times])
+    """Limits of the colours. A blast is far above what follows: three times what the middle one
+    of the times has above the least is the end of it."""
+    parts = [section.cells(t, field)[1] for t in times]
+    low, high = span(parts)
+    if field == PRESSURE[0] and len(parts) > 2:
+        high = min(high, low + 3*float(np.median([span([p])[1] - low for p in parts])))
+    return low, high
 
 
 def room(found, notes):
