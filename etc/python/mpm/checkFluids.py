@@ -235,6 +235,9 @@ def subSteps(facts):
     """Stiff solids whose step is far below that of the gas or fluids around them."""
     control = facts.control
     n = control.get("maxSubSteps", 1)
+    # A charge that is to burn sets another step than the start
+    if not facts.trial and any("detonation" in facts.of(name) for name in facts.media):
+        return
     if not facts.sound or control.get("adjustTimeStep") not in ("yes", "on", "true", True) \
             or not isinstance(n, int) or control.get("maxGasSubSteps", 1) != 1:
         return

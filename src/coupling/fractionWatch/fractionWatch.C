@@ -33,7 +33,8 @@ Foam::string Foam::mpm::fractionWatch::advice(const label celli) const
     OStringStream os;
     if (worst < 0)
     {
-        os << "No point is in the cell. A smaller maxCo and maxCoGas may help.";
+        os << "No point is in the cell. Look at what the start was warned of (density of a charge,"
+           << " pressures, units); a smaller maxCo and maxCoGas may help.";
         return os.str();
     }
     const materialPointPhase& phase = points_.phases()[worst];

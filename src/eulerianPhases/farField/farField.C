@@ -100,8 +100,9 @@ Foam::mpm::farField::farField(const volVectorField& U, const volScalarField& p) 
         {
             FatalErrorInFunction << "Patch " << patch.name() << " has the condition farField in "
                                  << (ofP ? p.name() : U.name()) << " but not in "
-                                 << (ofP ? U.name() : p.name()) << "; both have it or none."
-                                 << exit(FatalError);
+                                 << (ofP ? U.name() : p.name())
+                                 << "; both have it or none (a file of time 0"
+                                 << " that is not there has none)." << exit(FatalError);
         }
         if (!ofP)
         {

@@ -60,7 +60,7 @@ void Foam::mpm::slipVelocity::hold(
 }
 
 void Foam::mpm::slipVelocity::add(
-    const label node, const std::vector<wallSurfaces::surface>& all,
+    const label node, const std::vector<wallSurfaces::surface>& all, const scalarList& besideEdge,
     DynamicList<scalar>& projections)
 {
     const int D = grid_.nDim();
@@ -68,10 +68,13 @@ void Foam::mpm::slipVelocity::add(
     tensor N(Zero);
     for (const wallSurfaces::surface& s : all)
     {
-        const bool edge = std::any_of(
-            all.begin(), all.end(),
-            [&](const wallSurfaces::surface& other)
-            { return wallSurfaces::atEdge(s.second(), other.second()); });
+        // A wall beside an edge of it holds only what presses on it
+        const bool edge = (besideEdge[node] > 0 && all.size() == 1)
+            || std::any_of(all.begin(), all.end(),
+                           [&](const wallSurfaces::surface& other) {
+                               return &other != &s
+                                   && wallSurfaces::atEdge(s.second(), other.second());
+                           });
         if (edge)
         {
             edges.push_back(s);
@@ -173,13 +176,38 @@ Foam::mpm::slipVelocity::slipVelocity(
         findTurn(n, entry.second, walls.surfaces().at(n));
     }
 
+    // Nodes of the cells around edges of the walls
+    scalarList besideEdge(grid.nNodes(), scalar(0));
+    for (const auto& of : walls.surfaces())
+    {
+        const std::vector<wallSurfaces::surface>& all = of.second;
+        const label pointi = grid.nodePoint()[of.first];
+        const bool edge = std::any_of(
+            all.begin(), all.end(),
+            [&](const wallSurfaces::surface& s)
+            {
+                return std::any_of(
+                    all.begin(), all.end(),
+                    [&](const wallSurfaces::surface& other)
+                    { return &other != &s && wallSurfaces::atEdge(s.second(), other.second()); });
+            });
+        for (label i = 0; edge && pointi >= 0 && i < grid.mesh().pointCells()[pointi].size(); ++i)
+        {
+            for (const label n : grid.nodesOf(grid.mesh().pointCells()[pointi][i]))
+            {
+                besideEdge[n] = 1;
+            }
+        }
+    }
+    shared.largest(besideEdge.data(), 1, 1);
+
     DynamicList<label> nodes;
     DynamicList<scalar> projections;
     edgeStart_.append(0);
     for (const auto& of : walls.surfaces())
     {
         nodes.append(of.first);
-        add(of.first, of.second, projections);
+        add(of.first, of.second, besideEdge, projections);
     }
     node_.transfer(nodes);
     projection_.transfer(projections);

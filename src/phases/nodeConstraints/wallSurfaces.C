@@ -57,7 +57,7 @@ Foam::List<Foam::List<Foam::mpm::wallSurfaces::faceNormal>> Foam::mpm::wallSurfa
             for (const label facei : pp.pointFaces()[i])
             {
                 add(grid_.pointToNode()[pointi], patchi, cornerNormal(pp, facei, pointi),
-                    pp.faceCentres()[facei] - pp.points()[pointi]);
+                    normalised(pp.faceCentres()[facei] - pp.points()[pointi]));
             }
         }
     }
@@ -197,11 +197,11 @@ Foam::mpm::wallSurfaces::wallSurfaces(
 
 bool Foam::mpm::wallSurfaces::atEdge(const Pair<vector>& a, const Pair<vector>& b)
 {
-    // Each leads away from the mesh on the other's side
+    // Each ends there, and leads away from the mesh on the other's side
     const auto beyond = [](const Pair<vector>& of, const Pair<vector>& to)
     {
         const vector &n = of[0], &e = to[1];
-        return (n & e) > 1e-3 * mag(n) * mag(e);
+        return mag(e) > 0.1 && (n & e) > 1e-3 * mag(n) * mag(e);
     };
     return beyond(a, b) && beyond(b, a);
 }

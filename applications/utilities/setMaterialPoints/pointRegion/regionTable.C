@@ -52,15 +52,19 @@ scalar shareOutside(const mpm::pointRegion& r)
     return whole > 0 ? 1 - r.volume() / whole : 0;
 }
 
+//- A share in per cent
+std::string percent(const scalar part)
+{
+    return part > 0.9995 ? "more than 99.9" : Foam::name(0.1 * std::round(1000 * part));
+}
+
 //- How much of a shape lies outside the mesh
 std::string outside(const mpm::pointRegion& r)
 {
     const scalar part = shareOutside(r);
     return part < 0 ? std::string()
                     : "; it reaches beyond the mesh"
-            + (part > 1e-3
-                   ? ", " + Foam::name(0.1 * std::round(1000 * part)) + " % of it has no points"
-                   : std::string());
+            + (part > 1e-3 ? ", " + percent(part) + " % of it has no points" : std::string());
 }
 
 //- The boxes of the bodies
@@ -139,7 +143,7 @@ void checkOutside(const mpm::pointGrid& grid, const mpm::pointRegion& r)
     if (!meant)
     {
         Ostream& os = WarningInFunction;
-        os << "Region " << r.name() << " reaches beyond the mesh: " << 0.1 * std::round(1000 * part)
+        os << "Region " << r.name() << " reaches beyond the mesh: " << percent(part).c_str()
            << " % of its " << r.shape().type() << " has no points. The shape lies in " << r.bounds()
            << " m, the mesh"
            << " in " << mesh << " m.";
