@@ -12,7 +12,7 @@ moving      a wall with a velocity over time: the nodes have that of the end of
 functions   function objects run once per step
 edges       a block slides between slip walls from a taper through a barrel into a room, past
             edges of the wall of 27 and 90 degrees, of one patch or several: velocity and
-            way of free space within 1 %; pressed outwards it stays in the barrel
+            way of free space within 3 %; pressed outwards it stays in the barrel
 """
 
 import os
@@ -196,10 +196,10 @@ def edges(table):
             case = gun(what.replace(",", "").replace(" ", "-"), onePatch,
                        {"velocity": (v, 0, 0)}, **numerics)
             points = case.points(case.times()[-1], "block")
-            # nodeDual reaches a cell beyond the edges, to nodes that slip holds
+            # nodeDual reaches a cell beyond the edges: at the start nodes of the taper hold it
             table.row(f"{what}: way of the block [cells]", 8, points["x"][:, 0].mean()/H - 1.5,
-                      0.01, "relative")
-            table.row(f"{what}: velocity of the block [m/s]", v, points["U"][:, 0].mean(), 0.01,
+                      0.03, "relative")
+            table.row(f"{what}: velocity of the block [m/s]", v, points["U"][:, 0].mean(), 0.03,
                       "relative")
     for onePatch, contact in ((True, ("walls",)), (False, ("taper", "barrel", "muzzle"))):
         case = gun(f"edges-contact-{len(contact)}", onePatch, {"velocity": (v, 0, 0)}, contact,
