@@ -35,6 +35,7 @@ void Foam::mpm::dragExchange::read(const label phasei, const dictionary& dict)
     stick.add("type", "stick");
     models_.set(phasei, dragModel::New(dict.found("drag") ? requiredDict(dict, "drag") : stick));
     normalOnly_ = normalOnly_ || models_[phasei].normalOnly();
+    sticks_ = sticks_ || models_[phasei].sticks();
     if (models_[phasei].needsViscosity() && !(mu_ > 0))
     {
         FatalIOErrorInFunction(dict) << "The drag of " << points_.phases()[phasei].name()
@@ -54,7 +55,7 @@ void Foam::mpm::dragExchange::findBetween()
 {
     const PtrList<velocityField>& fields = points_.fields();
     between_ = false;
-    if (fields.size() < 2)
+    if (!sticks_ || fields.size() < 2)
     {
         return;
     }
@@ -66,30 +67,24 @@ void Foam::mpm::dragExchange::findBetween()
         fieldAt_[2 * n] = fieldAt_[2 * n + 1] = -GREAT;
     }
     marked_.clear();
+    const int D = points_.grid().nDim();
     forAll(fields, fieldi)
     {
-        const velocityField& field = fields[fieldi];
-        for (const label n : field.active())
+        const scalar* mU = fields[fieldi].momentum();
+        const int stride = fields[fieldi].stride();
+        for (const label n : fields[fieldi].active())
         {
-            if (!(field.momentum()[field.stride() * n + points_.grid().nDim()] > 0))
+            if (mU[stride * n + D] > 0)
             {
-                continue;
+                fieldAt_[2 * n] = max(fieldAt_[2 * n], scalar(fieldi));
+                fieldAt_[2 * n + 1] = max(fieldAt_[2 * n + 1], scalar(-fieldi));
+                marked_.append(n);
+                between_ = between_ || isShared(n);
             }
-            scalar* at = fieldAt_.data() + 2 * n;
-            at[0] = max(at[0], scalar(fieldi));
-            at[1] = max(at[1], scalar(-fieldi));
-            marked_.append(n);
         }
     }
-    if (Pstream::parRun())
-    {
-        fields[0].shared().largest(fieldAt_.data(), 2, 2);
-        marked_.append(fields[0].shared().nodes());
-    }
-    for (const label n : marked_)
-    {
-        between_ = between_ || isShared(n);
-    }
+
+    // Shared nodes of processors are active, and have the mass of all
     reduce(between_, orOp<bool>());
 }
 
@@ -126,8 +121,9 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     }
 
     const scalar solid = fraction_.theta()[celli];
-    const bool gap = between_ && model.sticks() && isBetween(celli);
-    if ((model.normalOnly() || gap) && solid <= fraction_.fullForNormal())
+    const bool open = solid <= fraction_.fullForNormal();
+    const bool gap = open && between_ && model.sticks() && isBetween(celli);
+    if ((model.normalOnly() && open) || gap)
     {
         const vector& n = fraction_.normals()[celli];
         if (magSqr(n) > 0)
@@ -163,7 +159,7 @@ Foam::vector Foam::mpm::dragExchange::impulse(
         cells_.append(celli);
     }
 
-    // Of a surface no drag of the faces, but the cell has some
+    // Of a surface and in a gap no drag of the faces, but the cell has some
     Kc_[celli] += surface || gap ? VSMALL : K;
 
     // Harmonic masses; a rigid phase has no end of it: a free body takes
@@ -390,6 +386,7 @@ Foam::mpm::dragExchange::dragExchange(
     mu_(boundedOrDefault(requiredDict(phaseProperties, gas.name()), "mu", 0, 0, GREAT)),
     models_(points.phases().size()),
     normalOnly_(false),
+    sticks_(false),
     between_(false),
     form_(solidOnFaces::none),
     J_(fraction.mesh().nCells(), Zero),

@@ -33,17 +33,10 @@ void Foam::mpm::eulerianFluids::startBurning()
     boolList charge(mesh_.nCells());
     for (const label k : burnt_.of())
     {
-        // Not traces, unless there is no more
-        scalar largest = 0;
+        const scalar trace = traceOf(k);
         forAll(charge, c)
         {
-            largest = max(largest, part_[n_ * c + k] / theta_[c]);
-        }
-        reduce(largest, maxOp<scalar>());
-        forAll(charge, c)
-        {
-            charge[c] =
-                mass_[n_ * c + k] > 0 && part_[n_ * c + k] > min(0.01, 0.5 * largest) * theta_[c];
+            charge[c] = mass_[n_ * c + k] > 0 && part_[n_ * c + k] > trace * theta_[c];
         }
         mixture_.detonates(k)->start(mesh_, charge, !restarted_);
     }

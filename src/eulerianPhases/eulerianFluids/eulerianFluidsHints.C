@@ -106,6 +106,16 @@ doubts(const range& rho, const range& c, const range& ofStrength, const bool gas
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::mpm::eulerianFluids::traceOf(const label k) const
+{
+    scalar largest = 0;
+    forAll(theta_, i)
+    {
+        largest = max(largest, part_[n_ * i + k] / theta_[i]);
+    }
+    return min(0.01, 0.5 * returnReduce(largest, maxOp<scalar>()));
+}
+
 void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
 {
     const noTraps guard;
@@ -113,17 +123,11 @@ void Foam::mpm::eulerianFluids::tellStart(const dictionary& properties) const
     {
         const gasThermo& thermo = mixture_.thermo(k);
         range rho, c, T, ofStrength, pOf;
-        scalar largest = 0;
+        const scalar trace = traceOf(k);
         forAll(theta_, i)
         {
-            largest = max(largest, part_[n_ * i + k] / theta_[i]);
-        }
-        reduce(largest, maxOp<scalar>());
-        forAll(theta_, i)
-        {
-            // Not traces (nuclei in a charge), unless there is no more
             const scalar m = mass_[n_ * i + k];
-            if (m > 0 && part_[n_ * i + k] > min(0.01, 0.5 * largest) * theta_[i])
+            if (m > 0 && part_[n_ * i + k] > trace * theta_[i])
             {
                 pOf.add(W_[i].p);
                 const scalar r = m / part_[n_ * i + k];

@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianFluids.H"
+#include "moreDigits.H"
 #include "dictionaryTools.H"
 #include "Time.H"
 
@@ -197,16 +198,15 @@ void Foam::mpm::eulerianFluids::report() const
         }
         shared += largest < (1 - fluidInterfaces::foreign) * theta_[c];
     }
-    // Ten digits at least: what is conserved, and differences of large sums
-    OSstream& log = Info;
-    const int digits = log.precision(max(log.precision(), 10));
-    Info << "Fluids: mass";
-    for (label k = 0; k < n_; ++k)
     {
-        Info << ' ' << mixture_.name(k) << ' ' << total(mass[k]);
+        const moreDigits ofSums;
+        Info << "Fluids: mass";
+        for (label k = 0; k < n_; ++k)
+        {
+            Info << ' ' << mixture_.name(k) << ' ' << total(mass[k]);
+        }
+        Info << ", momentum " << total(momentum()) << ", energy " << total(energy()) << nl;
     }
-    Info << ", momentum " << total(momentum()) << ", energy " << total(energy()) << nl;
-    log.precision(digits);
     Info << "    p " << pressures().c_str() << ", cells at interfaces " << total(shared)
          << " (mixed " << total(interfaces_->cells().size()) << "), outflow limited "
          << total(fixups_.limited) << ", theta kept " << total(fixups_.theta)

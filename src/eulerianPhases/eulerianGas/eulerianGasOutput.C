@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "eulerianGas.H"
+#include "moreDigits.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -119,15 +120,14 @@ void Foam::mpm::eulerianGas::report() const
             ++nPores;
         }
     }
-    // Ten digits at least: what is conserved, and differences of large sums
-    OSstream& log = Info;
-    const int digits = log.precision(max(log.precision(), 10));
-    Info << "Gas " << name_ << ": mass " << total(mass()) << ", momentum " << total(momentum());
-    if (thermo_.hasEnergy())
     {
-        Info << ", energy " << total(energy());
+        const moreDigits ofSums;
+        Info << "Gas " << name_ << ": mass " << total(mass()) << ", momentum " << total(momentum());
+        if (thermo_.hasEnergy())
+        {
+            Info << ", energy " << total(energy());
+        }
     }
-    log.precision(digits);
     Info << nl << "    p " << pressures().c_str() << ", outflow limited " << total(fixups_.limited)
          << ", theta kept " << total(fixups_.theta) << ", isentropic " << total(fixups_.isentropic)
          << " (energy " << total(fixups_.energy) << " added, mass " << total(fixups_.heldBack)

@@ -61,10 +61,6 @@ void Foam::mpm::pointContact::meet(const label pairi)
     {
         const scalar ia = inverse(A, n);
         scalar ib = -1;
-        if (ia >= 0 && pair.b < 0 && passesEdge(pair.a, n))
-        {
-            continue;
-        }
         if (pair.b >= 0)
         {
             ib = other_[n];
@@ -74,6 +70,10 @@ void Foam::mpm::pointContact::meet(const label pairi)
             for (int d = 0; d < nDim_; ++d)
             {
                 ib = pair.wall[nDim_ * n + d] != 0 ? 0 : ib;
+            }
+            if (ia >= 0 && ib >= 0 && passesEdge(pair.a, n))
+            {
+                continue;
             }
         }
         const label bodyA = prescribedStamp_[n] == stamp_ ? owner_[n] : -1;
@@ -121,6 +121,7 @@ bool Foam::mpm::pointContact::passesEdge(const label fieldi, const label node) c
     {
         return false;
     }
+    // m u has the direction of u
     const scalar* mU = fields_[fieldi].momentum() + fields_[fieldi].stride() * node;
     scalar most = 0;
     for (int d = 0; d < nDim_; ++d)

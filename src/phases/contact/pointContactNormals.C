@@ -139,34 +139,46 @@ void Foam::mpm::pointContact::chooseNormals(
 void Foam::mpm::pointContact::widenGaps(
     const contactPair& pair, const label first, const label last)
 {
-    const int count = nDim_ == 3 ? 12 : nDim_ == 2 ? 6 : 0;
-    directions_.resize(nDim_ * count * (last - first));
-    extents_.resize(4 * count * (last - first));
-    extents_ = -GREAT;
+    if (nDim_ == 1)
+    {
+        return;
+    }
 
     // Wide ones stay open in this step, and 9 degrees do not open those that are
     // far below 0
-    const auto matters = [&](const contactNode& m)
-    { return mag(m.gap) < 0.4 * ball_[nDim_ * m.node]; };
+    widened_.clear();
     for (label i = first; i < last; ++i)
     {
         const contactNode& m = contactNodes_[i];
-        if (matters(m))
+        if (mag(m.gap) < 0.4 * ball_[nDim_ * m.node])
         {
-            placeOf_[m.node] = i;
-            directionsAbout(m.n, nDim_, directions_.data() + nDim_ * count * (i - first));
+            placeOf_[m.node] = widened_.size();
+            widened_.append(i);
         }
+    }
+    if (!onAny(!widened_.empty()))
+    {
+        return;
+    }
+    const int count = nDim_ == 3 ? 12 : 6;
+    directions_.resize(nDim_ * count * widened_.size());
+    extents_.resize(4 * count * widened_.size());
+    extents_ = -GREAT;
+    forAll(widened_, k)
+    {
+        directionsAbout(
+            contactNodes_[widened_[k]].n, nDim_, directions_.data() + nDim_ * count * k);
     }
     for (int side = 0; side < 2; ++side)
     {
         const scalar sign = side == 0 ? 1 : -1;
         forMeetings(
             side == 0 ? pair.a : pair.b,
-            [&](const label place, const scalar* x, const scalar* l, const scalar)
+            [&](const label k, const scalar* x, const scalar* l, const scalar)
             {
-                const label node = contactNodes_[place].node;
-                const scalar* n = directions_.cdata() + nDim_ * count * (place - first);
-                scalar* e = extents_.data() + 4 * count * (place - first) + side;
+                const label node = contactNodes_[widened_[k]].node;
+                const scalar* n = directions_.cdata() + nDim_ * count * k;
+                scalar* e = extents_.data() + 4 * count * k + side;
                 e += inBall(node, x) ? 0 : 2;
                 scalar dx[3] = {0, 0, 0};
                 for (int d = 0; d < nDim_; ++d)
@@ -185,32 +197,41 @@ void Foam::mpm::pointContact::widenGaps(
                 }
             });
     }
-    for (label i = first; i < last; ++i)
+    for (const label i : widened_)
     {
         placeOf_[contactNodes_[i].node] = -1;
     }
-    wide_.setSize(last - first);
-    for (label i = first; i < last; ++i)
+
+    // Two directions in a message
+    for (int c = 0; c < count; c += 2)
     {
-        wide_[i - first] = !matters(contactNodes_[i]);
-    }
-    for (int c = 0; c < count; ++c)
-    {
-        for (label i = first; i < last; ++i)
+        forAll(widened_, k)
         {
             std::copy_n(
-                extents_.cdata() + 4 * (count * (i - first) + c), 4,
-                reach_.data() + nReach_ * contactNodes_[i].node);
+                extents_.cdata() + 4 * (count * k + c), 8,
+                reach_.data() + nReach_ * contactNodes_[widened_[k]].node);
         }
-        fields_[pair.a].largestOfShared(reach_.data(), nReach_, 4);
-        for (label i = first; i < last; ++i)
+        fields_[pair.a].largestOfShared(reach_.data(), nReach_, 8);
+        for (const label i : widened_)
         {
             contactNode& m = contactNodes_[i];
             scalar* e = reach_.data() + nReach_ * m.node;
-            const scalar sunk = allowed * ball_[nDim_ * m.node] - max(e[0], e[2]) - max(e[1], e[3]);
-            const scalar gap = -(e[0] > -GREAT ? e[0] : e[2]) - (e[1] > -GREAT ? e[1] : e[3]);
-            m.gap = wide_[i - first] ? m.gap : max(m.gap, min(gap, sunk));
-            e[0] = e[1] = e[2] = e[3] = -GREAT;
+            for (int two = 0; two < 2; ++two, e += 4)
+            {
+                const scalar sunk =
+                    allowed * ball_[nDim_ * m.node] - max(e[0], e[2]) - max(e[1], e[3]);
+                const scalar gap = -(e[0] > -GREAT ? e[0] : e[2]) - (e[1] > -GREAT ? e[1] : e[3]);
+                m.gap = max(m.gap, min(gap, sunk));
+                e[0] = e[1] = e[2] = e[3] = -GREAT;
+            }
+        }
+    }
+    if (Pstream::parRun())
+    {
+        // A node that by rounding another processor alone has widened
+        for (const label n : fields_[pair.a].shared().nodes())
+        {
+            std::fill_n(reach_.data() + nReach_ * n, 8, -GREAT);
         }
     }
 }

@@ -111,15 +111,12 @@ void Foam::mpm::pointContact::findEdges()
         const wallSurfaces walls(grid_, fields_[fieldi].shared(), patches, false, labelHashSet());
         for (const auto& of : walls.surfaces())
         {
-            for (const wallSurfaces::surface& s : of.second)
+            const std::vector<label> edge(wallSurfaces::edgesOf(of.second));
+            for (size_t k = 0; k < edge.size(); ++k)
             {
-                for (const wallSurfaces::surface& other : of.second)
+                if (edge[k] >= 0)
                 {
-                    if (wallSurfaces::atEdge(s.second(), other.second()))
-                    {
-                        edges_[fieldi][of.first].push_back(normalised(s.second()[0]));
-                        break;
-                    }
+                    edges_[fieldi][of.first].push_back(normalised(of.second[k].second()[0]));
                 }
             }
         }

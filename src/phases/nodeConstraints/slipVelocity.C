@@ -3,6 +3,7 @@
 #include "slipVelocity.H"
 #include "basicSymmetryPointPatchField.H"
 #include "fixedNormalSlipPointPatchField.H"
+#include "slipPointPatchField.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -60,28 +61,21 @@ void Foam::mpm::slipVelocity::hold(
 }
 
 void Foam::mpm::slipVelocity::add(
-    const label node, const std::vector<wallSurfaces::surface>& all, const scalarList& besideEdge,
-    DynamicList<scalar>& projections)
+    const label node, const std::vector<wallSurfaces::surface>& all, const boolList& isWall,
+    const bool nearEdge, DynamicList<scalar>& projections)
 {
     const int D = grid_.nDim();
-    std::vector<wallSurfaces::surface> edges;
+    std::vector<label> edge(wallSurfaces::edgesOf(all));
     tensor N(Zero);
-    for (const wallSurfaces::surface& s : all)
+    for (size_t k = 0; k < all.size(); ++k)
     {
-        // A wall beside an edge of it holds only what presses on it
-        const bool edge = (besideEdge[node] > 0 && all.size() == 1)
-            || std::any_of(all.begin(), all.end(),
-                           [&](const wallSurfaces::surface& other) {
-                               return &other != &s
-                                   && wallSurfaces::atEdge(s.second(), other.second());
-                           });
-        if (edge)
+        const label patchi = all[k].first();
+        const bool wall = patchi >= 0 && isWall[patchi];
+        // Beside an edge by itself
+        edge[k] = !wall ? -1 : edge[k] >= 0 ? edge[k] : nearEdge ? label(all.size() + k) : -1;
+        if (edge[k] < 0)
         {
-            edges.push_back(s);
-        }
-        else
-        {
-            hold(node, s.first(), s.second()[0], N);
+            hold(node, patchi, all[k].second()[0], N);
         }
     }
     for (int i = 0; i < D; ++i)
@@ -92,44 +86,60 @@ void Foam::mpm::slipVelocity::add(
         }
     }
     const tensor held(N);
-    for (const wallSurfaces::surface& s : edges)
+    for (size_t first = 0; first < all.size(); ++first)
     {
-        vector n(Zero);
-        for (int d = 0; d < D; ++d)
+        const label of = edge[first];
+        for (size_t k = first; of >= 0 && k < all.size(); ++k)
         {
-            n[d] = s.second()[0][grid_.direction(d)];
+            if (edge[k] != of)
+            {
+                continue;
+            }
+            edge[k] = -1;
+            vector n(Zero);
+            for (int d = 0; d < D; ++d)
+            {
+                n[d] = all[k].second()[0][grid_.direction(d)];
+            }
+            n = normalised(n - (held & n));
+            for (int d = 0; d < D; ++d)
+            {
+                edgeNormals_.append(n[d]);
+            }
+            hold(node, all[k].first(), all[k].second()[0], N);
         }
-        n = normalised(n - (held & n));
-        for (int d = 0; d < D; ++d)
+        if (of >= 0)
         {
-            edge_.append(n[d]);
+            edgeStart_.append(edgeNormals_.size());
         }
-        hold(node, s.first(), s.second()[0], N);
     }
-    edgeStart_.append(edge_.size());
+    firstEdge_.append(edgeStart_.size() - 1);
 }
 
-void Foam::mpm::slipVelocity::applyEdge(const label i, scalar* u) const
+void Foam::mpm::slipVelocity::applyEdges(const label i, scalar* u) const
 {
     const int D = grid_.nDim();
-    scalar least = GREAT;
-    const scalar* n = nullptr;
-    for (label at = edgeStart_[i]; at < edgeStart_[i + 1]; at += D)
+    for (label e = firstEdge_[i]; e < firstEdge_[i + 1]; ++e)
     {
-        scalar along = 0;
-        for (int d = 0; d < D; ++d)
+        scalar least = GREAT;
+        const scalar* n = nullptr;
+        for (label at = edgeStart_[e]; at < edgeStart_[e + 1]; at += D)
         {
-            along += u[d] * edge_[at + d];
+            scalar along = 0;
+            for (int d = 0; d < D; ++d)
+            {
+                along += u[d] * edgeNormals_[at + d];
+            }
+            if (along < least)
+            {
+                least = along;
+                n = edgeNormals_.cdata() + at;
+            }
         }
-        if (along < least)
+        for (int d = 0; least > 0 && d < D; ++d)
         {
-            least = along;
-            n = edge_.cdata() + at;
+            u[d] -= least * n[d];
         }
-    }
-    for (int d = 0; least > 0 && n && d < D; ++d)
-    {
-        u[d] -= least * n[d];
     }
 }
 
@@ -162,9 +172,12 @@ Foam::mpm::slipVelocity::slipVelocity(
     labelHashSet fixed;
     fixed.insert(fixedNodes);
     DynamicList<label> patches;
+    boolList isWall(U.boundaryField().size(), false);
     forAll(U.boundaryField(), patchi)
     {
-        if (is(U.boundaryField()[patchi]))
+        const pointPatchField<vector>& pf = U.boundaryField()[patchi];
+        isWall[patchi] = isA<slipPointPatchField<vector>>(pf);
+        if (is(pf))
         {
             patches.append(patchi);
         }
@@ -177,37 +190,33 @@ Foam::mpm::slipVelocity::slipVelocity(
     }
 
     // Nodes of the cells around edges of the walls
-    scalarList besideEdge(grid.nNodes(), scalar(0));
+    scalarList nearEdge(grid.nNodes(), scalar(0));
     for (const auto& of : walls.surfaces())
     {
-        const std::vector<wallSurfaces::surface>& all = of.second;
+        const std::vector<label> edges(wallSurfaces::edgesOf(of.second));
         const label pointi = grid.nodePoint()[of.first];
-        const bool edge = std::any_of(
-            all.begin(), all.end(),
-            [&](const wallSurfaces::surface& s)
-            {
-                return std::any_of(
-                    all.begin(), all.end(),
-                    [&](const wallSurfaces::surface& other)
-                    { return &other != &s && wallSurfaces::atEdge(s.second(), other.second()); });
-            });
-        for (label i = 0; edge && pointi >= 0 && i < grid.mesh().pointCells()[pointi].size(); ++i)
+        if (pointi < 0 || *std::max_element(edges.begin(), edges.end()) < 0)
         {
-            for (const label n : grid.nodesOf(grid.mesh().pointCells()[pointi][i]))
+            continue;
+        }
+        for (const label celli : grid.mesh().pointCells()[pointi])
+        {
+            for (const label n : grid.nodesOf(celli))
             {
-                besideEdge[n] = 1;
+                nearEdge[n] = 1;
             }
         }
     }
-    shared.largest(besideEdge.data(), 1, 1);
+    shared.largest(nearEdge.data(), 1, 1);
 
     DynamicList<label> nodes;
     DynamicList<scalar> projections;
     edgeStart_.append(0);
+    firstEdge_.append(0);
     for (const auto& of : walls.surfaces())
     {
         nodes.append(of.first);
-        add(of.first, of.second, besideEdge, projections);
+        add(of.first, of.second, isWall, nearEdge[of.first] > 0, projections);
     }
     node_.transfer(nodes);
     projection_.transfer(projections);
@@ -244,7 +253,7 @@ void Foam::mpm::slipVelocity::impose(scalar* u, const int stride, const bool, co
         if (moves)
         {
             apply(i, v);
-            applyEdge(i, v);
+            applyEdges(i, v);
         }
     }
 }

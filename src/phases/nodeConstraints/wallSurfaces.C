@@ -205,3 +205,29 @@ bool Foam::mpm::wallSurfaces::atEdge(const Pair<vector>& a, const Pair<vector>& 
     };
     return beyond(a, b) && beyond(b, a);
 }
+
+std::vector<Foam::label> Foam::mpm::wallSurfaces::edgesOf(const std::vector<surface>& all)
+{
+    const label n = all.size();
+    std::vector<label> edge(n, -1);
+    label nEdges = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            if (!atEdge(all[i].second(), all[j].second()))
+            {
+                continue;
+            }
+            const label from = edge[i];
+            edge[j] = edge[j] >= 0 ? edge[j] : from >= 0 ? from : nEdges++;
+            edge[i] = edge[j];
+            // Two edges that the surface i joins are one
+            for (label& e : edge)
+            {
+                e = from >= 0 && e == from ? edge[j] : e;
+            }
+        }
+    }
+    return edge;
+}

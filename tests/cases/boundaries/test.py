@@ -21,7 +21,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
-from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes,
+from foamCase import (FoamCase, RunFailed, boxMesh, controlDict, noSchemes, readField,
                       velocityFile)
 from report import Report
 
@@ -141,9 +141,9 @@ def movingWall(table):
               1e-9, "relative")
 
 
-def gun(name, onePatch, block, contact=None, **numerics):
+def gun(name, onePatch, block, contact=None, deep=0, **numerics):
     """A block of 3 x 3 cells at the begin of a barrel of 8 x 3, with a taper of 4 behind it and
-    a room of 6 x 9 before it."""
+    a room of 6 x 9 before it. deep: cells between slip walls in 3D."""
     case = FoamCase("boundaries", name)
     corners = [(-4, -2), (0, 0), (8, 0), (14, 0), (14, 3), (8, 3), (0, 3), (-4, 5),
                (8, -3), (14, -3), (14, 6), (8, 6)]
@@ -161,20 +161,22 @@ def gun(name, onePatch, block, contact=None, **numerics):
         for p, of in patches.items())
     flat = " ".join(face(*c) + " " + face(*(i + n for i in c)) for c, _ in blocks)
     case.write("system/blockMeshDict", {
-        "scale": H, "vertices": [(*c, z) for z in (0, 1) for c in corners],
+        "scale": H, "vertices": [(*c, z) for z in (0, deep or 1) for c in corners],
         "blocks": "(" + " ".join(
-            f"hex ({' '.join(map(str, c))} {' '.join(str(i + n) for i in c)}) ({i} {j} 1)"
+            f"hex ({' '.join(map(str, c))} {' '.join(str(i + n) for i in c)}) "
+            f"({i} {j} {deep or 1})"
             " simpleGrading (1 1 1)" for c, (i, j) in blocks) + ")",
-        "boundary": f"({text} frontAndBack {{ type empty; faces ({flat}); }})"})
+        "boundary": f"({text} frontAndBack {{ type {'patch' if deep else 'empty'};"
+                    f" faces ({flat}); }})"})
     case.write("constant/phaseProperties", {
         "phases": ["block"], "block": {"constitutiveModel": LAW},
         **({"contact": {p: {"fields": "(block)", "patch": p, "type": "frictionless"}
                         for p in contact}} if contact else {})})
     free = ("breech", "room", *(contact or ()))
     velocityFile(case, "block", {p: "calculated" if p in free else "slip" for p in patches}
-                 | {"frontAndBack": "empty"})
+                 | {"frontAndBack": "slip" if deep else "empty"})
     case.write("system/setMaterialPointsDict", {"regions": {"block": {
-        "phase": "block", "type": "box", "min": (0, 0, 0), "max": (3*H, 3*H, H),
+        "phase": "block", "type": "box", "min": (0, 0, 0), "max": (3*H, 3*H, (deep or 1)*H),
         "pointsPerCell": 2, **block}}})
     case.write("system/fvSolution", {"materialPoints": {"shapeFunction": "nodeDual",
                                                         **numerics}})
@@ -185,6 +187,52 @@ def gun(name, onePatch, block, contact=None, **numerics):
     case.run("setMaterialPoints")
     case.run("materialPointFoam")
     return case
+
+
+def symmetry(table):
+    """Half a barrel one cell wide: the symmetry plane holds beside the edge at its end, too."""
+    case = FoamCase("boundaries", "edges-symmetry")
+    corners = [(0, 0), (6, 0), (12, 0), (12, 1), (6, 1), (0, 1), (6, 4), (12, 4)]
+    blocks = [((0, 1, 4, 5), (6, 1)), ((1, 2, 3, 4), (6, 1)), ((4, 3, 7, 6), (6, 3))]
+    face = "({0} {1} {2} {3})".format
+    sides = {"plane": ("symmetryPlane", [(0, 1), (1, 2)]), "walls": ("patch", [(5, 4), (4, 6)]),
+             "room": ("patch", [(0, 5), (2, 3), (3, 7), (6, 7)])}
+    text = " ".join(
+        f"{p} {{ type {kind}; faces ({' '.join(face(a, b, b + 8, a + 8) for a, b in of)}); }}"
+        for p, (kind, of) in sides.items())
+    flat = " ".join(face(*c) + " " + face(*(i + 8 for i in c)) for c, _ in blocks)
+    case.write("system/blockMeshDict", {
+        "scale": H, "vertices": [(*c, z) for z in (0, 1) for c in corners],
+        "blocks": "(" + " ".join(
+            f"hex ({' '.join(map(str, c))} {' '.join(str(i + 8) for i in c)}) ({i} {j} 1)"
+            " simpleGrading (1 1 1)" for c, (i, j) in blocks) + ")",
+        "boundary": f"({text} frontAndBack {{ type empty; faces ({flat}); }})"})
+    case.write("constant/phaseProperties", {"phases": ["block"],
+                                            "block": {"constitutiveModel": LAW}})
+    velocityFile(case, "block", {"plane": "symmetryPlane", "walls": "slip", "room": "calculated",
+                                 "frontAndBack": "empty"})
+    # Its upper half moves up: without the plane the lower one would follow
+    case.write("system/setMaterialPointsDict", {"regions": {"block": {
+        "phase": "block", "type": "box", "min": (4*H, 0, 0), "max": (8*H, H, H),
+        "pointsPerCell": 2, "velocity": (0, 0.01*C, 0)}}})
+    case.write("system/fvSolution", {"materialPoints": {"shapeFunction": "nodeDual",
+                                                        "transfer": "FLIP"}})
+    noSchemes(case)
+    end = 2*H/C
+    case.write("system/controlDict", controlDict(end, end, maxCo=0.4, functions=BALANCE))
+    case.run("blockMesh")
+    case.run("setMaterialPoints")
+    case.run("materialPointFoam")
+    with open(case.file(case.times()[-1], "U.block"), "rb") as f:
+        raw = f.read()
+    start = raw.index(b"(", raw.index(b"internalField"))
+    count = int(raw[:start].split()[-1])
+    u = np.frombuffer(raw, "f8", 3*count, start + 1).reshape(-1, 3)
+    y = readField(case.file("constant/polyMesh/points"))[:, 1]
+    table.check("edges: nodes of the body move", np.abs(u[:, 1]).max() > 1e-4*C,
+                np.abs(u[:, 1]).max())
+    table.row("edges: velocity across a symmetry plane [m/s]", 0,
+              np.abs(u[y < 1e-9, 1]).max(), 0)
 
 
 def edges(table):
@@ -201,6 +249,11 @@ def edges(table):
                       0.03, "relative")
             table.row(f"{what}: velocity of the block [m/s]", v, points["U"][:, 0].mean(), 0.03,
                       "relative")
+    # In 3D the nodes at the sides have two walls
+    case = gun("edges-3D", True, {"velocity": (v, 0, 0)}, deep=3, transfer="FLIP")
+    table.row("edges in 3D: velocity of the block [m/s]", v,
+              case.points(case.times()[-1], "block")["U"][:, 0].mean(), 0.03, "relative")
+    symmetry(table)
     for onePatch, contact in ((True, ("walls",)), (False, ("taper", "barrel", "muzzle"))):
         case = gun(f"edges-contact-{len(contact)}", onePatch, {"velocity": (v, 0, 0)}, contact,
                    transfer="FLIP")
