@@ -169,10 +169,10 @@ def _nearest(tree, path):
 
     def add(entry, above=""):
         for child in entry.entries or ():
-            places.setdefault(child.name, []).append(above + child.name)
+            places.setdefault(child.name.lower(), []).append(above + child.name)
             add(child, above + child.name + ".")
     add(tree)
-    first, last = path.split(".")[0], path.split(".")[-1]
+    first, last = path.split(".")[0], path.split(".")[-1].lower()
     near = [p for word in difflib.get_close_matches(last, places, 3, 0.75)
             for p in sorted(places[word], key=lambda p: not p.startswith(first + "."))]
     return f" (is {near[0]} meant?)" if near and near[0] != path else ""

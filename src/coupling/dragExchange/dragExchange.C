@@ -121,9 +121,8 @@ Foam::vector Foam::mpm::dragExchange::impulse(
     }
 
     const scalar solid = fraction_.theta()[celli];
-    const bool open = solid <= fraction_.fullForNormal();
-    const bool gap = open && between_ && model.sticks() && isBetween(celli);
-    if ((model.normalOnly() && open) || gap)
+    const bool gap = between_ && model.sticks() && isBetween(celli);
+    if ((model.normalOnly() || gap) && solid <= fraction_.fullForNormal())
     {
         const vector& n = fraction_.normals()[celli];
         if (magSqr(n) > 0)

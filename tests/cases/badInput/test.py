@@ -752,6 +752,8 @@ ROWS = [
      inPhases + ["isentropic"]),
 
     #- missing files
+    ("velocityField misspelt", SOLVE, replace(PHASES, r"velocityField\s+body", "velocityField bdy"),
+     [r"0/U\.bdy\S* cannot be read: there is no such file", r"Files of velocity there: U\.body\."]),
     ("no U of field", SOLVE, remove("0/U.body"),
      [r"0/U\.body\S* cannot be read: there is no such file", "velocityField body"],
      {"lacks": "cannot find file"}),

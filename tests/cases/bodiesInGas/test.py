@@ -23,6 +23,7 @@ products   a charge with the JWL equation of state, all reacted, in air. Points 
 blow       a block of nylon of 140 m/s hits a plate of aluminium in air, on boxes and on any
            cells, also with ten steps of the points in one of the gas: the plate gets what it
            gets in a gas of 1 Pa within 4 %, as the air leaves the gap, most by contact
+overlapping    two bodies at one place: the stop says so
 stopped    a slab flies out of the mesh: the state before the step has the gas' fields, and
            the next start begins where the message says
 
@@ -289,6 +290,15 @@ def products(table):
           flush=True)
 
 
+def ownFields(case, phases):
+    """A velocity of the nodes for each phase, as that of "solids"."""
+    with open(case.file("0/U.solids")) as f:
+        text = f.read()
+    for name in phases:
+        with open(case.file("0/U." + name), "w") as f:
+            f.write(text)
+
+
 def blow(table):
     h, v, gap = 2e-3, 140.0, 5.3
     laws = {"block": {"type": "linearElastic", "rho": 1150, "E": 3e9, "nu": 0.4},
@@ -298,11 +308,7 @@ def blow(table):
     def prepare(case):
         case.set("constant/phaseProperties", "contact", {"all": {"type": "frictionless"}},
                  add=True)
-        with open(case.file("0/U.solids")) as f:
-            text = f.read()
-        for name in laws:
-            with open(case.file("0/U." + name), "w") as f:
-                f.write(text)
+        ownFields(case, laws)
 
     end = gap*h/v + 60e-6
     for shape in ("GIMP", "nodeDual"):
@@ -328,6 +334,22 @@ def blow(table):
                       P/found[0][1], 0.04)
             table.row(f"blow in air, {shape}{name}: share of it that contact gives", 1,
                       J/P, 0.7, "atLeast")
+
+
+def overlapping(table):
+    """Two bodies at one place: the stop says that they overlap, not that points have grown."""
+    case = coupledCase(
+        "bodiesInGas", "overlapping", (20, 1, 1), (20*H, H, H),
+        lambda x, y, z: (RHO0 + 0*x, 0*x, P0 + 0*x), 1e-7,
+        {n: {**SOLID, "velocityField": n} for n in ("one", "other")},
+        {n: {"type": "box", "min": (a*H, 0, 0), "max": (b*H, H, H), "stress": ambient(P0)}
+         for n, a, b in (("one", 4, 9), ("other", 6, 11))},
+        ends=OPEN, pointConditions="calculated", writeInterval=1e-7,
+        prepare=lambda case: ownFields(case, ("one", "other")))
+    case.run("materialPointFoam", limit=100, fails=True)
+    log = " ".join(case.log().split())
+    table.check("overlapping points: the stop says so", "They have not grown, so they overlap" in
+                log and "products of an explosion" not in log, log[-300:])
 
 
 def stopped(table):
@@ -365,7 +387,7 @@ def stopped(table):
 
 def main():
     table = Report("bodiesInGas")
-    for part in (rotation, disorder, slab, products, blow, stopped):
+    for part in (rotation, disorder, slab, products, blow, overlapping, stopped):
         try:
             part(table)
         except RunFailed as e:

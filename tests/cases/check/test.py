@@ -329,6 +329,7 @@ def dropped(table):
     floors(table)
     steps(table)
     gauges(table)
+    programs(table)
     shaking(table)
     dissipating(table)
     gaps(table)
@@ -482,6 +483,44 @@ def steps(table):
                 and "points" not in said, said)
     table.row("dropped: step that the fluids bear, over what they then take", 1,
               float(bear[1])/float(said.split()[0]) if bear and said else 0, 0.1)
+
+
+def programs(table):
+    """What programs say: line, lists, file, without what follows from it."""
+    case = basin("line")
+    case.change(PHASES, r"\}\s*$", "")
+    with open(case.file(PHASES), "a") as f:
+        f.write("other\n{\n")
+    hits, check = toldOf(case, "Unexpected EOF")
+    table.check("programs: the line of an error of OpenFOAM",
+                re.search(r"stops at line \d+: Unexpected EOF", " ".join(found(check))),
+                found(check))
+    case = basin("zone")
+    case.write("system/setFieldsDict", {
+        "defaultFieldValues": "( volScalarFieldValue p 20 )",
+        "regions": "( zoneToCell { zone nowhere; fieldValues ( volScalarFieldValue p 20 ); } )"})
+    hits, check = toldOf(case, "Cannot find any cellZone")
+    table.check("programs: a zone of setFields that is not there, file and names",
+                hits == [("warning", "system/setFieldsDict")] and "Valid names: 0()" in " ".join(
+                    found(check)), found(check))
+    case.set("system/setFluidsDict", "default.T", 300)
+    hits, check = toldOf(case, "20 Pa at")
+    table.check("programs: a pressure in bar, the file that it is from",
+                hits == [("warning", "system/setFieldsDict")], found(check))
+    case = basin("libs")
+    case.set(CONTROL, "libs", ["mpmFunctionObject"], add=True)
+    hits, check = toldOf(case, "Could not load")
+    table.check("programs: a library that is not there", hits and all(
+        h == ("warning", CONTROL) for h in hits) and any(
+            "mpmFunctionObjects" in f.remedy for f in check.findings), found(check))
+    case = basin("thick")
+    case.change("system/blockMeshDict", r"\bempty\b", "patch")
+    for name in os.listdir(case.file("0.orig")):
+        case.change("0.orig/" + name, r"\bempty\b", "calculated")
+    case.set(REGIONS, "regions.obstacle.max", (0.24, 0.24, 1))
+    hits, check = toldOf(case, "is one layer of cells thick")
+    table.check("programs: no empty patches, and not that boxes are deeper", len(hits) == 1
+                and "reaches beyond the mesh" not in " ".join(found(check)), found(check))
 
 
 def gauges(table):

@@ -294,6 +294,13 @@ def study(table):
         said = str(error)
     table.check("study: an entry that is not there is an error before anything runs",
                 "no entry bar.e; bar has constitutiveModel" in said, said[-60:])
+    try:
+        base.get("constant/phaseProperties", "bar.Rho")
+        said = ""
+    except DictionaryError as error:
+        said = str(error)
+    table.check("an entry that is nearly there", "is bar.constitutiveModel.rho meant?" in said,
+                said[-60:])
     apart = Case(os.path.join(RUN, "python", "apart"))
     apart.copy(source=base.path)
     with open(apart.file("constant/law"), "w") as f:

@@ -45,7 +45,7 @@ from mpm.pictures import SIGNED, VALUES, to_rgb
 from mpm.reportColours import FAILED, fluidColours, joined
 from mpm.reportLog import History, _Reader, logs
 from mpm.reportPage import Remedies, numbers
-from mpm.reportPictures import choose, pictures
+from mpm.reportPictures import choose, gasRange, pictures
 from mpm.reportPlots import Plot, heldBack, logPlots, probes, shortName, tablePlots, together
 
 TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
@@ -453,6 +453,7 @@ def parts(table):
     flatLines(table)
     pressureUnits(table)
     mixed(table)
+    ranges(table)
     for own, shown in (("E_1e+06-drop_0.03", "E_4e+06"), ("E_4e+06-drop_0.01", "drop_0.03"),
                        ("E_1e-06-drop_0.01", "…6-drop_0.03"), ("reference", "…6-drop_0.03")):
         table.check(f"legends: E_4e+06-drop_0.03 beside {own}: {shown}",
@@ -601,6 +602,18 @@ def mixed(table):
         table.row(f"three fluids: pixels of {name} over those of water", 1, n/max(first, 1), 0.05)
     table.check("two fluids: by the share of the first", not fluidColours(
         {n: fluids[n] for n in ("water", "air")}))
+
+
+def ranges(table):
+    """A blast of 40 bar at first, then of 2, 1.5, 1.2 bar over an air of 1 bar."""
+    class Blast:
+        def cells(self, time, field):
+            return [], np.linspace(1e5, time, 1001)
+    high = gasRange(None, Blast(), "p", (4e6, 2e5, 1.5e5))[1]
+    table.row("pictures: end of the range of pressures, three times the middle [Pa]",
+              1e5 + 3*0.995*1e5, high, 0.01, "relative")
+    table.row("pictures: of another field it is the largest", 0.995*4e6,
+              gasRange(None, Blast(), "T", (4e6, 2e5, 1.5e5))[1], 0.01, "relative")
 
 
 def missing(table):
