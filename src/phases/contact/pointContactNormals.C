@@ -1,6 +1,7 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "pointContact.H"
+#include "largestOfAll.H"
 #include "mathematicalConstants.H"
 
 namespace
