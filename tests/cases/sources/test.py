@@ -3,7 +3,9 @@
 
 No file of src and applications has more than 600 lines, no function more than
 120 (from its first line to its last brace), and none asks which OpenFOAM it is
-compiled with. The count is tried on functions of known length.
+compiled with. The count is tried on functions of known length. What a source calls
+is declared in a header that it includes: Allwmake joins sources, where a missing
+include is not seen.
 """
 
 import glob
@@ -82,6 +84,93 @@ def count(table):
                 f"{lengths}")
 
 
+def declared(text):
+    """Names of the functions, classes and structs that a header has in its namespaces."""
+    found, scopes, head = set(), [], 0  # scopes: is it one of a namespace
+    for end in re.finditer(r"[{};]", text):
+        words = withoutTemplates(text[head:end.start()])
+        space = bool(re.search(r"\bnamespace\b", words))
+        if end[0] != "}" and all(scopes) and not space:
+            kind = re.search(r"\b(?:class|struct)\s+(\w+)", words)
+            call = re.search(r"^[^=]*?(?<!:)\b(\w+)\s*\(", words)
+            if kind and end[0] == "{" or call and not kind:
+                found.add((kind or call)[1])
+        if end[0] == "{":
+            scopes.append(space)
+        elif end[0] == "}" and scopes:
+            scopes.pop()
+        head = end.end()
+    return found - {"decltype", "bool"}
+
+
+class Includes:
+    """The files that each includes, from texts = {path: text without comments}."""
+
+    def __init__(self, texts, lines):
+        self.texts, byName = texts, {}
+        for name in texts:
+            byName.setdefault(os.path.basename(name), []).append(name)
+        self.direct = {}
+        for name, text in lines.items():
+            of = [byName.get(os.path.basename(i), []) for i in re.findall(
+                r'^\s*#\s*include\s+"([^"]+)"', text, re.M)]
+            self.direct[name] = [f for same in of for f in (
+                [f for f in same if os.path.dirname(f) == os.path.dirname(name)] or same)]
+        self.where = {}
+        for name in texts:
+            for word in declared(texts[name]) if name.endswith(".H") else ():
+                self.where.setdefault(word, set()).add(name)
+
+    def reached(self, name):
+        """name and all that it includes."""
+        found, left = {name}, [name]
+        while left:
+            new = set(self.direct[left.pop()]) - found
+            found |= new
+            left += new
+        return found
+
+    def missing(self, name):
+        """"path: word of header" for each call without its header."""
+        found, reached = [], self.reached(name)
+        for word in set(re.findall(r"(?<![\w.>:])(?:Foam::)?(\w+)\s*[(<]",
+                                   self.texts[name])) & set(self.where):
+            # One of the same name: a member, a local function or variable
+            own = re.compile(r"[\w>&*](?<!return)(?<!else)\s+\**&?(?:\w+::)*%s\s*[({=,;:)]"
+                             % word)
+            if not self.where[word] & reached and not any(
+                    own.search(self.texts[f]) for f in reached):
+                found.append(f"{name}: {word} of {min(self.where[word])}")
+        return found
+
+
+def includes(table, names):
+    """Each source of a Make/files includes what it calls; a text without is found."""
+    lines = {}
+    for name in names:
+        with open(name) as f:
+            lines[os.path.relpath(name, PROJECT)] = f.read()
+    texts = {name: HIDDEN.sub(" ", text) for name, text in lines.items()}
+    sources = []
+    for made in glob.glob(os.path.join(PROJECT, "*", "**", "Make", "files"), recursive=True):
+        folder = os.path.relpath(os.path.dirname(os.path.dirname(made)), PROJECT)
+        with open(made) as f:
+            sources += [os.path.join(folder, line.strip()) for line in f]
+    sources = [name for name in sources if name in lines]
+    all_ = Includes(texts, lines)
+    table.row("sources of Make/files", 250, len(sources), 250, "atLeast")
+    found = [line for name in sources for line in all_.missing(name)]
+    table.check("sources include what they call", not found, "; ".join(found))
+
+    helper = "src/core/largestOfAll/largestOfAll.H"
+    user = next(name for name in sources if helper in all_.direct[name]
+                and helper not in {f for other in all_.direct[name] if other != helper
+                                   for f in all_.reached(other)})
+    all_.direct[user].remove(helper)
+    table.check("a missing include is found", any(helper in line
+                                                  for line in all_.missing(user)), user)
+
+
 def main():
     table = Report("sources")
     count(table)
@@ -110,6 +199,7 @@ def main():
     table.check(f"no function over {FUNCTION} lines", not longFunctions,
                 "; ".join(longFunctions))
     table.check("no condition on the version of OpenFOAM", not versions, "; ".join(versions))
+    includes(table, names)
     return table.finish()
 
 
