@@ -94,6 +94,11 @@ def gravity(facts):
         yield Finding("warning", path, "value", f"{g:g} m/s2; the earth has 9.81",
                       "m/s2: 9.81 for 9810 mm/s2", "materials.md#body-forces",
                       "whatever the unit of the mesh")
+    up = int(np.argmax(np.abs(facts.g())))
+    if g and facts.g()[up] > 0:
+        yield Finding("note", path, "value", f"({' '.join(f'{c:g}' for c in facts.g())}): things "
+                      f"fall towards larger {'xyz'[up]}", "(0 -9.81 0) where y points up",
+                      "materials.md#body-forces")
 
 
 def pressure(facts):

@@ -251,9 +251,11 @@ def tablePlots(tables):
 
 
 def short(names):
-    """Names of columns without the number of the point, where there is only one."""
-    numbers = {m for n in names for m in re.findall(r"\((\d+)\)$", n)}
-    return [re.sub(r"\(\d+\)$", "", n) for n in names] if len(numbers) == 1 else names
+    """Names of columns without the number of the point, where there is only one; of several with
+    the place in their order: the numbers of points differ between meshes."""
+    numbers = list(dict.fromkeys(m for n in names for m in re.findall(r"\((\d+)\)$", n)))
+    place = {n: f", place {k}" if len(numbers) > 1 else "" for k, n in enumerate(numbers, 1)}
+    return [re.sub(r"\((\d+)\)$", lambda m: place[m[1]], n) for n in names]
 
 
 def probes(tables):

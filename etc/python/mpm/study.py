@@ -194,7 +194,7 @@ class Study:
         """While a run goes on: a column that its table has not is said as soon as the table is
         there, not when the run has ended."""
         ended = threading.Event()
-        quantities = {n: q for n, q in self.quantities.items() if hasattr(q, "column")}
+        quantities = {n: q for n, q in self.quantities.items() if hasattr(q, "nameIn")}
         watch = threading.Thread(target=self._watch, args=(case, quantities, ended), daemon=True)
         watch.start()
         try:
@@ -212,7 +212,7 @@ class Study:
                     continue
                 del waiting[name]
                 try:
-                    table[_nameOf(table, quantity.column)]
+                    table[quantity.nameIn(table)]
                 except RunFailed as error:
                     self._hint(f"{os.path.basename(case.path)}: quantity {name}: {error}")
 
@@ -412,23 +412,44 @@ class Results:
 
 # --- quantities --------------------------------------------------------------
 
-def last(table, column):
+def last(table, column, place=None):
     """The last value of a column of a table (Case.table). The name may be a pattern of one
-    column, "displacement_x*"."""
-    return _ofTable(table, lambda case: float(_column(case, table, column)[-1]), column)
+    column, "displacement_x*"; of several with place: the first, 1, and so on as they stand in
+    the table, where names carry ids of points that differ between meshes."""
+    return _ofTable(table, lambda t, v: float(v[-1]), column, place)
 
 
-def largest(table, column):
-    return _ofTable(table, lambda case: float(np.max(_column(case, table, column))), column)
+def largest(table, column, place=None):
+    return _ofTable(table, lambda t, v: float(np.max(v)), column, place)
 
 
-def least(table, column):
-    return _ofTable(table, lambda case: float(np.min(_column(case, table, column))), column)
+def least(table, column, place=None):
+    return _ofTable(table, lambda t, v: float(np.min(v)), column, place)
 
 
-def _ofTable(table, quantity, column):
-    """A quantity with what it needs: the function object that writes the table. need(case,
-    entries that the study sets) says what the case lacks; unit(case) is that of the column."""
+def period(table, column, about=0.0, place=None):
+    """Mean period [s] of a column that swings about a value: from its crossings, straight
+    between two rows."""
+    def of(t, v):
+        v = v - about
+        i = np.nonzero(v[:-1]*v[1:] < 0)[0]
+        if len(i) < 2:
+            raise RunFailed(f"{column} of {table} crosses {about} only {len(i)} times: no period")
+        zero = t[i] - v[i]*(t[i + 1] - t[i])/(v[i + 1] - v[i])
+        return float(2*(zero[-1] - zero[0])/(len(zero) - 1))
+    quantity = _ofTable(table, of, column, place)
+    quantity.unit = lambda case: "s"
+    return quantity
+
+
+def _ofTable(table, number, column, place):
+    """A quantity, number(times, values), with what it needs: the function object that writes the
+    table. need(case, entries that the study sets) says what the case lacks; unit(case) is that
+    of the column, nameIn(columns) its name."""
+    def quantity(case):
+        columns = case.table(table)
+        return number(next(iter(columns.values())), columns[quantity.nameIn(columns)])
+
     def need(case, entries):
         name = table.split("/")[0]
         functions = case.get("system/controlDict").get("functions") or {}
@@ -436,46 +457,31 @@ def _ofTable(table, quantity, column):
             return ""
         return (f"no function object {name} in {case.file('system/controlDict')} to write the"
                 f" table {table}; there are: {' '.join(functions) or 'none'}")
-    quantity.need, quantity.table, quantity.column = need, table, column
-    quantity.unit = lambda case: _unit(case.table(table), column)
+
+    def unit(case):
+        # As the table says, or of the field whose name it has (blastProbes: p.dat)
+        columns = case.table(table)
+        field = os.path.splitext(os.path.basename(columns.path))[0]
+        return columns.units.get(quantity.nameIn(columns)) or UNITS.get(field, "")
+
+    quantity.need, quantity.unit, quantity.table = need, unit, table
+    quantity.nameIn = lambda columns: _nameOf(columns, column, place)
     return quantity
 
 
-def _unit(table, column):
-    """As the table says, or of the field whose name it has (blastProbes: p.dat)."""
-    field = os.path.splitext(os.path.basename(table.path))[0]
-    return table.units.get(_nameOf(table, column)) or UNITS.get(field, "")
-
-
-def _nameOf(columns, column):
-    """The name of a column by a pattern (*, ?) that only one matches, or as it is."""
+def _nameOf(columns, column, place):
+    """The name of a column by a pattern (*, ?) that only one matches, the one at a place of those
+    that match, or as it is."""
     names = [n for n in columns if fnmatch.fnmatchcase(n, column)]
     if column in columns or not names:
         return column                   # an error lists those that are
-    if len(names) > 1:
-        raise RunFailed(f"{column} of {columns.path} is each of {', '.join(names)}")
-    return names[0]
-
-
-def _column(case, table, column):
-    columns = case.table(table)
-    return columns[_nameOf(columns, column)]
-
-
-def period(table, column, about=0.0):
-    """Mean period [s] of a column that swings about a value: from its crossings, straight
-    between two rows."""
-    def of(case):
-        columns = case.table(table)
-        t, v = next(iter(columns.values())), _column(case, table, column) - about
-        i = np.nonzero(v[:-1]*v[1:] < 0)[0]
-        if len(i) < 2:
-            raise RunFailed(f"{column} of {table} crosses {about} only {len(i)} times: no period")
-        zero = t[i] - v[i]*(t[i + 1] - t[i])/(v[i + 1] - v[i])
-        return float(2*(zero[-1] - zero[0])/(len(zero) - 1))
-    of = _ofTable(table, of, column)
-    of.unit = lambda case: "s"
-    return of
+    if place is not None and place not in range(1, len(names) + 1):
+        raise RunFailed(f"place {place} of {column} in {columns.path}: "
+                        + ", ".join(f"{k} is {n}" for k, n in enumerate(names, 1)))
+    if place is None and len(names) > 1:
+        raise RunFailed(f"{column} of {columns.path} is each of {', '.join(names)}; with place=1 "
+                        f"the first, and so on")
+    return names[(place or 1) - 1]
 
 
 def energyResidual(case):

@@ -175,6 +175,15 @@ def mistakes(table):
         said = [f.text for f in check.findings if "stretch rather than break" in f.text]
         table.check(f"mistakes: Gf {Gf:g}, {'larger than the body bears' if much else 'fits'}",
                     bool(said) == much, said)
+    for weight in (9.81, -9.81):
+        case = FoamCase("check", f"g_{weight:g}", TEMPLATE)
+        case.write("constant/g", {"dimensions": "[0 1 -2 0 0 0 0]", "value": (0, weight, 0)},
+                   "uniformDimensionedVectorField")
+        check = Check(case.path, trial=False)
+        check.run()
+        hits = [f for f in check.findings if "fall towards larger y" in f.text]
+        table.check(f"mistakes: gravity (0 {weight:g} 0), {'a note' if weight > 0 else 'none'}",
+                    [f.kind for f in hits] == ["note"]*(weight > 0), found(check))
     for name, (changes, word, file) in MISTAKES.items():
         case = FoamCase("check", re.sub(r"\W", "-", name), TEMPLATE)
         if changes[0][0] == "constant/g":

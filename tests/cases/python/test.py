@@ -219,6 +219,18 @@ def budget(table):
         said = str(error)
     table.check("study: a pattern of two columns is an error with both",
                 "each of displacement_x(199), displacement_y(199)" in said, said[:100])
+    with open(case.file("postProcessing/tip/0/two.dat"), "w") as f:
+        f.write("# Time\tU_x(7)\tU_y(7)\tU_x(3)\tU_y(3)\n0\t1\t5\t2\t6\n1\t3\t4\t1\t7\n")
+    found = [f("tip/two.dat", "U_x*", place=k)(case) for f in (last, largest, least)
+             for k in (1, 2)]
+    table.check("study: a column by a pattern and its place", found == [3, 1, 3, 2, 1, 1], found)
+    try:
+        last("tip/two.dat", "U_y*", place=3)(case)
+        said = ""
+    except RunFailed as error:
+        said = str(error)
+    table.check("study: a place that is not there is an error with those that are",
+                "1 is U_y(7), 2 is U_y(3)" in said, said[:120])
 
 
 def study(table):

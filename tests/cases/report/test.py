@@ -46,7 +46,8 @@ from mpm.reportColours import FAILED, fluidColours, joined
 from mpm.reportLog import History, _Reader, logs
 from mpm.reportPage import Remedies, numbers
 from mpm.reportPictures import choose, gasRange, pictures
-from mpm.reportPlots import Plot, heldBack, logPlots, probes, shortName, tablePlots, together
+from mpm.reportPlots import (Plot, heldBack, logPlots, probes, short, shortName, tablePlots,
+                             together)
 
 TOOL = os.path.join(PROJECT, "etc/bin/mpmReport")
 TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
@@ -466,6 +467,10 @@ def parts(table):
         [t for t in tables(case) if t.function == "tip"])[0].lines]
     table.check("probes: short names of lines", names == ["displacement_x", "displacement_y"],
                 names)
+    named = [short([f"{c}({i})" for i in ids for c in ("U_x", "U_y")])
+             for ids in ((199, 7), (3, 52))]
+    table.check("probes: two places have the same names on another mesh", named == 2*[
+        ["U_x, place 1", "U_y, place 1", "U_x, place 2", "U_y, place 2"]], named)
 
 
 #: Tables as blastProbes, OpenFOAM's probes and materialPointExtent write them
