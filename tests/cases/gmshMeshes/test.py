@@ -34,6 +34,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 import halfPipe
+import pond
 from cellMesh import boxOfCells
 from foamCase import PROJECT, VERIFY, FoamCase, boxMesh, controlDict, noSchemes, runParts, velocityFile
 
@@ -330,8 +331,12 @@ def pendulum(table):
     halfPipe.halfPipe(table, mesh)
 
 
+def still(table):
+    pond.pond(table, mesh)
+
+
 if __name__ == "__main__":
     if not shutil.which("gmsh"):
         sys.exit("gmsh is missing: etc/installOpenFOAM -packages")
     sys.exit(runParts("gmshMeshes", kirsch, spall, bracket, pipe, spheres, cylinder, rod,
-                      ball, hourglass, kept, pendulum))
+                      ball, hourglass, kept, pendulum, still))

@@ -143,13 +143,13 @@ def onCells(L, t, l, n):
     return h*abs(np.sum((p[:-1] + h/2)[left]) - np.sum((p[1:] - h/2)[right]))
 
 
-def pushed(name, n, L, word, shape, rho, E, end, push):
+def pushed(name, n, L, word, shape, rho, E, end, push, Co=0.4):
     """A body pushed in water amid walls: mean of u/t over the push, from a fifth of it on."""
-    case = fluidCase("lightInWater", f"{name}-{n}-{word}", (n, n, 1), (L, L, 0.01),
+    case = fluidCase("lightInWater", f"{name}-{n}-{word}-{Co:g}", (n, n, 1), (L, L, 0.01),
                      {"water": WATER}, lambda x, y, z: ([1 + 0*x], [1000.0], 0.0, 1e5),
                      end, ends=("zeroGradient", "zeroGradient", "slip"),
                      reconstruct=VAN_LEER,
-                     control={"maxCo": 0.4, "deltaT": 1e-9, "reportInterval": 20})
+                     control={"maxCo": 0.4, "maxCoGas": Co, "deltaT": 1e-9, "reportInterval": 20})
     besidePoints(case, {"water": WATER}, {"body": {
         "constitutiveModel": {"type": "linearElastic", "rho": rho, "E": E, "nu": 0.3},
         "drag": {"type": "stick", "direction": "normal"},
@@ -168,15 +168,16 @@ def addedMass(table):
     a, L, end, push = 0.01, 0.08, 2e-3, 10.0
     table.row("added mass of a cylinder in a wide square", 1, exactAdded(a, 100*a), 1e-3)
     disc = {"type": "cylinder", "point1": (L/2, L/2, -1), "point2": (L/2, L/2, 1), "radius": a}
-    for n, words in ((32, ("yes", "solids")), *(((64, ("solids",)),) if VERIFY else ())):
-        for word in words:
-            ratio = pushed("added", n, L, word, disc, 500.0, 1e9, end, push) \
-                * (1 + exactAdded(a, L)/0.5)
-            label = f"pushed disc, h = a/{n*a/L:g}, lowMach {word}: acceleration over the exact one"
-            if word == "solids":
-                table.row(label, 1, ratio, 0.06 if n == 32 else 0.03)
-            else:
-                table.row(label + ", for comparison", 0.6, ratio, 0.2)
+    runs = [(32, "yes", 0.4), (32, "solids", 0.4), (32, "solids", 0.1)]
+    for n, word, Co in runs + ([(64, "solids", 0.1)] if VERIFY else []):
+        ratio = pushed("added", n, L, word, disc, 500.0, 1e9, end, push, Co) \
+            * (1 + exactAdded(a, L)/0.5)
+        label = f"pushed disc, h = a/{n*a/L:g}, lowMach {word}, maxCoGas {Co:g}: acceleration" \
+            " over the exact one"
+        if Co < 0.4:
+            table.row(label, 1, ratio, 0.06 if n == 32 else 0.03)
+        else:
+            table.row(label + ", for comparison", 0.75, ratio, 0.25)
 
     # 1.14 pi l^2/4 of a rectangle 10 times as long as thick: DNV-RP-C205, table D-1
     table.row("added mass of a plate in a wide square over pi l^2/4", 1.14,

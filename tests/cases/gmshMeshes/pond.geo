@@ -1,0 +1,23 @@
+// A pond with a bank of 40 degrees and a round toe, triangles
+h = 0.04; H = 0.06;
+a = 40*Pi/180; R = 0.15; t = R*Tan(a/2); L = 1.8; top = 0.7; left = -0.75;
+Point(1) = {t, 0, 0, h};
+Point(2) = {L, 0, 0, h};
+Point(3) = {L, 0.35, 0, h};
+Point(4) = {L, top, 0, H};
+Point(5) = {left, top, 0, H};
+Point(6) = {left, -left*Tan(a), 0, h};
+Point(7) = {-t*Cos(a), t*Sin(a), 0, h};
+Point(8) = {t, R, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};
+Line(4) = {4, 5}; Line(5) = {5, 6}; Line(6) = {6, 7};
+Circle(7) = {7, 8, 1};
+Curve Loop(1) = {1:7};
+Plane Surface(1) = {1};
+out[] = Extrude {0, 0, 0.02} { Surface{1}; Layers{1}; Recombine; };
+Physical Surface("frontAndBack") = {1, out[0]};
+Physical Surface("floor") = {out[2]};
+Physical Surface("walls") = {out[3], out[4], out[6]};
+Physical Surface("top") = {out[5]};
+Physical Surface("bank") = {out[7], out[8]};
+Physical Volume("all") = {out[1]};
