@@ -295,7 +295,7 @@ def dissipates(facts):
         yield Finding("note", PHASES, "fluids.lowMach", f"{'yes' if low else 'no'}: "
                       f"{' and '.join(bodies)} may move less than it should where a slow load "
                       f"pushes it in {' and '.join(liquids)} (a plate two cells thick: "
-                      f"{'0.82' if low else '0.64'} of its acceleration)",
+                      f"{'0.80' if low else '0.64'} of its acceleration)",
                       "fluids { lowMach solids; }, or compare both", "fluids.md#several-fluids")
 
 
