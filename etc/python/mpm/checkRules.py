@@ -80,6 +80,25 @@ def strengths(facts):
                               "troubleshooting.md")
 
 
+def friction(facts):
+    for name in facts.phases:
+        angle = facts.lawOf(name).get("frictionAngle")
+        if isinstance(angle, (int, float)) and 0 < angle < 1.6:
+            yield Finding("warning", PHASES, f"{name}.constitutiveModel.frictionAngle",
+                          f"{angle:g} degrees: hardly any friction", "in degrees: "
+                          f"{math.degrees(angle):.3g} for {angle:g} rad", "materials.md")
+
+
+def grains(facts):
+    """Regions of grains without room between these."""
+    for name, region in facts.regions.items():
+        phase = region.get("phase") if isinstance(region, dict) else None
+        if facts.of(phase).get("volumeModel") == "grains" and "volumeFraction" not in region:
+            yield Finding("warning", REGIONS, f"regions.{name}", f"grains of {phase} fill all of "
+                          "it: there is no room between them", "volumeFraction 0.6 (sand has 0.55 "
+                          "to 0.65), or 1 if it is meant", "fluids.md#grains")
+
+
 def meshSize(facts):
     for d, size in zip("xyz", facts.size):
         if _outside(float(size), "length"):
@@ -352,8 +371,8 @@ def writing(facts):
                       "only its end is written", "a part of endTime", "output.md", "beyond endTime")
 
 
-RULES = (densities, waveSpeeds, strengths, meshSize, gravity, pressure, duration, wavesLeave,
-         *checkFluids.RULES, locking, courant, transfers, shapes, shocks, pointsInCells, damage,
+RULES = (densities, waveSpeeds, strengths, friction, grains, meshSize, gravity, pressure,
+         duration, wavesLeave, *checkFluids.RULES, locking, courant, transfers, shapes, shocks, pointsInCells, damage,
          passThrough, writing)
 
 

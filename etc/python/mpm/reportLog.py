@@ -161,7 +161,8 @@ class _Reader:
             self.report(line, run)
 
     def inMessage(self, number, line, run):
-        """Warnings: all lines of theirs are indented; errors end before "From"."""
+        """Warnings: all lines of theirs are indented, or it is one line (OpenFOAM's of a function
+        object); errors end before "From"."""
         if line.startswith("--> FOAM "):
             kind = "error" if "FATAL" in line else "warning"
             self.message = Message(kind, self.path, number)
@@ -179,7 +180,7 @@ class _Reader:
             else:
                 of.lines.append(line)
             return True
-        if where or line.startswith("    ") or not line and not of.lines:
+        if where or line.startswith("    ") or not of.lines:
             if line and not where:
                 of.lines.append(line)
             return True

@@ -62,6 +62,11 @@ MISTAKES = {
     "rubber": ([(PHASES, "flyer.constitutiveModel", {
         "type": "MooneyRivlin", "rho": 1000.0, "c10": 1e6, "c01": 1e5, "K": 1e9})],
         "incompressible", SOLUTION),
+    "angle in radians": ([(PHASES, "target.constitutiveModel", {
+        "type": "DruckerPrager", "rho": 1600, "E": 1e7, "nu": 0.3, "frictionAngle": 0.576,
+        "cohesion": 0, "dilationAngle": 0})],
+        "hardly any friction", PHASES),
+    "grains without room": ([(PHASES, "target.volumeModel", "grains", True)], "no room", REGIONS),
     "maxCo": ([(CONTROL, "maxCo", 0.8)], "0.8 with GIMP", CONTROL),
     "moment with linear": ([(SOLUTION, "materialPoints", {
         "shapeFunction": "linear", "transfer": "APIC", "affineMatrix": "moment"})], "blows up",
@@ -190,7 +195,7 @@ def mistakes(table):
             case.write("constant/g", {"dimensions": "[0 1 -2 0 0 0 0]", "value": (0, -9.81, 0)},
                        "uniformDimensionedVectorField")
         for change in changes:
-            case.set(*change)
+            case.set(*change[:3], add=len(change) > 3)
         check = Check(case.path, trial=False)
         code = check.run()
         hits = [f for f in check.findings if f.kind != "note" and word in f.text and f.file == file]

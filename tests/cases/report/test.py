@@ -451,6 +451,7 @@ def parts(table):
     ofTables(table, case)
     ofFluids(table)
     missing(table)
+    ofOpenFOAM(table)
     flatLines(table)
     pressureUnits(table)
     mixed(table)
@@ -619,6 +620,18 @@ def ranges(table):
               1e5 + 3*0.995*1e5, high, 0.01, "relative")
     table.row("pictures: of another field it is the largest", 0.995*4e6,
               gasRange(None, Blast(), "T", (4e6, 2e5, 1.5e5))[1], 0.01, "relative")
+
+
+def ofOpenFOAM(table):
+    """A warning of OpenFOAM's whose text is not indented, in the log's steps."""
+    text = FLUIDS + "\n--> FOAM Warning : \nUnknown function type interfaceHeight\n\nValid" \
+        " function types :\n\n2\n(\nprobes\nsets\n)\n\n" + FLUIDS
+    reader = _Reader("")
+    for i, line in enumerate(text.split("\n"), 1):
+        reader.line(i, line)
+    said = [m.lines for run in reader.runs for m in run.messages]
+    table.check("messages: a warning of OpenFOAM's has its text",
+                said == [["Unknown function type interfaceHeight"]], said)
 
 
 def missing(table):
