@@ -32,6 +32,8 @@ LARGEST = 5e7
 _FATAL = re.compile(r"--> FOAM FATAL (?:IO )?ERROR[^\n]*\n(.*?)(?=\n\s*From |\nFOAM |\Z)", re.S)
 _WARNING = re.compile(r"--> FOAM (?:IO)?Warning[^\n]*\n((?:    [^\n]*\n?)+"
                       r"(?:Valid names[^\n]*\n)?)")
+#: OpenFOAM's of a function object, which is not indented
+_UNKNOWN = re.compile(r"--> FOAM Warning *:? *\n(Unknown function type .*?\n\))", re.S)
 
 
 class Check:
@@ -198,8 +200,15 @@ class Check:
         return text.replace(self.case.path + "/", "")
 
     def _readLog(self, name):
-        for text in _WARNING.findall(self.case.log(name)):
+        log = self.case.log(name)
+        for text in _WARNING.findall(log):
             self._warning(name, self._own(text))
+        for text in sorted(set(_UNKNOWN.findall(log))):
+            said = checkPatches.nearestFirst(text).split(". Of ")[0] + f" ({name})"
+            if not any(f.text == said for f in self.findings):
+                self._find("warning", CONTROL, "functions", said, "a type that is in its libs, of "
+                           "this version of OpenFOAM: the run goes on without it",
+                           "output.md#function-objects")
 
     def _warning(self, name, text):
         text = re.sub(r"^ *(From .*|in file .*)\n", "", text, flags=re.M)

@@ -64,7 +64,7 @@ MISTAKES = {
         "incompressible", SOLUTION),
     "angle in radians": ([(PHASES, "target.constitutiveModel", {
         "type": "DruckerPrager", "rho": 1600, "E": 1e7, "nu": 0.3, "frictionAngle": 0.576,
-        "cohesion": 0, "dilationAngle": 0})],
+        "cohesion": 0, "dilationAngle": 0, "match": "planeStrain"})],
         "hardly any friction", PHASES),
     "grains without room": ([(PHASES, "target.volumeModel", "grains", True)], "no room", REGIONS),
     "maxCo": ([(CONTROL, "maxCo", 0.8)], "0.8 with GIMP", CONTROL),
@@ -527,6 +527,14 @@ def programs(table):
     table.check("programs: a library that is not there", hits and all(
         h == ("warning", CONTROL) for h in hits) and any(
             "mpmFunctionObjects" in f.remedy for f in check.findings), found(check))
+    case = basin("functions")
+    case.set(CONTROL, "functions.walls", {"type": "forcess", "libs": ["forces"]}, add=True)
+    check = Check(case.path)
+    check.run()
+    said = [f.text for f in check.findings if (f.kind, f.file) == ("warning", CONTROL)]
+    table.check("programs: a type of function object that OpenFOAM has not, the nearest",
+                len(said) == 1 and said[0].startswith(
+                    "Unknown function type forcess; nearest: forces"), found(check))
     case = basin("thick")
     case.change("system/blockMeshDict", r"\bempty\b", "patch")
     for name in os.listdir(case.file("0.orig")):
