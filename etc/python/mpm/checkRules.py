@@ -116,7 +116,7 @@ def gravity(facts):
     up = int(np.argmax(np.abs(facts.g())))
     if g and facts.g()[up] > 0:
         yield Finding("note", path, "value", f"({' '.join(f'{c:g}' for c in facts.g())}): things "
-                      f"fall towards larger {'xyz'[up]}", "(0 -9.81 0) where y points up",
+                      f"fall towards larger {'xyz'[up]}", f"a negative one where {'xyz'[up]} points up",
                       "materials.md#body-forces")
 
 
@@ -240,6 +240,13 @@ def locking(facts):
                           f"incompressible (Poisson number {nu:.4g}): with {facts.shape} and "
                           "dilatation point its cells lock", "dilatation cellMean",
                           "schemes.md#locking")
+
+
+def slowFlow(facts):
+    co = facts.control.get("maxCoGas")
+    if isinstance(co, (int, float)) and co > 0.6 and facts.of("fluids").get("lowMach", False):
+        yield Finding("warning", CONTROL, "maxCoGas", f"{co:g} with lowMach: noise grows where the "
+                      "flow is slow", "0.4, 0.6 at most", "fluids.md#several-fluids")
 
 
 def courant(facts):
@@ -372,8 +379,8 @@ def writing(facts):
 
 
 RULES = (densities, waveSpeeds, strengths, friction, grains, meshSize, gravity, pressure,
-         duration, wavesLeave, *checkFluids.RULES, locking, courant, transfers, shapes, shocks, pointsInCells, damage,
-         passThrough, writing)
+         duration, wavesLeave, *checkFluids.RULES, locking, slowFlow, courant, transfers, shapes,
+         shocks, pointsInCells, damage, passThrough, writing)
 
 
 def findings(facts):

@@ -480,7 +480,7 @@ def _nameOf(columns, column, place):
                         + ", ".join(f"{k} is {n}" for k, n in enumerate(names, 1)))
     if place is None and len(names) > 1:
         raise RunFailed(f"{column} of {columns.path} is each of {', '.join(names)}; with place=1 "
-                        f"the first, and so on")
+                        "the first, and so on")
     return names[(place or 1) - 1]
 
 

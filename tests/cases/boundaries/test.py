@@ -12,7 +12,7 @@ moving      a wall with a velocity over time: the nodes have that of the end of
 functions   function objects run once per step
 edges       a block slides between slip walls from a taper through a barrel into a room, past
             edges of the wall of 27 and 90 degrees, of one patch or several: velocity and
-            way of free space within 3 %; pressed outwards it stays in the barrel
+            way of free space within 1 % (FMPM, XPIC 3 %); pressed outwards it stays in the barrel
 """
 
 import os
@@ -116,6 +116,15 @@ def column(table, onePatch):
     table.row(f"{label}: shear stress", 0, np.abs(sigma[:, 1]).max()/size, 1e-12)
 
 
+def nodeVelocities(case):
+    """Of the block at the last time."""
+    with open(case.file(case.times()[-1], "U.block"), "rb") as f:
+        raw = f.read()
+    start = raw.index(b"(", raw.index(b"internalField"))
+    count = int(raw[:start].split()[-1])
+    return np.frombuffer(raw, "f8", 3*count, start + 1).reshape(-1, 3)
+
+
 def movingWall(table):
     """Wall velocity 100 t: after the last step its nodes have 100 t_end."""
     case = build(
@@ -131,11 +140,7 @@ def movingWall(table):
     with open(case.file("table"), "w") as f:
         f.write("((0 (0 0 0)) (1 (0 100 0)))\n")
     case.run("materialPointFoam")
-    with open(case.file(case.times()[-1], "U.block"), "rb") as f:
-        raw = f.read()
-    start = raw.index(b"(", raw.index(b"internalField"))
-    count = int(raw[:start].split()[-1])
-    values = np.frombuffer(raw, "f8", 3*count, start + 1).reshape(-1, 3)
+    values = nodeVelocities(case)
     end = float(case.times()[-1])
     table.row("moving wall: node velocity at the end", 100*end, values[:, 1].max(),
               1e-9, "relative")
@@ -223,11 +228,7 @@ def symmetry(table):
     case.run("blockMesh")
     case.run("setMaterialPoints")
     case.run("materialPointFoam")
-    with open(case.file(case.times()[-1], "U.block"), "rb") as f:
-        raw = f.read()
-    start = raw.index(b"(", raw.index(b"internalField"))
-    count = int(raw[:start].split()[-1])
-    u = np.frombuffer(raw, "f8", 3*count, start + 1).reshape(-1, 3)
+    u = nodeVelocities(case)
     y = readField(case.file("constant/polyMesh/points"))[:, 1]
     table.check("edges: nodes of the body move", np.abs(u[:, 1]).max() > 1e-4*C,
                 np.abs(u[:, 1]).max())
@@ -244,15 +245,17 @@ def edges(table):
             case = gun(what.replace(",", "").replace(" ", "-"), onePatch,
                        {"velocity": (v, 0, 0)}, **numerics)
             points = case.points(case.times()[-1], "block")
-            # nodeDual reaches a cell beyond the edges: at the start nodes of the taper hold it
+            # nodeDual reaches a cell beyond the edges: at the start nodes of the taper hold it,
+            # and transfers that filter do not give that back
+            limit = 0.01 if name == "FLIP" else 0.03
             table.row(f"{what}: way of the block [cells]", 8, points["x"][:, 0].mean()/H - 1.5,
-                      0.03, "relative")
-            table.row(f"{what}: velocity of the block [m/s]", v, points["U"][:, 0].mean(), 0.03,
+                      limit, "relative")
+            table.row(f"{what}: velocity of the block [m/s]", v, points["U"][:, 0].mean(), limit,
                       "relative")
     # In 3D the nodes at the sides have two walls
     case = gun("edges-3D", True, {"velocity": (v, 0, 0)}, deep=3, transfer="FLIP")
     table.row("edges in 3D: velocity of the block [m/s]", v,
-              case.points(case.times()[-1], "block")["U"][:, 0].mean(), 0.03, "relative")
+              case.points(case.times()[-1], "block")["U"][:, 0].mean(), 0.01, "relative")
     symmetry(table)
     for onePatch, contact in ((True, ("walls",)), (False, ("taper", "barrel", "muzzle"))):
         case = gun(f"edges-contact-{len(contact)}", onePatch, {"velocity": (v, 0, 0)}, contact,

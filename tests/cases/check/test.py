@@ -345,6 +345,7 @@ def dropped(table):
     gauges(table)
     programs(table)
     shaking(table)
+    slow(table)
     dissipating(table)
     gaps(table)
 
@@ -389,6 +390,16 @@ def gaps(table):
             cells == 0.5 and drag == "all" and not own), found(check))
         apart = [f for f in check.findings if "pass through each other" in f.text]
         table.check(f"dropped: {name}: bodies without contact", len(apart) == own, found(check))
+
+
+def slow(table):
+    """Noise that lowMach leaves above maxCoGas 0.6, as tests/cases/fluidsAlone measures it."""
+    for Co, expected in ((0.8, [("warning", CONTROL)]), (0.6, [])):
+        case = basin("slow")
+        case.set(PHASES, "fluids.lowMach", "yes")
+        case.set(CONTROL, "maxCoGas", Co)
+        hits, check = toldOf(case, "noise grows")
+        table.check(f"dropped: lowMach with maxCoGas {Co}", hits == expected, found(check))
 
 
 def dissipating(table):

@@ -45,5 +45,5 @@ def pond(table, mesh):
     u = np.linalg.norm(volField(case, f"{END:g}", "U"), axis=1)
     wet = volField(case, f"{END:g}", "alpha.water") > 0.5
     for name, there in (("water", wet), ("air", ~wet)):
-        table.row(f"pond at rest, lowMach, MLP: largest |u| of {name} over that of free fall", 0,
-                  u[there].max()/np.sqrt(2*G*DEPTH), 2e-3, "atMost")
+        table.row(f"pond at rest, lowMach, MLP: largest velocity of {name} over that of"
+                  " free fall", 0, u[there].max()/np.sqrt(2*G*DEPTH), 2e-3, "atMost")
