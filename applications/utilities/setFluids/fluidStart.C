@@ -2,6 +2,7 @@
 
 #include "fluidStart.H"
 #include "dictionaryTools.H"
+#include "farFieldFvPatchField.H"
 #include "fullPrecision.H"
 #include "basicSymmetryFvPatchFields.H"
 #include "wallPolyPatch.H"
@@ -282,9 +283,27 @@ Foam::scalar Foam::mpm::fluidStart::elsewhere(const label k, const scalar p) con
 }
 
 template<class Type>
+Foam::boolList Foam::mpm::fluidStart::farPatches(const word& name) const
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+    boolList far(mesh_.boundary().size(), false);
+    IOobject io(
+        name, mesh_.time().timeName(), mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    if (io.typeHeaderOk<fieldType>(true))
+    {
+        const fieldType field(io, mesh_);
+        forAll(far, i)
+        {
+            far[i] = isA<farFieldFvPatchField<Type>>(field.boundaryField()[i]);
+        }
+    }
+    return far;
+}
+
+template<class Type>
 void Foam::mpm::fluidStart::write(
     const word& name, const dimensionSet& dimensions, const Field<Type>& values,
-    const word& onWalls) const
+    const word& onWalls, const boolList& far) const
 {
     typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
 
@@ -306,6 +325,10 @@ void Foam::mpm::fluidStart::write(
             if (polyPatch::constraintType(patch.type()))
             {
                 types[i] = patch.type();
+            }
+            else if (far.size() && far[i])
+            {
+                types[i] = "farField";
             }
             else if (isA<wallPolyPatch>(patch))
             {
@@ -413,8 +436,8 @@ void Foam::mpm::fluidStart::write() const
     }
 
     const fullPrecision allDigits;
-    write("p", dimPressure, p, "zeroGradient");
-    write("U", dimVelocity, U, "slip");
+    write("p", dimPressure, p, "zeroGradient", farPatches<vector>("U"));
+    write("U", dimVelocity, U, "slip", farPatches<scalar>("p"));
     for (label k = 0; k < nFluids; ++k)
     {
         const word& name = mixture_.name(k);

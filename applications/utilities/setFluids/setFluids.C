@@ -10,7 +10,8 @@ Description
 
     Writes p, U, alpha.<fluid>, T.<gas> or rho.<fluid> of all fluids to the
     start time. Files that are there keep their boundary conditions; others get
-    slip (U on walls) and zeroGradient. A table compares volume and mass of each
+    slip (U on walls) and zeroGradient, p and U farField where the other's file
+    has it. A table compares volume and mass of each
     region with those of its shape (fluidStart.H).
 
 Usage

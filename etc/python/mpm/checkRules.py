@@ -22,6 +22,8 @@ from mpm.files import readField
 
 #: Lowest and highest of what is no mistake
 BOUNDS = {"rho": (0.1, 25000), "speed": (10, 20000), "length": (1e-6, 1e3), "g": (0.1, 1000)}
+#: In g/cm3, osmium
+HEAVIEST = 23
 #: Poisson number from which matter locks
 LOCKS = 0.45
 #: Steps from which a motion is long for a transfer that dissipates in each
@@ -41,6 +43,12 @@ def _outside(value, name):
 # --- units ---------------------------------------------------------------------
 
 def densities(facts):
+    # Numbers without units are no mistake
+    g = float(np.linalg.norm(facts.g()))
+    liquids = checkFluids.LIQUID_STATES
+    inUnits = 9.7 < g < 9.9 or any(
+        facts.rho.get(n, 0) > 500 and checkFluids.equation(facts, n) in liquids
+        for n in facts.media)
     for name in facts.properties.get("phases", ()):
         of, law = facts.of(name), facts.lawOf(name)
         rho, entry = (law["rho"], "constitutiveModel.rho") if "rho" in law \
@@ -49,6 +57,11 @@ def densities(facts):
             yield Finding("warning", PHASES, f"{name}.{entry}", f"a density of {rho:g} kg/m3; "
                           "matter has 0.1 to 25000", "kg/m3: 7800 for 7.8 g/cm3, 7.8e-9 t/mm3",
                           "troubleshooting.md", rf"phase {name}\b.*kg/m3")
+        elif inUnits and isinstance(rho, (int, float)) and 0.5 <= rho <= HEAVIEST and (
+                name in facts.phases or checkFluids.equation(facts, name) in liquids):
+            yield Finding("warning", PHASES, f"{name}.{entry}", f"a density of {rho:g} kg/m3: "
+                          "cork has 120, air 1.2", f"{1000*rho:g} for {rho:g} g/cm3",
+                          "troubleshooting.md")
 
 
 def waveSpeeds(facts):

@@ -229,7 +229,7 @@ class Meanings:
 # --- tables of postProcessing ----------------------------------------------------
 
 #: Units of fields that are probed
-UNITS = {"p": "Pa", "T": "K", "rho": "kg/m3"}
+UNITS = {"p": "Pa", "T": "K", "rho": "kg/m3", "depth": "m", "level": "m"}
 
 
 class Table:

@@ -59,9 +59,10 @@ void checkIntervals(const dictionary& dict)
 void Foam::mpm::checkFunctions(const dictionary& control)
 {
     const wordList own(
-        {"blastProbes", "fluidBalance", "materialPointBalance", "materialPointEnergy",
-         "materialPointExtent", "materialPointFields", "materialPointPatchForces",
-         "materialPointProbes", "materialPointSeparation", "materialPointVTK", "materialPointXT"});
+        {"blastProbes", "fluidBalance", "fluidHeight", "materialPointBalance",
+         "materialPointEnergy", "materialPointExtent", "materialPointFields",
+         "materialPointPatchForces", "materialPointProbes", "materialPointSeparation",
+         "materialPointVTK", "materialPointXT"});
     const word library("mpmFunctionObjects");
     if (!control.isDict("functions"))
     {

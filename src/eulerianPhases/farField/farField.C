@@ -98,11 +98,18 @@ Foam::mpm::farField::farField(const volVectorField& U, const volScalarField& p) 
         const bool ofU = isA<farFieldFvPatchField<vector>>(U.boundaryField()[patchi]);
         if (ofP != ofU)
         {
+            const regIOobject &first = p, &second = U;
+            const regIOobject& has = ofP ? first : second;
+            const regIOobject& lacks = ofP ? second : first;
             FatalErrorInFunction << "Patch " << patch.name() << " has the condition farField in "
-                                 << (ofP ? p.name() : U.name()) << " but not in "
-                                 << (ofP ? U.name() : p.name())
-                                 << "; both have it or none (a file of time 0"
-                                 << " that is not there has none)." << exit(FatalError);
+                                 << has.name() << " but not in " << lacks.name()
+                                 << "; both have it or none." << nl << "    Write  " << patch.name()
+                                 << " { type farField; value uniform "
+                                 << (ofP ? "(0 0 0)" : Foam::name(p.size() ? p[0] : 0).c_str())
+                                 << "; }  in " << lacks.objectPath() << ", or another condition in "
+                                 << has.objectPath()
+                                 << " (a file of time 0 that is not there has none)."
+                                 << exit(FatalError);
         }
         if (!ofP)
         {

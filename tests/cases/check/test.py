@@ -66,6 +66,9 @@ MISTAKES = {
         "type": "DruckerPrager", "rho": 1600, "E": 1e7, "nu": 0.3, "frictionAngle": 0.576,
         "cohesion": 0, "dilationAngle": 0, "match": "planeStrain"})],
         "hardly any friction", PHASES),
+    "sand in g/cm3": ([("constant/g", "value", (0, -9.81, 0)), (PHASES, "target.constitutiveModel", {
+        "type": "DruckerPrager", "rho": 2.65, "E": 1e7, "nu": 0.3, "frictionAngle": 33,
+        "cohesion": 0, "dilationAngle": 0, "match": "planeStrain"})], "cork has 120", PHASES),
     "grains without room": ([(PHASES, "target.volumeModel", "grains", True)], "no room", REGIONS),
     "maxCo": ([(CONTROL, "maxCo", 0.8)], "0.8 with GIMP", CONTROL),
     "moment with linear": ([(SOLUTION, "materialPoints", {
@@ -403,7 +406,14 @@ def slow(table):
 
 
 def dissipating(table):
-    """What lowMach leaves beside a body, as tests/cases/lightInWater measures it."""
+    """What lowMach leaves beside a body, as tests/cases/lightInWater measures it, and what waves
+    lose without it (tests/cases/flowOutput)."""
+    for word in ("yes", "no"):
+        case = FoamCase("check", "waves", os.path.join(PROJECT, "tutorials/damBreak"))
+        case.set(PHASES, "fluids.lowMach", word)
+        hits, check = toldOf(case, "waves of water die out")
+        table.check(f"damBreak, lowMach {word}: waves", hits == [("note", PHASES)]*(word == "no"),
+                    found(check))
     for word, exact in (("yes", "yes: obstacle may move less"), ("solids", ""), ("no", "no: obst")):
         case = basin("dissipating")
         case.set(PHASES, "fluids.lowMach", word)

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Function objects of a gas and of fluids: blastProbes and fluidBalance.
+"""Function objects of a gas and of fluids: blastProbes, fluidBalance and fluidHeight.
 
     wave      a period of a sine, of sound, passes a probe: arrival, peak, time of the peak,
               duration, both impulses by the exact wave, at two resolutions
+    heights   water at rest on boxes, triangles and on ground of points: depth and level
+    slosh     the first standing wave of a tank, its level by linear theory
     parallel  probes (one on the face between processors, one outside of the piece of the
               master) and balances: 1, 2 and 3 processors to 1e-12, restart: the same digits
     balance   gas and two fluids with far fields: what is there less what came in is constant
@@ -17,7 +19,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 from coupledCases import ambient, coupledCase
-from fluidCases import AIR, fluidCase
+from fluidCases import AIR, besidePoints, fluidCase
 from foamCase import RunFailed, runParts
 from gasCases import WALL, gasCase
 
@@ -87,6 +89,9 @@ def burst(name, split=None, before=lambda case: None, fluids=True, end=0.2):
     functions = {"gauges": probes([(0.5, 0.5, 0.05), (0.9, 0.3, 0.05), (0.25, 0.51, 0.05)],
                                   patches=["sides", "ends"]),
                  "balance": {"type": "fluidBalance", **LIBS}}
+    if fluids:
+        functions["heights"] = {**lines([(0.5, 0.5, 0.05), (0.23, 0.1, 0.05)], fluid="heavy"),
+                                "direction": (0, 1, 0)}
     options = {"ends": far, "sides": WALL, "writeInterval": end/2,
                "control": {"functions": functions, "startFrom": "latestTime"}}
     cells, high = (24, 24, 1), (1, 1, 0.1)
@@ -115,6 +120,9 @@ def parallel(table):
             np.max(abs(u - v))/np.max(abs(u)) for u, v in zip(
                 *([np.nan_to_num(u) + 1e-12 for u in summary(c, "gauges").values()]
                   for c in (one, other)))), 1e-10, "atMost")
+        for f in ("depth.dat", "level.dat"):
+            table.row(f"{n} processors: fluidHeight, {f}", 0,
+                      apart(rows(one, "heights", f), rows(other, "heights", f)), 1e-11, "atMost")
         for f in ("heavy.dat", "air.dat", "total.dat"):
             table.row(f"{n} processors: balance, {f}", 0,
                       apart(rows(one, "balance", f), rows(other, "balance", f)), 1e-8, "atMost")
@@ -127,6 +135,94 @@ def parallel(table):
     table.row("restart: balance of all", 0, apart(
         rows(one, "balance", "total.dat")[-len(h):], rows(again, "balance", "total.dat", "0.1")),
         1e-8, "atMost")
+
+
+# --- heights -----------------------------------------------------------------
+
+SOFT = {"rho": 1000, "equationOfState": {"type": "stiffenedGas", "gamma": 1.12,
+                                         "soundSpeed": 30, "p0": 1e3}}
+G, DEEP, HIGH = 9.81, 0.5, 1.0
+
+
+def tank(name, cells, surface, pressure, end, functions, kind=None, sides=None,
+         settings=None, maxCoGas=0.4):
+    """Water beneath a surface y = surface(x), air above it, in a tank 1 m long and high."""
+    def initial(x, y, z):
+        h = HIGH/cells[1]
+        p = pressure(x, y)
+        alpha = np.clip((surface(x) - y)/h + 0.5, 0, 1)
+        pInf = 1000*30**2/1.12 - 1e3
+        return ([alpha, 1 - alpha], [1000*((p + pInf)/(1e3 + pInf))**(1/1.12), (p/1e3)**(1/1.4)],
+                0*x, p)
+    return fluidCase("flowOutput", name, cells, (1, HIGH, 0.1), {"water": SOFT, "air": AIR},
+                     initial, end, ends=WALL, sides=sides, gravity=(0, -G, 0), kind=kind,
+                     settings=settings, maxCoGas=maxCoGas,
+                     control={"functions": functions, "maxCo": 0.3})
+
+
+def lines(places, **more):
+    return {"type": "fluidHeight", **LIBS, "fluid": "water", "probeLocations": list(places),
+            **more}
+
+
+def atRest(x, y):
+    return 1e3 + 1000*G*np.maximum(DEEP - y, 0)
+
+
+def heights(table):
+    """What the shares say, of the start: exact where the sides of cells are vertical."""
+    deep = 0.437
+    places = [(0.31, 0.4, 0.05), (0.5, 0.4, 7), (0, 0.4, 0), (1, 0.9, 0.1)]
+    for kind, limit in ((None, 1e-12), ("prisms", 0.05/2)):
+        case = tank(f"depth-{kind}", (20, 20, 1), lambda x: deep + 0*x, atRest, 1e-6,
+                    {"waves": lines(places)}, kind)
+        case.run("materialPointFoam")
+        for what, exact in (("depth", deep), ("level", deep - np.array([p[1] for p in places]))):
+            table.row(f"water at rest, {kind or 'boxes'} of 0.05: {what}, error [m]", 0,
+                      np.max(abs(rows(case, "waves", what + ".dat")[0, 1:] - exact)), limit,
+                      "atMost")
+    case = tank("ground", (20, 20, 1), lambda x: deep + 0*x, atRest, 1e-6,
+                {"waves": lines([(0.31, 0.4, 0.05), (0.7, 0.4, 0.05)])})
+    besidePoints(case, {"water": SOFT, "air": AIR},
+                 {"ground": {"constitutiveModel": {"type": "linearElastic", "rho": 2000, "E": 1e6,
+                                                   "nu": 0}}},
+                 {"ground": {"type": "box", "min": (0, 0, -1), "max": (0.5, 0.22, 1),
+                             "stress": ambient(1e3)}})
+    case.run("materialPointFoam")
+    # Solid leaves 1 % of its cells to pores
+    for what, exact in (("depth", (deep - 0.99*0.22, deep)), ("level", (deep - 0.4,)*2)):
+        table.row(f"the same on ground of points: {what}, error [m]", 0, np.max(abs(
+            rows(case, "waves", what + ".dat")[0, 1:] - exact)), 1e-12, "atMost")
+
+
+# --- slosh -------------------------------------------------------------------
+
+def slosh(table):
+    """Standing wave, the first of the tank. Linear theory of two layers with potentials:
+    w^2 = g k (r1 - r2)/(r1 coth(k h1) + r2 coth(k h2)), level = a cos(k x) cos(w t)."""
+    k, a = np.pi, 0.01
+    w = np.sqrt(G*k*(1000 - 1)/((1000 + 1)/np.tanh(k*DEEP)))
+    period = 2*np.pi/w
+
+    def pressure(x, y):
+        return atRest(x, y) + np.where(y < DEEP, 1000*G*a*np.cos(k*x)*np.cosh(k*y)
+                                       / np.cosh(k*DEEP), 0)
+    for n, slow, late, lost in ((20, "yes", 0.02, 0.15), (40, "yes", 0.01, 0.1),
+                                (40, "no", 0.1, 0.6)):
+        case = tank(f"slosh-{n}-{slow}", (n, n, 1), lambda x: DEEP + a*np.cos(k*x), pressure,
+                    1.4*period, {"waves": lines([(0, DEEP, 0), (0.5, DEEP, 0), (1, DEEP, 0)])},
+                    settings={"lowMach": slow})
+        case.run("materialPointFoam")
+        t, left, middle, right = rows(case, "waves", "level.dat").T
+        wave = 0.5*(left - right)
+        down = [np.interp(0, wave[[i + 1, i]], t[[i + 1, i]])
+                for i in range(len(t) - 1) if wave[i] > 0 >= wave[i + 1]]
+        label = f"standing wave, {n} cells long, lowMach {slow}"
+        table.row(f"{label}: period", period, down[1] - down[0], late, "relative")
+        table.row(f"{label}: height lost in a period", 0,
+                  1 - np.max(wave[abs(t - period) < period/4])/a, lost, "atMost")
+        table.row(f"{label}: level in its node over its height", 0, np.max(abs(middle))/a,
+                  0.1, "atMost")
 
 
 # --- balance -----------------------------------------------------------------
@@ -149,6 +245,15 @@ def balance(table):
 
 # --- wrong input -------------------------------------------------------------
 
+def refused(case):
+    """The log of a run that stops, "" of one that does not."""
+    try:
+        case.run("materialPointFoam")
+        return ""
+    except RunFailed:
+        return case.log()
+
+
 def wrong(table):
     for label, entries, words in (
             ("place outside", probes([(0.5, 5, 0.05)]), ("probeLocations", "not in the mesh",
@@ -160,21 +265,28 @@ def wrong(table):
             ("misspelt", probes([(0.5, 0.5, 0.05)], treshold=1), ("treshold", "threshold")),
             ("executeControl", probes([(0.5, 0.5, 0.05)], executeControl="writeTime"),
              ("Remove executeControl",)),
+            ("fluidHeight in one gas", lines([(0.5, 0.5, 0)]), ("two or more", "is one")),
             ("misspelt of fluidBalance", {"type": "fluidBalance", **LIBS, "phase": "air"},
              ("phase", "Valid keywords"))):
         case = gasCase("flowOutput", "wrong-" + label.replace(" ", "-"), (4, 4, 1), (1, 1, 0.1),
                        lambda x, y, z: (1 + 0*x, 0*x, 1 + 0*x), 1e-3,
                        control={"functions": {"one": entries}})
-        try:
-            case.run("materialPointFoam")
-            table.check(f"wrong input: {label}", False, "ran")
-            continue
-        except RunFailed:
-            pass
-        text = case.log()
+        text = refused(case)
         missing = [w for w in words if w not in text]
         table.check(f"wrong input: {label}", not missing and "FOAM FATAL" in text
                     and "printStack" not in text, f"message lacks {missing}")
+
+    for label, entries, words in (
+            ("fluid", lines([(0.5, 0.5, 0)], fluid="watr"), ("watr", "water", "air")),
+            ("direction", lines([(0.5, 0.5, 0)], direction="(0 0 0)"), ("direction", "zero")),
+            ("no places", lines([]), ("probeLocations has no place",)),
+            ("outside", lines([(0.5, 0.5, 0), (1.5, 0.5, 0)]), ("(1.5 0.5 0)", "meet the mesh"))):
+        case = tank("wrong-height-" + label.replace(" ", "-"), (4, 4, 1), lambda x: DEEP + 0*x,
+                    atRest, 1e-6, {"one": entries})
+        text = refused(case)
+        missing = [w for w in words if w not in text]
+        table.check(f"wrong input of fluidHeight: {label}", not missing and "FOAM FATAL" in text,
+                    f"message lacks {missing}")
 
     case = coupledCase("flowOutput", "solid", (10, 10, 1), (1, 1, 0.1),
                        lambda x, y, z: (1 + 0*x, 0*x, 1 + 0*x), 1e-3,
@@ -191,4 +303,4 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("flowOutput", wave, parallel, balance, wrong))
+    sys.exit(runParts("flowOutput", wave, heights, slosh, parallel, balance, wrong))
