@@ -41,7 +41,9 @@ def face(time):
 log = case.log()
 t = np.array([float(v) for v in re.findall(r"^Time = (\S+)", log, re.M)])
 F = case.numbers(r"Load on wedge: force \(\S+ N")
+# Each force is the mean since the line before
 t = t[:len(F)] - GAP/V
+t, F = 0.5*(t[1:] + t[:-1]), F[1:]
 late = t > 0.5*t[-1]
 unit = 0.5*RHO*V**3*DEPTH
 mean, slope = np.mean(F[late]/t[late])/unit, np.polyfit(t[late], F[late], 1)[0]/unit

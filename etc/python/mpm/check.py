@@ -288,8 +288,12 @@ class Check:
             thin = min(facts.axes, key=lambda d: size[d])
             width = facts.least(phase, thin, low, high)
             if width and isinstance(region, dict) and region.get("phase") == phase:
-                found.append((float(size[thin]), name, width, "" if kind == "box" else
-                              " of its box"))
+                turned = facts.thinnest(phase, low, high)
+                if 0 < turned < 0.9*size[thin]:
+                    found.append((turned, name, width, ", which is turned,"))
+                else:
+                    found.append((float(size[thin]), name, width, "" if kind == "box" else
+                                  " of its box"))
         for thin, name, width, of in sorted(found)[:1 if len(found) > 8 else 8]:
             self._line("", f"{name}: {thin/width:.2g} cells across the thinnest side{of}, "
                        f"{thin:.4g} m")

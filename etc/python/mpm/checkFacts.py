@@ -219,6 +219,16 @@ class Facts:
         gamma, pInf, rho = needed
         return math.sqrt(gamma*(pInf + (state.get("p0") or 0))/rho)
 
+    def thinnest(self, name, low, high):
+        """Least length of a phase's points in a box along their own principal axes [m], of points
+        of one size; 0: too few to say."""
+        phase, at = self.phases[name], self.axes
+        x = phase.x[((phase.x >= low) & (phase.x <= high))[:, at].all(axis=1)][:, at]
+        if len(x) < 16 or len(at) < 2 or not phase.width or not phase.mean:
+            return 0.0
+        axes = np.linalg.eigh(np.cov(x.T))[1]
+        return float(np.ptp(x @ axes, axis=0).min()) + phase.width/phase.mean**(1/self.nDim)
+
     def least(self, name, d, low, high):
         """The least length along d of the cells with points of a phase in a box [m]; 0: none."""
         phase, at = self.phases[name], self.axes

@@ -245,14 +245,15 @@ void Foam::mpm::eulerianFluids::checkState(const scalarField& p) const
             why << "alpha.* add up to " << sum << ", theta is " << theta_[c]
                 << (least < 0 ? ", and a share or mass is negative." : ".");
         }
-        FatalErrorInFunction << "The fields p, theta, alpha.* and F.* of time "
-                             << mesh_.time().timeName() << " do not belong to the state"
-                             << " thetaRho.*, thetaRhoU, thetaRhoE of the fluids in that time: "
-                             << why.str().c_str() << " That is in cell " << c << " at "
-                             << mesh_.cellCentres()[c] << "." << nl
-                             << "If some were changed on purpose, remove the files thetaRho.*,"
-                             << " thetaRhoU, thetaRhoE and the run starts from p, U, alpha.*,"
-                             << " T.*, rho.*, F.*." << exit(FatalError);
+        FatalErrorInFunction
+            << "The fields p, theta, alpha.* and F.* of time " << mesh_.time().timeName()
+            << " do not belong to the state"
+            << " thetaRho.*, thetaRhoU, thetaRhoE of the fluids in that time: " << why.str().c_str()
+            << " That is in cell " << c << " at " << mesh_.cellCentres()[c] << "." << nl
+            << "If some were changed on purpose, or an equationOfState of the fluids"
+            << " (soundSpeed, pInf) in constant/phaseProperties, remove the"
+            << " files thetaRho.*, thetaRhoU, thetaRhoE there and the run starts"
+            << " from p, U, alpha.*, T.*, rho.*, F.*." << exit(FatalError);
     }
 }
 

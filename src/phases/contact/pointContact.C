@@ -450,11 +450,12 @@ void Foam::mpm::pointContact::report() const
         {
             gap = returnReduce(pair.pushedGap, sumOp<scalar>()) / push;
         }
+        const vector sum(returnReduce(pair.sum, sumOp<vector>()));
+        const vector step(returnReduce(pair.step, sumOp<vector>()));
+        const vector force(pair.force.next(sum, points_.time().value(), step, points_.deltaT()));
         Info << "Contact " << pair.how.name << " between " << fields_[pair.a].name() << " and "
              << (pair.b >= 0 ? "" : "patch ") << (pair.b >= 0 ? fields_[pair.b].name() : pair.patch)
-             << ": force "
-             << returnReduce(pair.step, sumOp<vector>()) / max(points_.deltaT(), VSMALL)
-             << " N, impulse " << returnReduce(pair.sum, sumOp<vector>()) << " N s, gap ";
+             << ": force " << force << " N, impulse " << sum << " N s, gap ";
         if (gap < GREAT)
         {
             Info << gap << " m";

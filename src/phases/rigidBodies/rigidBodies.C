@@ -239,13 +239,16 @@ void Foam::mpm::rigidBodies::setState(const dictionary& state)
 
 void Foam::mpm::rigidBodies::report() const
 {
+    forces_.setSize(points_.phases().size());
     forAll(points_.phases(), phasei)
     {
         if (points_.phases()[phasei].motion())
         {
-            Info << "Load on " << points_.phases()[phasei].name() << ": force "
-                 << stepImpulse(phasei) / max(points_.deltaT(), VSMALL) << " N, impulse "
-                 << impulse(phasei) << " N s" << endl;
+            const vector sum(impulse(phasei));
+            const vector force(forces_[phasei].next(
+                sum, points_.time().value(), stepImpulse(phasei), points_.deltaT()));
+            Info << "Load on " << points_.phases()[phasei].name() << ": force " << force
+                 << " N, impulse " << sum << " N s" << endl;
         }
     }
 }

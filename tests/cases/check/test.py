@@ -138,6 +138,20 @@ def told(table):
     across = re.search(r"target: (\S+) cells across", said)
     table.row("told: cells across, of 3 x 1 mm", 10, float(across[1]), 1e-9)
 
+    # A slab of 4 x 18 mm that is turned by 30 degrees: 13 mm high, on cells of 1 mm
+    case = FoamCase("check", "turned", TEMPLATE)
+    case.set(REGIONS, "regions.target", {
+        "phase": "target", "type": "cylinder", "radius": 0.002, "pointsPerCell": 2,
+        "point1": (-0.009*3**0.5/2, 0.001, 0.0005), "point2": (0.009*3**0.5/2, 0.010, 0.0005)})
+    for corner, value in (("min", (0.02, 0.012, 0)), ("max", (0.025, 0.02, 0.001))):
+        case.set(REGIONS, "regions.flyer." + corner, value)
+    check = Check(case.path, trial=False)
+    check.run()
+    said = "\n".join(text for _, text in check.lines)
+    across = re.search(r"target: (\S+) cells across the thinnest side, which is turned,", said)
+    table.row("told: cells across a turned slab", 4, float(across[1]) if across else 0, 0.1,
+              "relative")
+
     # A row of cells 8 times as long at one end as at the other, 1 mm high: lengths are a
     # geometric series of 60 over 60 mm
     case = FoamCase("check", "graded", TEMPLATE)
