@@ -55,6 +55,7 @@ Usage
 
 #include "materialPointOutput.H"
 #include "FlatOutput.H"
+#include "StringStream.H"
 #include "processorPolyPatch.H"
 
 namespace Foam::functionObjects
@@ -202,12 +203,16 @@ class materialPointPatchForces : public materialPointOutput
             }
         }
 
+        OStringStream text;
+        text << "Valid patches are: " << flatOutput(valid)
+             << (valid.empty() ? ", as none fixes a velocity" : "") << nl;
+        const string validPatches(text.str());
+
         patches_ = mpm::required<wordList>(dict_, "patches");
         if (patches_.empty())
         {
-            FatalIOErrorInFunction(dict_)
-                << "The list of patches is empty." << nl << nl
-                << "Valid patches are: " << flatOutput(valid) << nl << exit(FatalIOError);
+            FatalIOErrorInFunction(dict_) << "The list of patches is empty." << nl << nl
+                                          << validPatches.c_str() << exit(FatalIOError);
         }
         place_ = labelList(mesh.size(), label(-1));
         forAll(patches_, i)
@@ -223,8 +228,7 @@ class materialPointPatchForces : public materialPointOutput
                                                    " push it, but by contact, whose force"
                                                    " is in the log (Contact ...)."
                                                  : " is listed twice.")
-                    << nl << nl << "Valid patches are: " << flatOutput(valid) << nl
-                    << exit(FatalIOError);
+                    << nl << nl << validPatches.c_str() << exit(FatalIOError);
             }
             place_[patchi] = i;
         }

@@ -13,6 +13,7 @@ balls      two balls in 3D meet off centre: momentum
 ledger     five impacts in one scene, every transfer, boxes and nodeDual, two time steps:
            impulse and load of the log are what the bodies' momenta change by
 thin       ball in 2D on rigid floors of one and three layers of cells: gap, impulse, energy
+curved     a disc slides in a bowl and over a hump, patches (curved.py): the exact motion
 bounce     an octahedron falls on its tip (bounce.py): no more speed than before, with
            each transfer; restart in contact bit by bit
 hertz      tutorials/hertz: half-width and pressure
@@ -30,6 +31,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../lib"))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bounce import bounce
 from cellMesh import boxOfCells
+from curved import curved
 from foamCase import (PROJECT, VERIFY, FoamCase, boxMesh, controlDict, foamText, noSchemes,
                       runParts, velocityFile)
 
@@ -589,6 +591,7 @@ def sand(table):
 
 def main():
     return runParts("contact", plates, pair, anyCells, incline, disks, balls, ledger, shared,
+                    curved,
                     thin, bounce, hertz, sand)
 
 
