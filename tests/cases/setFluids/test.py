@@ -8,6 +8,7 @@ shares     a disc on moved quadrilaterals and boxes: the share of each cell agai
            area by Gauss' sums between the breaks
 sections   discs, boxes and surfaces in 2D and on a wedge, whose volume is the sector's
 states     order of regions, mass, energy and momentum of cells that regions share
+conditions farField of p and U in pairs
 rest       what lies in layers stays at rest, also as cells of any size; a column of
            water beside air starts without sound
 damBreak   the tutorial on wider cells: the tip against Koshizuka and Oka's computation (Nucl.
@@ -297,6 +298,31 @@ def states(table):
 
 # --- rest --------------------------------------------------------------------
 
+def conditions(table):
+    """A field without a file: farField where the other of p and U has it, else by its patch."""
+    sides = {"walls": ("wall", ("x-", "x+", "y-")), "top": ("patch", ("y+",)),
+             "flat": ("empty", ("z-", "z+"))}
+    far = {"p": {"type": "farField", "farValue": "uniform 1e5", "value": "uniform 1e5"},
+           "U": {"type": "farField", "value": "uniform (0 0 0)"}}
+    for given, other, kind, unit in (("p", "U", "volScalarField", "[1 -1 -2 0 0 0 0]"),
+                                     ("U", "p", "volVectorField", "[0 1 -1 0 0 0 0]"),
+                                     ("none", "p", "", "")):
+        def before(case):
+            if kind:
+                case.write("0/" + given, {
+                    "dimensions": unit, "internalField": far[given]["value"],
+                    "boundaryField": {"top": far[given], "flat": {"type": "empty"},
+                                      "walls": {"type": "zeroGradient"}}}, kind)
+        case = fluidStart(f"far-{given}", boxes((0, 0, 0), (1, 1, 0.1), (4, 4, 1), sides), {
+            "a": {"type": "box", "min": (-1, -1, -1), "max": (2, 0.5, 1), "fluid": "water"}},
+                          before=before, control={"writeFormat": "ascii"})
+        types = {p: case.get("0/" + other)["boundaryField"][p]["type"] for p in sides}
+        table.check(f"farField of {given}: conditions of {other}", types == {
+            "walls": "slip" if other == "U" else "zeroGradient", "flat": "empty",
+            "top": "farField" if kind else "zeroGradient"}, types)
+        case.run("materialPointFoam", "-dry-run")
+
+
 def rest(table):
     layers = {"pool": {"type": "box", "min": (-9, -9, -9), "max": (9, 0.437, 9),
                        "fluid": "water"}}
@@ -492,5 +518,5 @@ def wrong(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("setFluids", volumes, shares, sections, states, rest, damBreak,
+    sys.exit(runParts("setFluids", volumes, shares, sections, states, conditions, rest, damBreak,
                       processors, wrong))
