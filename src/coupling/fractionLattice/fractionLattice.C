@@ -171,14 +171,14 @@ void Foam::mpm::fractionLattice::makeShared()
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid) :
-    grid_(grid), nPlaces_(1), stride_{0, 0, 0}
+    grid_(grid), nPlaces_(1), stride_{0, 0, 0}, graded_{false, false, false}
 {
     const int D = grid_.nDim();
-    const string reason(refuses(grid_));
+    const string reason(grid_.noLattice());
     if (!reason.empty())
     {
-        FatalErrorInFunction << "solidFraction lattice needs boxes of one size in each"
-                             << " direction: " << reason.c_str() << ". On other meshes choose"
+        FatalErrorInFunction << "solidFraction lattice needs a lattice of boxes: " << reason.c_str()
+                             << ". On other meshes choose"
                              << " solidFraction star." << exit(FatalError);
     }
 
@@ -186,6 +186,17 @@ Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid) :
     {
         stride_[d] = nPlaces_;
         nPlaces_ *= grid_.lattice().nLatticeCells(d) + 2;
+
+        scalar least = GREAT, most = 0;
+        for (label i = 1; i <= grid.lattice().nLatticeCells(d); ++i)
+        {
+            const scalar h = grid.lattice().planes(d)[i + 1] - grid.lattice().planes(d)[i];
+            least = min(least, h);
+            most = max(most, h);
+        }
+        reduce(least, minOp<scalar>());
+        reduce(most, maxOp<scalar>());
+        graded_[d] = most > (1 + 1e-4) * least;
     }
     placeOf_.setSize(grid_.nCells());
     below_.setSize(D * grid_.nCells());
@@ -208,30 +219,13 @@ Foam::mpm::fractionLattice::fractionLattice(const pointGrid& grid) :
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::string Foam::mpm::fractionLattice::refuses(const pointGrid& grid)
+Foam::scalar Foam::mpm::fractionLattice::width(const label facei) const
 {
-    string reason(grid.noLattice());
-    for (int d = 0; d < grid.nDim() && reason.empty(); ++d)
-    {
-        scalar least = GREAT, most = 0;
-        for (label i = 1; i <= grid.lattice().nLatticeCells(d); ++i)
-        {
-            const scalar h = grid.lattice().planes(d)[i + 1] - grid.lattice().planes(d)[i];
-            least = min(least, h);
-            most = max(most, h);
-        }
-        reduce(least, minOp<scalar>());
-        reduce(most, maxOp<scalar>());
-        if (most > (1 + 1e-4) * least)
-        {
-            OStringStream s;
-            s << "direction "
-              << "xyz"[grid.direction(d)] << " is graded, its cells are " << least << " to " << most
-              << " m wide";
-            reason = s.str();
-        }
-    }
-    return reason;
+    const int d = faceDirection_[facei];
+    const label c = grid_.mesh().faceOwner()[facei];
+    const scalar* x = grid_.lattice().planes(d).cdata() + grid_.lattice().ijk(c, d)
+        + (faceSign_[facei] > 0 ? 1 : 0);
+    return min(x[1] - x[0], x[0] - x[-1]);
 }
 
 void Foam::mpm::fractionLattice::sum(scalar* q, const int nComp) const

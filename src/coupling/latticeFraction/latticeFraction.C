@@ -28,7 +28,9 @@ void Foam::mpm::latticeFraction::makeFaces()
         faces_[f].at = lattice_.nPlaces() * d + lattice_.facePlace(f);
         faces_[f].sign = lattice_.sign(f);
         faces_[f].S = S;
-        faces_[f].V = grid.radial() < 0 ? mesh_.V()[c] : S * grid.width(c, d);
+        faces_[f].V = lattice_.graded(d) ? S * lattice_.width(f)
+            : grid.radial() < 0          ? mesh_.V()[c]
+                                         : S * grid.width(c, d);
     }
 }
 
@@ -413,7 +415,9 @@ void Foam::mpm::latticeFraction::updateNormals()
         for (int d = 0; d < D; ++d)
         {
             const scalar difference = q[lattice_.above(c, d)] - q[lattice_.below(c, d)];
-            n[grid.direction(d)] = difference * grid.lattice().invWidth(d)[1];
+            const label i = grid.lattice().ijk(c, d);
+            const scalarList& x = grid.lattice().planes(d);
+            n[grid.direction(d)] = difference / (x[i + 2] + x[i + 1] - x[i] - x[i - 1]);
             most = max(most, mag(difference));
         }
         normals_[c] = most < uniform ? vector(Zero) : n / mag(n);

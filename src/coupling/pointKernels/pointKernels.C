@@ -8,7 +8,8 @@ namespace Foam::mpm
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
-template<int DIM, bool HOOP = false>
+//  KNOTS: some direction is graded or a radius
+template<int DIM, bool KNOTS = false>
 class boxKernels : public pointKernels
 {
     static constexpr int W = laneWidth<DIM>;
@@ -21,8 +22,11 @@ class boxKernels : public pointKernels
 
     const fractionLattice& sums_;
 
-    //- Computed direction of the radius where HOOP is
+    //- Computed direction of the radius; -1: none
     const int radial_;
+
+    //- Directions that are graded or the radius
+    bool knots_[DIM];
 
     //- Factors of the kernels of W points: hat at the lower and upper plane,
     //  spline of the cell below, the cell, the cell above
@@ -36,12 +40,12 @@ class boxKernels : public pointKernels
     typedef std::conditional_t<DIM == 1, quad, lanePair<4>> values;
 
     //- Sums over the points of a cell, for the splines of the cells around it;
-    //  for the hats of the radius
+    //  for the hats of directions with knots
     template<class Value>
     struct sums
     {
         Value cell[nCells];
-        Value radial[HOOP ? nFaces : 1];
+        Value hat[KNOTS ? DIM : 1][KNOTS ? nFaces : 1];
     };
 
     //- Places around a cell
@@ -50,24 +54,36 @@ class boxKernels : public pointKernels
         label cell[nCells];
         scalar lower[DIM], invWidth[DIM];
 
-        //- Of a wedge's lower and upper face: r^2, 1/d_f, 2 r_f h/d_f, 1/r_f;
-        //  the last three are zero at the axis
-        scalar s[2], invD[2], scale[2], invR[2];
+        //- Of the lower and upper face: place, 1/d_f; of a wedge's r^2, 1/d_f,
+        //  2 r_f h/d_f, 1/r_f, the last three zero at the axis
+        struct knot
+        {
+            scalar s, invD, scale = 1, invR = 1;
+        };
+
+        knot knots[KNOTS ? DIM : 1][2];
     };
 
-    void prepareRadius(const label celli, around& s) const
+    void prepareKnots(const label celli, const int d, around& s) const
     {
-        const label i = sums_.grid().lattice().ijk(celli, radial_);
-        const scalar* r = sums_.grid().lattice().planes(radial_).cdata() + i;
+        const scalar* x =
+            sums_.grid().lattice().planes(d).cdata() + sums_.grid().lattice().ijk(celli, d);
         for (int n = 0; n < 2; ++n)
         {
-            const scalar h = r[n] - r[n - 1];
-            const bool atAxis = r[n] < 1e-6 * h;
-            const scalar d = sqr(r[n]) - sqr(max(r[n - 1], scalar(0)));
-            s.s[n] = sqr(r[n]);
-            s.invD[n] = atAxis ? 0 : 1 / d;
-            s.scale[n] = atAxis ? 0 : 2 * r[n] * h / d;
-            s.invR[n] = atAxis ? 0 : 1 / r[n];
+            typename around::knot& k = s.knots[d][n];
+            const scalar h = min(x[n] - x[n - 1], x[n + 1] - x[n]);
+            if (d != radial_)
+            {
+                k.s = x[n];
+                k.invD = 1 / h;
+                continue;
+            }
+            const bool atAxis = x[n] < 1e-6 * h;
+            k.s = sqr(x[n]);
+            const scalar D = min(k.s - sqr(max(x[n - 1], scalar(0))), sqr(x[n + 1]) - k.s);
+            k.invD = atAxis ? 0 : 1 / D;
+            k.scale = atAxis ? 0 : 2 * x[n] * h / D;
+            k.invR = atAxis ? 0 : 1 / x[n];
         }
     }
 
@@ -84,10 +100,10 @@ class boxKernels : public pointKernels
             step[d][0] = sums_.below(celli, d);
             step[d][1] = 0;
             step[d][2] = sums_.above(celli, d);
-        }
-        if constexpr (HOOP)
-        {
-            prepareRadius(celli, s);
+            if (KNOTS && knots_[d])
+            {
+                prepareKnots(celli, d, s);
+            }
         }
         for (int n = 0; n < nCells; ++n)
         {
@@ -110,14 +126,15 @@ class boxKernels : public pointKernels
         {
             // Not beyond the last point: padding need not be a number
             const T xp = n == W ? load<W>(x[d] + p) : loadPart<W>(x[d] + p, n);
-            if (HOOP && d == radial_)
+            if (KNOTS && knots_[d])
             {
-                const T none = {}, r2 = xp * xp;
-                const T c0 = laneMax(1.0 - (r2 - s.s[0]) * s.invD[0], none);
-                const T c1 = laneMax(1.0 - (s.s[1] - r2) * s.invD[1], none);
-                K.n1[d][0] = s.scale[0] * c0;
-                K.n1[d][1] = s.scale[1] * c1;
-                K.n2[d][0] = s.scale[0] > 0 ? 0.5 * c0 * c0 : none;
+                const typename around::knot &low = s.knots[d][0], &high = s.knots[d][1];
+                const T none = {}, at = d == radial_ ? xp * xp : xp;
+                const T c0 = laneMax(1.0 - (at - low.s) * low.invD, none);
+                const T c1 = laneMax(1.0 - (high.s - at) * high.invD, none);
+                K.n1[d][0] = low.scale * c0;
+                K.n1[d][1] = high.scale * c1;
+                K.n2[d][0] = low.scale > 0 ? 0.5 * c0 * c0 : none;
                 K.n2[d][2] = 0.5 * c1 * c1;
                 K.n2[d][1] = 1.0 - K.n2[d][0] - K.n2[d][2];
                 continue;
@@ -202,18 +219,21 @@ class boxKernels : public pointKernels
                 to.cell[c] += k[c][l] * q[l];
             }
         }
-        for (int f = 0; HOOP && f < nFaces; ++f)
+        for (int d = 0; KNOTS && d < DIM; ++d)
         {
-            const T kernel = faceKernel(K, radial_, f);
-            for (int l = 0; l < n; ++l)
+            for (int f = 0; knots_[d] && f < nFaces; ++f)
             {
-                to.radial[f] += kernel[l] * q[l];
+                const T kernel = faceKernel(K, d, f);
+                for (int l = 0; l < n; ++l)
+                {
+                    to.hat[d][f] += kernel[l] * q[l];
+                }
             }
         }
     }
 
     //- Call f(place, side, sum) for the faces of direction d, sum of the half of the values
-    //  that has theirs. A hat is one of the splines of three cells in a row,
+    //  that has theirs. Between equal cells a hat is one of the splines of three in a row,
     //  n1 = (n2_0 + n2_1 + n2_2)/2 -+ (n2_2 - n2_0)
     template<class Value, class Function>
     MPM_INLINE void
@@ -234,10 +254,10 @@ class boxKernels : public pointKernels
         {
             const label at = placeOf(s, d, line);
             quad low, high;
-            if (HOOP && d == radial_)
+            if (KNOTS && knots_[d])
             {
-                low = part(of.radial[2 * line]);
-                high = part(of.radial[2 * line + 1]);
+                low = part(of.hat[d][2 * line]);
+                high = part(of.hat[d][2 * line + 1]);
             }
             else
             {
@@ -255,7 +275,7 @@ class boxKernels : public pointKernels
     //- Of the flux at a face of the radius
     scalar scaleOf(const around& s, const int d, const int side) const
     {
-        return HOOP && d == radial_ ? s.invR[side] : 1;
+        return KNOTS && d == radial_ ? s.knots[d][side].invR : 1;
     }
 
     //- The rows of W values, one of them per point
@@ -357,7 +377,13 @@ class boxKernels : public pointKernels
     }
 
 public:
-    explicit boxKernels(const fractionLattice& sums) : sums_(sums), radial_(sums.grid().radial()) {}
+    explicit boxKernels(const fractionLattice& sums) : sums_(sums), radial_(sums.grid().radial())
+    {
+        for (int d = 0; d < DIM; ++d)
+        {
+            knots_[d] = d == radial_ || sums.graded(d);
+        }
+    }
 
     void depart(materialPointCloud& cloud, scalar* face) const override
     {
@@ -386,7 +412,7 @@ public:
                 for (int d = 0; d < DIM; ++d)
                 {
                     T w = load<W>(way[d] + p);
-                    if (HOOP && d == radial_)
+                    if (KNOTS && d == radial_)
                     {
                         // Half the change of r^2
                         w *= load<W>(x[d] + p) + 0.5 * w;
@@ -437,7 +463,7 @@ public:
                 for (int d = 0; d < DIM; ++d)
                 {
                     T w = load<W>(way[d] + p);
-                    if (HOOP && d == radial_)
+                    if (KNOTS && d == radial_)
                     {
                         w *= load<W>(x[d] + p) - 0.5 * w;
                     }
@@ -518,7 +544,7 @@ public:
                 for (int d = 0; d < DIM; ++d)
                 {
                     T g = atPoints(K, d, Gf[d]);
-                    if (HOOP && d == radial_)
+                    if (KNOTS && d == radial_)
                     {
                         g *= load<W>(x[d] + p);
                     }
@@ -531,21 +557,22 @@ public:
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
+template<int DIM>
+static autoPtr<pointKernels> newKernels(const fractionLattice& sums)
+{
+    bool knots = sums.grid().radial() >= 0;
+    for (int d = 0; d < DIM; ++d)
+    {
+        knots = knots || sums.graded(d);
+    }
+    return knots ? autoPtr<pointKernels>(new boxKernels<DIM, true>(sums))
+                 : autoPtr<pointKernels>(new boxKernels<DIM>(sums));
+}
+
 autoPtr<pointKernels> pointKernels::New(const fractionLattice& sums)
 {
-    if (sums.grid().radial() >= 0)
-    {
-        return autoPtr<pointKernels>(new boxKernels<2, true>(sums));
-    }
-    switch (sums.grid().nDim())
-    {
-    case 1:
-        return autoPtr<pointKernels>(new boxKernels<1>(sums));
-    case 2:
-        return autoPtr<pointKernels>(new boxKernels<2>(sums));
-    default:
-        return autoPtr<pointKernels>(new boxKernels<3>(sums));
-    }
+    const int D = sums.grid().nDim();
+    return D == 1 ? newKernels<1>(sums) : D == 2 ? newKernels<2>(sums) : newKernels<3>(sums);
 }
 
 } // End namespace Foam::mpm

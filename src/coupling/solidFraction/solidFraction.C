@@ -106,8 +106,7 @@ Foam::autoPtr<Foam::mpm::solidFraction>
 Foam::mpm::solidFraction::New(materialPointSystem& points, const dictionary& gasDict)
 {
     const word name(oneOfOrDefault(
-        gasDict, "solidFraction",
-        fractionLattice::refuses(points.grid()).empty() ? "lattice" : "star",
+        gasDict, "solidFraction", points.grid().noLattice().empty() ? "lattice" : "star",
         dictionaryConstructorTablePtr_->sortedToc()));
     Info << "Points in gas: solidFraction " << name << nl << endl;
     return dictionaryConstructorTablePtr_->cfind(name).val()(points, gasDict);
