@@ -198,6 +198,18 @@ class Case:
         return np.array(re.findall(pattern.replace("N", NUMBER), self.log(application),
                                    flags=re.M), float)
 
+    def energyResidual(self):
+        """Last residual of the energy budget over the largest energy of the points or what a source
+        has brought or taken: boundary, external, and of a gas or fluids pressure and drag. None
+        without a budget in the log."""
+        log = self.log()
+        found = re.findall(r"\bresidual (\S+)$", log, re.M)
+        lines = "\n".join(re.findall(
+            r"^(?:Energy: .*|Energy budget: .*|    to points: .*)$", log, re.M))
+        sizes = re.findall(r"\b(?:total|boundary|external|pressure|drag) ([-+.\de]+)", lines)
+        return float(found[-1])/(max(abs(float(v)) for v in sizes) or 1.0) \
+            if found and sizes else None
+
     def fixups(self):
         """Number of fix-ups of the gas in the run."""
         return self.numbers("outflow limited N, theta kept N, isentropic N ")[-1].sum()

@@ -286,11 +286,11 @@ class Check:
             region = facts.regions.get(name, {})
             size, low, high = (np.array(v.split(), float) for v in (size, low, high))
             thin = min(facts.axes, key=lambda d: size[d])
-            width = facts.least(phase, thin, low, high)
+            width = facts.length(phase, thin, low, high)
             if width and isinstance(region, dict) and region.get("phase") == phase:
                 turned = facts.thinnest(phase, low, high)
                 if 0 < turned < 0.9*size[thin]:
-                    found.append((turned, name, width, ", which is turned,"))
+                    found.append((turned, name, width, " of its points"))
                 else:
                     found.append((float(size[thin]), name, width, "" if kind == "box" else
                                   " of its box"))

@@ -229,13 +229,14 @@ class Facts:
         axes = np.linalg.eigh(np.cov(x.T))[1]
         return float(np.ptp(x @ axes, axis=0).min()) + phase.width/phase.mean**(1/self.nDim)
 
-    def least(self, name, d, low, high):
-        """The least length along d of the cells with points of a phase in a box [m]; 0: none."""
+    def length(self, name, d, low, high, of=np.mean):
+        """Of the lengths along d of the cells with points of a phase in a box the mean, or another
+        [m]; 0: none."""
         phase, at = self.phases[name], self.axes
         if not phase.width or len(phase.cells) != len(phase.x):
             return 0.0
         inside = phase.cells[((phase.x >= low) & (phase.x <= high))[:, at].all(axis=1)]
-        return float(self.lengths[inside, d].min()) if len(inside) else 0.0
+        return float(of(self.lengths[inside, d])) if len(inside) else 0.0
 
     @property
     def end(self):

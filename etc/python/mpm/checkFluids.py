@@ -165,6 +165,31 @@ def runsOut(facts):
                       "meshes.md#what-patches-need")
 
 
+def unheld(facts):
+    """Open sides under gravity at which nothing holds the pressure: what comes in has no bound."""
+    if not np.linalg.norm(facts.g()) or not list(_liquids(facts)) \
+            or not all(os.path.exists(facts.case.file(f)) for f in ("0/U", "0/p")):
+        return
+    p = facts.conditions("0/p")
+    for patch, of in facts.conditions("0/U").items():
+        if facts.patches.get(patch) == "patch" and of.get("type") == "zeroGradient" \
+                and p.get(patch, {}).get("type") == "zeroGradient":
+            yield Finding("warning", "0/p", f"boundaryField.{patch}", f"nothing holds the pressure "
+                          f"at {patch}: p and U are zeroGradient, and what comes in there has no "
+                          "bound (air over a pond gained 16 % in 0.2 s)", "farField for p and U in "
+                          "0.orig, then setFluids again; a wall has type wall in "
+                          "constant/polyMesh/boundary", "meshes.md#what-patches-need")
+
+
+def nowhere(facts):
+    """A fluid that setFluids has put into no cell, though it is what fills the rest."""
+    rest = (facts.fluidStart.get("default") or {}).get("fluid") if facts.fluidStart else None
+    if rest in facts.media and not facts.share(rest).any():
+        yield Finding("warning", FLUIDS, "regions", f"{rest}, which is to be in what no region "
+                      "fills, is nowhere: the regions fill the whole mesh", "sizes in m: 0.2 for "
+                      "200 mm", "fluids.md#fluids-at-the-start-setfluids")
+
+
 def _normal(corners):
     """Unit normal of a polygon, to the side from which its corners go left about."""
     area = np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
@@ -305,7 +330,18 @@ def dissipates(facts):
                       f"pushes it in {' and '.join(liquids)} (a plate two cells thick: "
                       f"{'0.80' if low else '0.64'} of its acceleration)",
                       "fluids { lowMach solids; }, or compare both", "fluids.md#several-fluids")
-    elif liquids and not low and not charge and len(facts.media) > len(liquids) \
+    # A prescribed body does not mind
+    drags = {n: facts.of(n).get("drag", {}) for n in bodies}
+    sticking = [n for n, of in drags.items() if isinstance(of, dict)
+                and of.get("type", "stick") == "stick" and of.get("direction") != "normal"
+                and facts.of(n).get("volumeModel") != "grains"]
+    if sticking and liquids and not charge:
+        yield Finding("note", PHASES, f"{sticking[0]}.drag", f"{' and '.join(sticking)} takes along "
+                      f"what is within a cell in {' and '.join(liquids)}: a disc of 4 cells over "
+                      "its radius has 0.62 of its acceleration, 0.90 where water slips",
+                      "drag { type stick; direction normal; } on boxes; or finer cells",
+                      "fluids.md#a-body-that-floats-or-falls-into-water")
+    if liquids and not bodies and not low and not charge and len(facts.media) > len(liquids) \
             and np.linalg.norm(facts.g()):
         yield Finding("note", PHASES, "fluids.lowMach", f"no: waves of {' and '.join(liquids)} die "
                       "out (of one 80 cells long 44 % in a period, 4 % with lowMach)",
@@ -334,7 +370,7 @@ def narrowGaps(facts):
                 continue
             apart = np.maximum(from_ - high, low - to)[facts.axes]
             d = int(apart.argmax())
-            width = facts.least(phase, facts.axes[d], low, high)
+            width = facts.length(phase, facts.axes[d], low, high, np.min)
             if np.count_nonzero(apart > 0) != 1 or not width:
                 continue
             if 1e-3*width < apart[d] < 2*width*(1 - 1e-6):
@@ -440,5 +476,5 @@ def _arrival(facts, name, centres):
     return first
 
 
-RULES = (noGravity, notAtRest, runsOut, softened, gaugesInSoftened, subSteps, shakes, dissipates,
-         narrowGaps, leavesMesh)
+RULES = (noGravity, notAtRest, runsOut, unheld, nowhere, softened, gaugesInSoftened, subSteps,
+         shakes, dissipates, narrowGaps, leavesMesh)

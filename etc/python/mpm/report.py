@@ -159,11 +159,10 @@ def balance(content):
     if np.isfinite(low).any():
         found.append(("sum of volume fractions", f"{np.nanmin(low):.5g} to"
                       f" {np.nanmax(high):.5g}", "Theta, 1 where all fits"))
-    residual = h.series("Energy budget", "residual")
-    if np.isfinite(residual).any() and np.isfinite(total).any():
-        size = np.nanmax(np.abs(total)) or 1.0
-        found.append(("residual of the energy budget", f"{100*residual[-1]/size:.3g} %",
-                      "of the largest energy of the points"))
+    residual = content.case.energyResidual()
+    if residual is not None:
+        found.append(("residual of the energy budget", f"{100*residual:.3g} %", "of the largest "
+                      "energy of the points, or what a source brought or took"))
     for line in content.runs[-1].head:
         if "imbalance" in line and "points per processor" in line:
             found.append(("imbalance at the start", f"{float(line.split()[-2]):.3g} %",
@@ -210,7 +209,7 @@ def probeParts(content, other):
         return ""
     if not other:
         return '<div class="cards">' + cardBoxes([
-            (what, withUnit(v, u), f"largest, at {factor*t:.5g} {unit}")
+            (what, withUnit(v, u), f"farthest from 0, at {factor*t:.5g} {unit}")
             for what, v, u, t in mine]) + "</div>\n"
     known = [{(what, u): v for what, v, u, _ in some} for some in (mine, theirs)]
     rows = []

@@ -249,12 +249,15 @@ void Foam::mpm::requireCaseFile(const Time& time, const fileName& name)
         && !exists(time.globalPath() / name) && !exists(time.globalPath() / name + ".gz"))
     {
         const fileName project(getEnv("MPM_PROJECT_DIR"));
-        const fileName from("etc/caseTemplate" / name);
+        // The template has no fluids
+        const bool fluids = name == "system/setFluidsDict";
+        const fileName of(fluids ? "tutorials/damBreak" : "etc/caseTemplate");
+        const fileName from(of / name);
         FatalErrorInFunction << "The case " << time.globalPath() << " has no file " << name << "."
                              << nl << "Copy " << (project.empty() ? from : project / from).c_str()
-                             << " and change it; etc/caseTemplate is a small case with every"
-                             << " file that a run needs." << nl << "If " << name
-                             << " is there, run in the folder of the case, or"
+                             << " and change it; " << of.c_str()
+                             << " is a small case with every file that a run needs." << nl << "If "
+                             << name << " is there, run in the folder of the case, or"
                              << " with  -case <folder>." << exit(FatalError);
     }
 }

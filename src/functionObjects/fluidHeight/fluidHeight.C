@@ -177,7 +177,21 @@ class fluidHeight : public flowOutput
                         : "Entry direction is missing: there is no gravity that says what is up.")
                 << exit(FatalIOError);
         }
-        up_ /= mag(up_);
+        up_ = up_ / mag(up_) + vector::zero; // no -0
+
+        // Places may lie in the ground, but above or below all of the mesh is a wrong unit
+        const scalarField along(mesh_.bounds().points()() & up_);
+        const scalar low = min(along), high = max(along), tol = 1e-6 * (high - low);
+        for (const point& x : places_)
+        {
+            if ((x & up_) < low - tol || (x & up_) > high + tol)
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "Place " << x << " of probeLocations is " << (x & up_) << " m along " << up_
+                    << ", where the mesh goes from " << low << " to " << high
+                    << " m. Places are in m." << exit(FatalIOError);
+            }
+        }
         findCells();
 
         OStringStream os;

@@ -148,7 +148,7 @@ def told(table):
     check = Check(case.path, trial=False)
     check.run()
     said = "\n".join(text for _, text in check.lines)
-    across = re.search(r"target: (\S+) cells across the thinnest side, which is turned,", said)
+    across = re.search(r"target: (\S+) cells across the thinnest side of its points,", said)
     table.row("told: cells across a turned slab", 4, float(across[1]) if across else 0, 0.1,
               "relative")
 
@@ -239,6 +239,7 @@ def leaks(table):
         table.check(f"leaks: water beside sides of type {kind}", hits == expected, found(check))
 
     out(table)
+    open_(table)
     # A rigid body by walls of fixedValue, and what it holds
     case = FoamCase("check", "rigid", os.path.join(PROJECT, "tutorials/damBreakGate"))
     case.set("0.orig/U.solids", "boundaryField.walls",
@@ -282,6 +283,34 @@ def out(table):
             table.check(f"leaks: walls of {condition.split(';')[0]}, "
                         f"{'' if weight else 'no '}gravity", sorted(hits) == sorted(expected),
                         found(check))
+
+
+def open_(table):
+    """The basin's top: farField, and what setFluids gives without 0.orig; tank filled to the top
+    by a pool in mm."""
+    for given in (True, False):
+        case = basin("top")
+        if not given:
+            os.remove(case.file("0.orig/U"))
+            os.remove(case.file("0.orig/p"))
+        hits, check = toldOf(case, "nothing holds the pressure at top")
+        table.check(f"open: top {'of farField' if given else 'without files'}",
+                    hits == [("warning", "0/p")]*(not given), found(check))
+    case = basin("full")
+    case.set("system/setFluidsDict", "regions.column.max", (1000, 100, 1))
+    hits, check = toldOf(case, "air, which is to be in what no region fills, is nowhere")
+    table.check("open: pool in mm", hits == [("warning", "system/setFluidsDict")], found(check))
+
+
+def sticking(table):
+    """A body that takes water along (tests/cases/lightInWater)."""
+    for drag, told in (("", True), ("normal", False)):
+        case = basin("sticking")
+        if not drag:
+            case.change(PHASES, r"drag +\{ type stick; direction normal; \}", "")
+        hits, check = toldOf(case, "takes along what is within a cell")
+        table.check(f"dropped: drag {drag or 'none given'}", hits == [("note", PHASES)]*told,
+                    found(check))
 
 
 def names(table):
@@ -364,6 +393,7 @@ def dropped(table):
     shaking(table)
     slow(table)
     dissipating(table)
+    sticking(table)
     gaps(table)
 
 

@@ -280,6 +280,7 @@ def wrong(table):
             ("fluid", lines([(0.5, 0.5, 0)], fluid="watr"), ("watr", "water", "air")),
             ("direction", lines([(0.5, 0.5, 0)], direction="(0 0 0)"), ("direction", "zero")),
             ("no places", lines([]), ("probeLocations has no place",)),
+            ("height in mm", lines([(0.5, 500, 0)]), ("(0.5 500 0)", "in m", "from 0 to 1 m")),
             ("outside", lines([(0.5, 0.5, 0), (1.5, 0.5, 0)]), ("(1.5 0.5 0)", "meet the mesh"))):
         case = tank("wrong-height-" + label.replace(" ", "-"), (4, 4, 1), lambda x: DEEP + 0*x,
                     atRest, 1e-6, {"one": entries})

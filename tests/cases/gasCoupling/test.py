@@ -58,6 +58,14 @@ def rotatedBox(case):
         f.write("endsolid box\n")
 
 
+def graded(case):
+    """Cells that grow and shrink by a half along each direction."""
+    half = "((0.5 0.5 1.5) (0.5 0.5 0.6666666666666667))"
+    nDim = 3 - case.get("system/blockMeshDict")["blocks"][2].count(1)
+    case.change("system/blockMeshDict", r"simpleGrading \(1 1 1\)",
+                "simpleGrading (" + " ".join([half]*nDim + ["1"]*(3 - nDim)) + ")")
+
+
 # Dimension, cells, region, velocity [m/s], crossings of a cell, points per cell, further
 MOVING = {
     "1D, 2 points": (1, 60, box((20.3, 0, 0), (40.3, 1, 1)), (100, 0, 0), 50, 2, {}),
@@ -76,6 +84,12 @@ MOVING = {
     "2D, disc, 3 points": (2, 30, {"type": "cylinder", "point1": [15.2*H, 14.9*H, -H],
                                    "point2": [15.2*H, 14.9*H, 2*H], "radius": 10*H},
                            (80, 60, 0), 20, 3, {}),
+    "1D, graded": (1, 60, box((20.3, 0, 0), (40.3, 1, 1)), (100, 0, 0), 50, 4,
+                   {"prepare": graded, "Co": 0.3}),
+    "2D, block, graded": (2, 30, box((5.2, 7.2, -1), (20.3, 20.3, 2)), (80, 60, 0), 20, 2,
+                          {"prepare": graded, "Co": 0.3}),
+    "3D, block, graded": (3, 12, box((3.2, 2.2, 4.1), (8.3, 7.3, 9.2)), (80, 60, -30),
+                          20 if VERIFY else 4, 2, {"prepare": graded, "Co": 0.3}),
     "3D, block": (3, 12, box((3.2, 2.2, 4.1), (8.3, 7.3, 9.2)), (80, 60, -30),
                   20 if VERIFY else 4, 2, {}),
 }
@@ -84,20 +98,24 @@ MOVING = {
 def moving(table, label):
     nDim, n, region, v, crossings, points, more = MOVING[label]
     speed = np.linalg.norm(v)
-    Co = 0.4
+    Co = more.get("Co", 0.4)
     steps = int(crossings/(Co*max(np.abs(v))/(np.sqrt(70e9/2700) + max(np.abs(v))))
                 * max(np.abs(v))/speed)
     case = blockInGas("gasCoupling", label.replace(" ", "").replace(",", "-"), nDim, n,
                       region, v, steps, pointsPerCell=points,
-                      prepare=rotatedBox, **more)
+                      **{"prepare": rotatedBox, **more})
     case.run("materialPointFoam", limit=300)
     f = figures(case)
     limit = 1e-12 if nDim == 1 else 1e-10
-    table.row(f"translation {label}, {crossings} cells: max dP/P", 0,
+    uneven = "graded" in label
+    way = f"way through {label}" if uneven else f"translation {label}"
+    table.row(f"{way}, {crossings} cells: max dP/P", 0,
               np.max(abs(f["p"]/P0 - 1)), limit, "atMost")
-    table.row(f"translation {label}: max |Theta - 1|", 0, np.max(abs(f["Theta"] - 1)), 1e-3,
-              "atMost")
-    table.row(f"translation {label}: fix-ups", 0, np.sum(f["fixups"][-1]), 0, "atMost")
+    # Points go from cells of one width to others: what they fill is uneven there
+    table.row(f"{way}: max |Theta - 1|", 0, np.max(abs(f["Theta"] - 1)),
+              0.06 if uneven else 1e-3, "atMost")
+    if not uneven:
+        table.row(f"{way}: fix-ups", 0, np.sum(f["fixups"][-1]), 0, "atMost")
 
 
 # Dimension, cells, low and high corner [cells], points per cell

@@ -74,7 +74,9 @@ public:
                 << "Entry soundSpeed " << softened_ << " in " << dict.name()
                 << " is too small for the pressure p0 " << p0_ << " Pa: at " << rho0
                 << " kg/m3 it must be above sqrt(gamma p0/rho) " << std::sqrt(gamma_ * p0_ / rho0)
-                << " m/s." << exit(FatalIOError);
+                << " m/s."
+                << (rho0 < 100 ? " Is rho in kg/m3? Water has 1000, no liquid less than 100." : "")
+                << exit(FatalIOError);
         }
     }
 
