@@ -198,6 +198,36 @@ Foam::scalar Foam::mpm::fluidStart::pressure(const label r, const label celli) c
     return regions_[r].hasP() ? regions_[r].p() : hydrostatic_ ? p_[celli] : regions_[0].p();
 }
 
+void Foam::mpm::fluidStart::layer()
+{
+    if (!hydrostatic_->strata().active())
+    {
+        return;
+    }
+    const label n = mixture_.size();
+    scalarField part(n * mesh_.nCells(), Zero), mass(part);
+    DynamicList<label> mixed;
+    forAll(p_, c)
+    {
+        label several = 0;
+        forAll(regions_, r)
+        {
+            const label at = n * c + regions_[r].fluid();
+            if (share_[r][c] > 0)
+            {
+                several += !(part[at] > 0);
+                part[at] += share_[r][c];
+                mass[at] += share_[r][c] * regions_[r].density(pressure(r, c));
+            }
+        }
+        if (several > 1)
+        {
+            mixed.append(c);
+        }
+    }
+    hydrostatic_->strata().update(mixed, boolList(p_.size(), true), n, part, mass);
+}
+
 void Foam::mpm::fluidStart::makePressure()
 {
     if (hydrostatic_)
@@ -222,6 +252,7 @@ void Foam::mpm::fluidStart::makePressure()
                 }
             }
             const scalarField before(p_);
+            layer();
             hydrostatic_->solve(rho, p_);
             if (!follows || max(mag(p_ - before)) < 1e-13 * max(mag(p_)))
             {

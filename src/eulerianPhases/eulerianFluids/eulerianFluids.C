@@ -300,6 +300,11 @@ Foam::mpm::eulerianFluids::eulerianFluids(
         jump_.setSize(mesh.nFaces(), 0);
         weight_.setSize(mesh.nFaces(), 0);
         reconstruction_.checkWeight();
+        strata_.reset(new fluidStrata(mesh, g_));
+        if (!returnReduce(strata_->active(), orOp<bool>()))
+        {
+            strata_.clear();
+        }
     }
     start(states);
     checkTorn();

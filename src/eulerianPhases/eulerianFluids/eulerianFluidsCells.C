@@ -213,7 +213,7 @@ inline void Foam::mpm::eulerianFluids::addFace(
         v.limited += sign * phiLimited()[f];
         v.solid += sign * pores->phiS[f];
     }
-    to.rhoU += sign * (face_.rhoU + (pStar_[f] - W_[c].p - weight(c, f)) * open);
+    to.rhoU += sign * (face_.rhoU + (pStar_[f] - W_[c].p - faceWeight(c, f)) * open);
     to.rhoE += sign * face_.rhoE;
     if (jump_.size())
     {
@@ -223,7 +223,7 @@ inline void Foam::mpm::eulerianFluids::addFace(
         if (flows_)
         {
             flows_->gravityWork += sign * dt * work;
-            flows_->gravityImpulse += sign * dt * weight(c, f) * open;
+            flows_->gravityImpulse += sign * dt * faceWeight(c, f) * open;
         }
     }
 }

@@ -128,13 +128,23 @@ void Foam::mpm::eulerianFluids::setJumps()
     }
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
+    scalarField behind(Wb_.size(), 0);
+    if (strata_)
+    {
+        strata_->update(interfaces_->cells(), interfaces_->near(), n_, part_, mass_);
+        for (const label f : faces_.coupled)
+        {
+            behind[f - nInternal] = (*strata_)(own[f], f);
+        }
+        coupled_.swap(behind);
+    }
     forAll(weight_, f)
     {
-        weight_[f] = weight(own[f], f);
+        weight_[f] = faceWeight(own[f], f);
     }
     for (label f = 0; f < nInternal; ++f)
     {
-        jump_[f] = weight_[f] - weight(mesh_.faceNeighbour()[f], f);
+        jump_[f] = weight_[f] - faceWeight(mesh_.faceNeighbour()[f], f);
     }
     for (const label f : faces_.boundary)
     {
@@ -152,7 +162,7 @@ void Foam::mpm::eulerianFluids::setJumps()
         {
             const label f = patch.start() + i, P = own[f];
             const vector d(mesh_.faceCentres()[f] - mesh_.cellCentres()[P] - delta[i]);
-            jump_[f] = weight_[f] - Wb_[f - nInternal].rho * (g_ & d);
+            jump_[f] = weight_[f] - Wb_[f - nInternal].rho * (g_ & d) - behind[f - nInternal];
         }
     }
 }
