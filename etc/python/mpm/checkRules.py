@@ -383,6 +383,21 @@ def passThrough(facts):
                       "bodies.md#contact", "pass through each other")
 
 
+def constraints(facts):
+    """Conditions of points that a side of type empty, wedge or the like does not take."""
+    kinds = set(CLOSED) - {"wall"}
+    for field in dict.fromkeys(str(facts.of(n).get("velocityField", n)) for n in facts.phases):
+        file = "0/U." + field
+        if not os.path.exists(facts.case.file(file)):
+            continue
+        for patch, of in facts.conditions(file).items():
+            kind = facts.patches.get(patch)
+            if kind in kinds and of.get("type") not in (kind, None):
+                yield Finding("warning", file, f"boundaryField.{patch}", f"{of['type']} does nothing"
+                              f" at {patch}, a side of type {kind}", f"type {kind};",
+                              "meshes.md#what-patches-need")
+
+
 def writing(facts):
     interval = facts.control.get("writeInterval")
     inTime = facts.control.get("writeControl") in ("adjustableRunTime", "adjustable", "runTime")
@@ -393,7 +408,7 @@ def writing(facts):
 
 RULES = (densities, waveSpeeds, strengths, friction, grains, meshSize, gravity, pressure,
          duration, wavesLeave, *checkFluids.RULES, locking, slowFlow, courant, transfers, shapes,
-         shocks, pointsInCells, damage, passThrough, writing)
+         shocks, pointsInCells, damage, passThrough, constraints, writing)
 
 
 def findings(facts):

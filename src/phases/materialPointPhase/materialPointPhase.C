@@ -277,13 +277,12 @@ void Foam::mpm::materialPointPhase::read(
                                  << " made after it." << nl << "Run  decomposePar -force"
                                  << exit(FatalError);
         }
-        FatalErrorInFunction << "Phase " << name_ << " has no material points in "
-                             << cloud_.time().path() / cloud_.time().timeName() / cloud::prefix
-                / name_ << "."
-                             << nl << "Run setMaterialPoints first"
-                             << (Pstream::parRun() ? " and  decomposePar -force  after it" : "")
-                             << ", or remove the phase from constant/phaseProperties."
-                             << exit(FatalError);
+        FatalErrorInFunction
+            << "Phase " << name_ << " has no material points in "
+            << cloud_.time().path() / cloud_.time().timeName() / cloud::prefix / name_ << "." << nl
+            << "Run setMaterialPoints first (it reads system/setMaterialPointsDict)"
+            << (Pstream::parRun() ? " and  decomposePar -force  after it" : "")
+            << ", or remove the phase from constant/phaseProperties." << exit(FatalError);
     }
 
     if (column* s = cloud_.strength())

@@ -70,6 +70,8 @@ MISTAKES = {
         "type": "DruckerPrager", "rho": 2.65, "E": 1e7, "nu": 0.3, "frictionAngle": 33,
         "cohesion": 0, "dilationAngle": 0, "match": "planeStrain"})], "cork has 120", PHASES),
     "grains without room": ([(PHASES, "target.volumeModel", "grains", True)], "no room", REGIONS),
+    "slip on a side of type empty": ([("0/U.target", "boundaryField.frontAndBack.type", "slip")],
+                                     "slip does nothing", "0/U.target"),
     "maxCo": ([(CONTROL, "maxCo", 0.8)], "0.8 with GIMP", CONTROL),
     "moment with linear": ([(SOLUTION, "materialPoints", {
         "shapeFunction": "linear", "transfer": "APIC", "affineMatrix": "moment"})], "blows up",
