@@ -269,8 +269,8 @@ void Foam::mpm::checkMesh(const polyMesh& mesh)
     if (thin.size())
     {
         WarningInFunction << "The mesh is one layer of cells thick in " << thin.c_str()
-                          << ", and its faces there have other types than empty ("
-                          << patches.c_str() << "): the scene is computed in " << mesh.nGeometricD()
+                          << ", and its faces there have other types than empty," << patches.c_str()
+                          << ": the scene is computed in " << mesh.nGeometricD()
                           << "D with open sides." << nl
                           << (sector ? "    They make an angle with each other: for a sector"
                                        " of a scene with an axis give them  type wedge;  in"

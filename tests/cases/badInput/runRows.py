@@ -69,8 +69,8 @@ def runRows(solve, replace, remove, several, withPoints, meshOf, line):
     dry = solve + ["-dry-run"]
     rows = [
         (f"allowed: one layer of cells between faces of type {kind}", dry, layer(kind), None,
-         {"warnings": 1, "has": f"one layer of cells thick in z, and its faces there are no"
-          f" empty patches but frontAndBack ({kind})"}) for kind in ("patch", "wall")]
+         {"warnings": 1, "has": f"one layer of cells thick in z, and its faces there have"
+          f" other types than empty, frontAndBack ({kind}): "}) for kind in ("patch", "wall")]
     rows.append(("allowed: a sector between faces of type patch", ["setMaterialPoints"],
                  meshOf(sector), None, {"has": "They make an angle with each other: for a"
                  " sector of a scene with an axis give them  type wedge;"}))

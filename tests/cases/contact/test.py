@@ -591,8 +591,7 @@ def sand(table):
 
 def main():
     return runParts("contact", plates, pair, anyCells, incline, disks, balls, ledger, shared,
-                    curved,
-                    thin, bounce, hertz, sand)
+                    curved, thin, bounce, hertz, sand)
 
 
 if __name__ == "__main__":
