@@ -114,7 +114,7 @@ def gasRows(solve, replace, remove, several, withPoints, line):
          inAir(replace("0/p", r"outside \{ type zeroGradient;",
                        "outside { type farField; farValue uniform 1e5; value uniform 1e5;")),
          ["Patch outside has the condition farField in p but not in U.air", "both",
-          "outside { type farField; value uniform (0 0 0); }", "0/U.air"]),
+          r"outside \{ type farField; value uniform \(0 0 0\); \}", "0/U.air"]),
         ("gas: misspelt entry of farField", solve,
          inAir(replace("0/p", r"outside \{ type zeroGradient;",
                        "outside { type farField; farvalue uniform 1e5; value uniform 1e5;")),
