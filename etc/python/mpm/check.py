@@ -361,7 +361,8 @@ def _place(path):
         path = file[0] + path[file.end():].replace("/", ".")
     folder, name = os.path.split(path)
     if folder.split("/")[0] == "0" or name.startswith(("U.", "T.", "rho.", "alpha.")):
-        return path.replace(".boundaryField", ""), ""
+        return tuple(path.partition(".boundaryField.")[::2]) if ".boundaryField." in path \
+            else (path.replace(".boundaryField", ""), "")
     file, _, entry = name.partition(".")
     return os.path.join(folder, file), entry
 

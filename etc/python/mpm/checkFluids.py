@@ -118,6 +118,37 @@ def noGravity(facts):
                   "there is none", "materials.md#body-forces")
 
 
+def upsideDown(facts):
+    """A heavier liquid that lies above a lighter one at the start."""
+    down, size = _down(facts)
+    liquids = [n for n, _, _ in _liquids(facts)] if size else []
+    for name in liquids:
+        for other in liquids:
+            if facts.rho[name] < 1.001*facts.rho[other]:
+                continue
+            depths = [float(np.average(facts.centres @ down, weights=facts.share(n)*facts.V))
+                      for n in (name, other)]
+            if depths[0] < depths[1]:
+                yield Finding("note", PHASES, f"{name}.rho", f"{name} of {facts.rho[name]:.4g} "
+                              f"kg/m3 lies above {other} of {facts.rho[other]:.4g} kg/m3",
+                              f"is it meant? Else mind rho, or the places in {FLUIDS}",
+                              "fluids.md#several-fluids")
+
+
+def slipOnAnyCells(facts):
+    """Water that slips along bodies on other cells than boxes with large steps."""
+    Co = facts.control.get("maxCoGas", 0.4)
+    if facts.lattice or not isinstance(Co, (int, float)) or Co <= 0.4 + 1e-9 \
+            or not list(_liquids(facts)):
+        return
+    for name, phase in facts.phases.items():
+        drag = facts.of(name).get("drag")
+        if phase.n and isinstance(drag, dict) and drag.get("direction") == "normal":
+            yield Finding("note", CONTROL, "maxCoGas", f"{Co:g}: where the liquid slips along "
+                          f"{name} on cells that are no boxes, the pressure in its pores may swing",
+                          "maxCoGas 0.4", "fluids.md#points-in-a-gas")
+
+
 def notAtRest(facts):
     """Liquids under gravity whose p at the start does not bear them."""
     down, size = _down(facts)
@@ -476,5 +507,5 @@ def _arrival(facts, name, centres):
     return first
 
 
-RULES = (noGravity, notAtRest, runsOut, unheld, nowhere, softened, gaugesInSoftened, subSteps,
-         shakes, dissipates, narrowGaps, leavesMesh)
+RULES = (noGravity, upsideDown, slipOnAnyCells, notAtRest, runsOut, unheld, nowhere, softened,
+         gaugesInSoftened, subSteps, shakes, dissipates, narrowGaps, leavesMesh)

@@ -173,6 +173,8 @@ def _nearest(tree, path):
             add(child, above + child.name + ".")
     add(tree)
     first, last = path.split(".")[0], path.split(".")[-1].lower()
+    firsts = [e.name for e in tree.entries or ()]
+    first = first if first in firsts else next(iter(difflib.get_close_matches(first, firsts)), first)
     near = [p for word in difflib.get_close_matches(last, places, 3, 0.75)
             for p in sorted(places[word], key=lambda p: not p.startswith(first + "."))]
     return f" (is {near[0]} meant?)" if near and near[0] != path else ""

@@ -10,12 +10,13 @@ Description
     of the cell, and s_top where the line leaves the mesh:
 
         depth = int alpha_k ds                                            [m]
-        level = s_top - int sum_(j not k) alpha_j ds                      [m]
+        level = s_top - int sum_(j lighter than k) alpha_j ds             [m]
 
     depth is what there is of the fluid, drops and what is under an overhang, too.
-    level is its surface, of the place: what is above it, of other fluids, is counted
-    from the top, so that ground of points or of mesh beneath does not matter, but
-    solid above the surface counts as fluid. Without solid, drops and bubbles the
+    level is its surface, of the place: lighter fluids are counted from the top down,
+    so that what is beneath, heavier fluids or ground of points or of mesh, does not
+    matter, but solid above the surface counts as fluid. Lighter by the mean density in
+    the mesh now. Without solid, drops and bubbles the
     two differ by the depth of the place.
 
     Cells are cut exactly by the line (convex ones). Of a line between cells it is
@@ -214,12 +215,29 @@ class fluidHeight : public flowOutput
 
     void writeRows() override
     {
-        // The fluid, the others
-        const label n = places_.size();
-        scalarField of(2 * n, Zero);
-        for (const word& k :
-             mesh_.lookupObject<mpm::eulerianFlow::handle>("eulerianFlow").flow().fluidNames())
+        const mpm::eulerianFlow& flow =
+            mesh_.lookupObject<mpm::eulerianFlow::handle>("eulerianFlow").flow();
+        const wordList names(flow.fluidNames());
+        const auto sums(flow.fluidContents());
+        scalarField mass(names.size()), volume(names.size());
+        forAll(names, k)
         {
+            mass[k] = sums[k].mass;
+            volume[k] = sums[k].volume;
+        }
+        reduce(mass, sumOp<scalarField>());
+        reduce(volume, sumOp<scalarField>());
+
+        // The fluid, the lighter ones
+        const label n = places_.size(), own = names.find(fluid_);
+        scalarField of(2 * n, Zero);
+        forAll(names, j)
+        {
+            if (j != own && !(mass[j] * volume[own] < mass[own] * volume[j]))
+            {
+                continue;
+            }
+            const word& k = names[j];
             const auto& alpha = mesh_.lookupObject<volScalarField>(IOobject::groupName("alpha", k));
             for (const part& p : parts_)
             {

@@ -304,6 +304,20 @@ def open_(table):
     table.check("open: pool in mm", hits == [("warning", "system/setFluidsDict")], found(check))
 
 
+def heavyAbove(table):
+    """A liquid on a lighter and on a heavier one."""
+    for rho, told in ((1100.0, True), (900.0, False)):
+        case = basin("oil")
+        case.set(PHASES, "phases", "(water oil air obstacle)")
+        case.set(PHASES, "oil", {"type": "fluid", "rho": rho, "equationOfState": {
+            "type": "stiffenedGas", "gamma": 1.12, "soundSpeed": 35, "p0": 1e4}}, add=True)
+        case.set("system/setFluidsDict", "regions.layer", {
+            "type": "box", "min": (-1, 0.1, -1), "max": (1, 0.15, 1), "fluid": "oil"}, add=True)
+        hits, check = toldOf(case, "lies above water")
+        table.check(f"dropped: oil of {rho:g} kg/m3 on water", hits == [("note", PHASES)]*told,
+                    found(check))
+
+
 def sticking(table):
     """A body that takes water along (tests/cases/lightInWater)."""
     for drag, told in (("", True), ("normal", False)):
@@ -396,6 +410,7 @@ def dropped(table):
     slow(table)
     dissipating(table)
     sticking(table)
+    heavyAbove(table)
     gaps(table)
 
 

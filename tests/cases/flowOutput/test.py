@@ -181,6 +181,22 @@ def heights(table):
             table.row(f"water at rest, {kind or 'boxes'} of 0.05: {what}, error [m]", 0,
                       np.max(abs(rows(case, "waves", what + ".dat")[0, 1:] - exact)), limit,
                       "atMost")
+    # Oil of 0.2 on water of 0.437
+    oil = {**SOFT, "rho": 800}
+
+    def layers(x, y, z):
+        water = np.clip((deep - y)/0.05 + 0.5, 0, 1)
+        wet = np.clip((deep + 0.2 - y)/0.05 + 0.5, 0, 1)
+        return [water, wet - water, 1 - wet], [1000., 800., 1.], 0*x, 1e3 + 0*x
+    case = fluidCase("flowOutput", "oil", (20, 20, 1), (1, HIGH, 0.1),
+                     {"water": SOFT, "oil": oil, "air": AIR}, layers, 1e-6, ends=WALL,
+                     gravity=(0, -G, 0), control={"functions": {
+                         "water": lines(places), "oil": lines(places, fluid="oil")}})
+    case.run("materialPointFoam")
+    for fluid, depth, top in (("water", deep, deep), ("oil", 0.2, deep + 0.2)):
+        for what, exact in (("depth", depth), ("level", top - np.array([p[1] for p in places]))):
+            table.row(f"{fluid} of oil on water: {what}, error [m]", 0, np.max(abs(
+                rows(case, fluid, what + ".dat")[0, 1:] - exact)), 1e-12, "atMost")
     case = tank("ground", (20, 20, 1), lambda x: deep + 0*x, atRest, 1e-6,
                 {"waves": lines([(0.31, 0.4, 0.05), (0.7, 0.4, 0.05)])})
     besidePoints(case, {"water": SOFT, "air": AIR},
