@@ -276,6 +276,12 @@ void Foam::mpm::fluidStrata::update(
     {
         return;
     }
+    // Interfaces move on: not a table of every cell that they have been in
+    if (tables_.size() > 1000 + 4 * cells.size())
+    {
+        tables_.clear();
+        number_ = -1;
+    }
     scalarList rho(n);
     for (const label c : cells)
     {

@@ -205,6 +205,16 @@ def processors(table):
         table.row(f"{n[0]*n[1]} processors against one: pressure", 0,
                   np.max(abs(a - b))/np.max(a), 1e-10, "atMost")
 
+    cases = [shocked(f"graded-{n}", STICK, 0.3, 80, prepare=graded) for n in (1, 2)]
+    cases[0].run("materialPointFoam")
+    cases[1].decompose((2, 1, 1))
+    cases[1].runParallel()
+    table.row("graded boxes, 2 processors against one: points", 0, cases[0].largestDifference(
+        cases[1], cases[0].times()[-1], ["block"], ("x", "U", "sigma", "V")), 1e-10, "atMost")
+    a, b = (figures(c)["p"] for c in cases)
+    table.row("graded boxes, 2 processors against one: pressure", 0,
+              np.max(abs(a - b))/np.max(a), 1e-10, "atMost")
+
     straight, again = (shocked(name, STICK, 0.4, 80) for name in ("straight", "again"))
     for case in (straight, again):
         case.change("system/controlDict", "^writeInterval.*?;",
