@@ -213,7 +213,9 @@ inline void Foam::mpm::eulerianFluids::addFace(
         v.limited += sign * phiLimited()[f];
         v.solid += sign * pores->phiS[f];
     }
-    to.rhoU += sign * (face_.rhoU + (pStar_[f] - W_[c].p - faceWeight(c, f)) * open);
+    // As setJumps() has it, from the side of the cell
+    const scalar weight = jump_.empty() ? 0 : weight_[f] - (sign < 0 ? jump_[f] : 0);
+    to.rhoU += sign * (face_.rhoU + (pStar_[f] - W_[c].p - weight) * open);
     to.rhoE += sign * face_.rhoE;
     if (jump_.size())
     {
@@ -223,7 +225,7 @@ inline void Foam::mpm::eulerianFluids::addFace(
         if (flows_)
         {
             flows_->gravityWork += sign * dt * work;
-            flows_->gravityImpulse += sign * dt * faceWeight(c, f) * open;
+            flows_->gravityImpulse += sign * dt * weight * open;
         }
     }
 }
