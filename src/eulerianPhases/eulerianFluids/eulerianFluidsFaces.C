@@ -128,7 +128,7 @@ void Foam::mpm::eulerianFluids::setJumps()
     }
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& own = mesh_.faceOwner();
-    scalarField behind(Wb_.size(), 0);
+    scalarField behind(strata_ ? Wb_.size() : 0, 0);
     if (strata_)
     {
         strata_->update(interfaces_->cells(), interfaces_->near(), n_, part_, mass_);
@@ -162,15 +162,15 @@ void Foam::mpm::eulerianFluids::setJumps()
         {
             const label f = patch.start() + i, P = own[f];
             const vector d(mesh_.faceCentres()[f] - mesh_.cellCentres()[P] - delta[i]);
-            jump_[f] = weight_[f] - Wb_[f - nInternal].rho * (g_ & d) - behind[f - nInternal];
+            const scalar inLayers = strata_ ? behind[f - nInternal] : 0;
+            jump_[f] = weight_[f] - Wb_[f - nInternal].rho * (g_ & d) - inLayers;
         }
     }
 }
 
 void Foam::mpm::eulerianFluids::sideTerms()
 {
-    // Sides away from interfaces are of one fluid but for traces, which must
-    // make no difference: they come and go by rounding
+    // Sides away from interfaces are of one fluid but for traces, which come and go by rounding
     bool stiff = true;
     for (label k = 0; k < n_; ++k)
     {

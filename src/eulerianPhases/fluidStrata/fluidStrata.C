@@ -150,6 +150,21 @@ void Foam::mpm::fluidStrata::make(const label c)
     tables_.append(made.ptr());
 }
 
+bool Foam::mpm::fluidStrata::beside(const label c, const boolList& atInterface) const
+{
+    for (const label f : mesh_.cells()[c])
+    {
+        const label other = !mesh_.isInternalFace(f) ? mesh_.nCells() + f - mesh_.nInternalFaces()
+            : mesh_.faceOwner()[f] == c              ? mesh_.faceNeighbour()[f]
+                                                     : mesh_.faceOwner()[f];
+        if (atInterface[other])
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 void Foam::mpm::fluidStrata::set(
     const label c, const label n, const scalar* s, const scalarList& rho)
 {
@@ -171,7 +186,10 @@ void Foam::mpm::fluidStrata::set(
     order.sort();
     mean /= sum;
 
-    scalarField r(t.faces.size(), Zero), depth(r.size());
+    r_.setSize(t.faces.size());
+    depth_.setSize(t.faces.size());
+    scalarField& r = r_;
+    r = 0;
     scalar filled = 0, lightest = 0;
     for (label i = 0; i < n && order[i] < GREAT; ++i)
     {
@@ -181,10 +199,17 @@ void Foam::mpm::fluidStrata::set(
         {
             break;
         }
-        t.fill(filled * t.below[nLayers], depth);
-        r += (order[i + 1] - order[i]) * g_ * depth;
+        t.fill(filled * t.below[nLayers], depth_);
+        const scalar step = (order[i + 1] - order[i]) * g_;
+        forAll(r, f)
+        {
+            r[f] += step * depth_[f];
+        }
     }
-    r += (mean - lightest) * g_ * t.y;
+    forAll(r, f)
+    {
+        r[f] += (mean - lightest) * g_ * t.y[f];
+    }
     r -= average(r);
 
     // What warped faces leave of the sum, so that it is none
@@ -230,7 +255,7 @@ Foam::mpm::fluidStrata::fluidStrata(const fvMesh& mesh, const vector& g) :
         return;
     }
     boolList wanted(mesh.nCells(), false);
-    bool any = false;
+    bool boxes = true;
     forAll(wanted, c)
     {
         int n = 0;
@@ -245,10 +270,10 @@ Foam::mpm::fluidStrata::fluidStrata(const fvMesh& mesh, const vector& g) :
                 oblique = oblique || (cosine > along && cosine < 1 - along);
             }
         }
-        wanted[c] = oblique && n > D + 1;
-        any = any || wanted[c];
+        wanted[c] = n > D + 1;
+        boxes = boxes && !(wanted[c] && (oblique || n > 2 * D));
     }
-    if (any)
+    if (!returnReduce(boxes, andOp<bool>()))
     {
         wanted_.transfer(wanted);
         number_.setSize(mesh.nCells(), -1);
@@ -285,7 +310,7 @@ void Foam::mpm::fluidStrata::update(
     scalarList rho(n);
     for (const label c : cells)
     {
-        if (wanted_[c] && atInterface[c])
+        if (wanted_[c] && (atInterface[c] || beside(c, atInterface)))
         {
             const scalar* s = part.cdata() + n * c;
             for (label k = 0; k < n; ++k)

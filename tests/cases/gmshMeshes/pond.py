@@ -17,7 +17,7 @@ def pond(table, mesh):
     other = still(table, mesh, "pondOnTwo", "", 2)
     u, v = (volField(c, f"{END:g}", "U") for c in (case, other))
     table.row("pond of quadrilaterals, 2 processors: velocity, difference over that of free fall", 0,
-              np.abs(u - v).max()/np.sqrt(2*G*DEPTH), 1e-3, "atMost")
+              np.abs(u - v).max()/np.sqrt(2*G*DEPTH), 1e-5, "atMost")
 
 
 def still(table, mesh, name, of, processors=1):
