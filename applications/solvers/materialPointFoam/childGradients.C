@@ -1,8 +1,10 @@
 // materialPointFoam: GPL-3.0-or-later, see LICENSE in the top folder
 
 #include "childGradients.H"
+#include "emptyPolyPatch.H"
 #include "symmTensorField.H"
 #include "syncTools.H"
+#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -11,7 +13,8 @@ Foam::mpm::childGradients::childGradients(
     place_(mesh.nCells(), -1),
     cells_(cells),
     neighbours_(cells.size()),
-    inverse_(cells.size(), Zero),
+    moments_(cells.size(), Zero),
+    open_(cells.size(), false),
     children_(std::move(children)),
     factor_(cells.size(), 1)
 {
@@ -29,7 +32,7 @@ Foam::mpm::childGradients::childGradients(
         const label c = cells_[h];
         const point& C = mesh.cellCentres()[c];
         place_[c] = h;
-        symmTensor m(Zero);
+        symmTensor& m = moments_[h];
         for (direction d = 0; d < 3; ++d)
         {
             const label diagonal = d == 0 ? symmTensor::XX
@@ -42,6 +45,8 @@ Foam::mpm::childGradients::childGradients(
             const label b = f - nInternal;
             if (b >= 0 && !coupled[b])
             {
+                const polyPatch& pp = mesh.boundaryMesh()[mesh.boundaryMesh().whichPatch(f)];
+                open_[h] = open_[h] || !(isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp));
                 continue;
             }
             const label P = mesh.faceOwner()[f];
@@ -50,18 +55,44 @@ Foam::mpm::childGradients::childGradients(
             neighbours_[h].append(neighbour{N, b, d});
             m += sqr(d) / magSqr(d);
         }
-        inverse_[h] = det(m) > 1e-3 ? inv(m) : symmTensor::zero;
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::mpm::childGradients::separate(const scalarField& share, const scalarField& behind)
+{
+    constexpr scalar same = 1e-12;
+    forAll(cells_, h)
+    {
+        DynamicList<neighbour> kept;
+        for (const neighbour& n : neighbours_[h])
+        {
+            const scalar q = n.cell < 0 ? behind[n.behind] : share[n.cell];
+            if (mag(q - share[cells_[h]]) <= same)
+            {
+                kept.append(n);
+                continue;
+            }
+            open_[h] = true;
+            moments_[h] -= sqr(n.d) / magSqr(n.d);
+        }
+        neighbours_[h].transfer(kept);
+    }
+}
+
 void Foam::mpm::childGradients::add(
-    const scalarField& v, const scalarField& behind, const scalar scale, const bool share)
+    const scalarField& v, const scalarField& behind, const scalar scale, const bool state,
+    const scalarField& slack)
 {
     // Differences up to this part of the scale are rounding, which must not decide
     constexpr scalar none = 1e-12;
+    // Beyond the cell and its neighbours, where some are missing
+    constexpr scalar beyond = 0.05;
+
     vectorField* g = new vectorField(cells_.size(), Zero);
+    gradients_.append(g);
+    ofState_.append(state);
     forAll(cells_, h)
     {
         const scalar here = v[cells_[h]];
@@ -74,23 +105,31 @@ void Foam::mpm::childGradients::add(
             high = max(high, q);
             b += (q - here) * n.d / magSqr(n.d);
         }
-        if (high - low <= none * scale)
+        if (high - low <= none * scale || det(moments_[h]) < 1e-3)
         {
             continue;
         }
-        (*g)[h] = inverse_[h] & b;
-        if (share)
+        (*g)[h] = inv(moments_[h]) & b;
+        if (open_[h])
         {
-            factor_[h] = 0;
+            const scalar up = min(here - low, beyond * mag(here));
+            low = min(low, here - min(high - here, beyond * mag(here)));
+            high = max(high, here + up);
         }
+        scalar factor = 1;
         for (const vector& d : children_[h])
         {
-            const scalar change = (*g)[h] & d, most = change > 0 ? high - here : low - here;
-            if (mag(change) > mag(most))
-            {
-                factor_[h] = min(factor_[h], most / change);
-            }
+            const scalar change = (*g)[h] & d;
+            const scalar most = max(change > 0 ? high - here : here - low, slack[cells_[h]]);
+            factor = min(factor, mag(change) > most ? most / mag(change) : 1);
+        }
+        if (state)
+        {
+            factor_[h] = min(factor_[h], factor);
+        }
+        else
+        {
+            (*g)[h] *= factor;
         }
     }
-    gradients_.append(g);
 }

@@ -99,6 +99,7 @@ void Foam::mpm::rowsRefinement::addList(
         values_.append(new scalarField(v.component(i)));
         lists.behind.append(new scalarField(behind.component(i)));
         lists.names.append(name);
+        lists.state.append(key == internalValues);
     }
 }
 
@@ -109,10 +110,28 @@ void Foam::mpm::rowsRefinement::addGradients(const readLists& lists)
     {
         scale[member] = largestOfAll(scale[member]);
     }
+    // Changes up to this part of a density, of the momentum at the speed sqrt(E/m), need no
+    // factor: in a lake at rest noise would decide
+    constexpr scalar free = 1e-4;
+    scalarField mass(V_.size(), Zero), energy(V_.size(), Zero);
+    forAll(values_, i)
+    {
+        const word member(IOobject::member(lists.names[i]));
+        if (isShare(lists.names[i]))
+        {
+            gradients_->separate(values_[i], lists.behind[i]);
+        }
+        mass += (member == "thetaRho" ? 1 : 0) * values_[i];
+        energy += (member == "thetaRhoE" ? 1 : 0) * values_[i];
+    }
+    const scalarField momentum(sqrt(max(mass * energy, scalar(0))));
     forAll(values_, i)
     {
         const word& name = lists.names[i];
-        gradients_->add(values_[i], lists.behind[i], scale[IOobject::member(name)], isShare(name));
+        const word member(IOobject::member(name));
+        gradients_->add(
+            values_[i], lists.behind[i], scale[member], lists.state[i] || isShare(name),
+            free * (member == "thetaRhoU" ? momentum : scalarField(mag(values_[i]))));
     }
 }
 
