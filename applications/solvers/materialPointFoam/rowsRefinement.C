@@ -18,6 +18,9 @@ using namespace Foam;
 //- The values of an internal field: densities of the state
 const word internalValues("value"), conditions("boundaryField");
 
+//- Momentum of the state
+const word ofVelocity("thetaRhoU");
+
 //- Shares of a cell: fluids, solid
 bool isShare(const word& name)
 {
@@ -131,7 +134,7 @@ void Foam::mpm::rowsRefinement::addGradients(const readLists& lists)
         const word member(IOobject::member(name));
         gradients_->add(
             values_[i], lists.behind[i], scale[member], lists.state[i] || isShare(name),
-            free * (member == "thetaRhoU" ? momentum : scalarField(mag(values_[i]))));
+            free * (member == ofVelocity ? momentum : scalarField(mag(values_[i]))));
     }
 }
 
