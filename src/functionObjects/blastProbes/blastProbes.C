@@ -12,7 +12,9 @@ Description
         arrival  first time of p - p0 = threshold                     [s]
         peak     max(p - p0), and its time                            [Pa, s]
         duration from the arrival to the first p - p0 = 0 after it    [s]
-        I+, I-   int max(p - p0, 0) dt, int min(p - p0, 0) dt         [Pa s]
+        I+       int max(p - p0, 0) dt until the end of the duration  [Pa s]
+        I-       int min(p - p0, 0) dt                                [Pa s]
+        later I+ int max(p - p0, 0) dt after that: other shocks       [Pa s]
 
     with p linear between steps, so that integrals are by the trapezoidal rule
     and the two times exact for that. What has not come yet is nan.
@@ -44,6 +46,9 @@ Usage
         ambient        | p0 [Pa]                  | no | of the start
         threshold      | overpressure of the arrival [Pa]   | no | 0.01 abs(p0)
     \endtable
+
+    A restart goes on with the probes that were there; one that is new starts then, with a
+    warning, and its p0, without the entry, is the p of then.
 
     Files: <field>.dat, a row each writeInterval; summary.dat, a row for each
     probe, written anew at each time that the run writes and at its end.
@@ -89,12 +94,12 @@ public:
     {
         scalar ambient = never, threshold = never, arrival = never;
         scalar peak = never, peakTime = never, end = never;
-        scalar positive = 0, negative = 0;
+        scalar positive = 0, negative = 0, later = 0;
 
         //- Last time and value
         scalar t = never, p = 0;
 
-        static constexpr label size = 10;
+        static constexpr label size = 11;
         scalar* begin() { return &ambient; }
         const scalar* begin() const { return &ambient; }
 
@@ -102,6 +107,7 @@ public:
         void add(const scalar time, const scalar value)
         {
             const scalar b = value - ambient;
+            scalar& up = end == never ? positive : later;
             if (b > peak)
             {
                 peak = b;
@@ -128,13 +134,13 @@ public:
                 // Trapezia on both sides of zero
                 if (a * b >= 0)
                 {
-                    (a + b > 0 ? positive : negative) += 0.5 * dt * (a + b);
+                    (a + b > 0 ? up : negative) += 0.5 * dt * (a + b);
                 }
                 else
                 {
                     const scalar first = dt * a / (a - b);
-                    (a > 0 ? positive : negative) += 0.5 * first * a;
-                    (b > 0 ? positive : negative) += 0.5 * (dt - first) * b;
+                    (a > 0 ? up : negative) += 0.5 * first * a;
+                    (b > 0 ? up : negative) += 0.5 * (dt - first) * b;
                 }
             }
             t = time;
@@ -334,7 +340,7 @@ private:
         os.precision(writePrecision_);
         os << "# At " << time_.value() << " s. Probes are places, then patches" << nl
            << "# Probe\tx[m]\ty[m]\tz[m]\tambient\tarrival[s]\tpeak"
-           << "\tpeakTime[s]\tduration[s]\tpositiveImpulse\tnegativeImpulse" << nl;
+           << "\tpeakTime[s]\tduration[s]\tpositiveImpulse\tnegativeImpulse\tlaterImpulse" << nl;
         forAll(histories_, i)
         {
             const history& h = histories_[i];
@@ -350,7 +356,52 @@ private:
             writeNumber(os, h.end == never ? never : h.end - h.arrival);
             writeNumber(os, h.positive);
             writeNumber(os, h.negative);
+            writeNumber(os, h.later);
             os << nl;
+        }
+    }
+
+    //- What tells probe i from others: its place, or the number of its patch
+    vector mark(const label i) const
+    {
+        return i < places_.size()
+            ? places_[i]
+            : vector(never, never, mesh_.boundaryMesh().findPatchID(patches_[i - places_.size()]));
+    }
+
+    //- Histories of the probes that were there
+    void goOn(const scalarList& kept)
+    {
+        constexpr label size = history::size + vector::nComponents;
+        OStringStream anew;
+        for (label i = 0; kept.size() && i < histories_.size(); ++i)
+        {
+            const vector own(mark(i));
+            const scalar* found = nullptr;
+            for (label j = 0; j + size <= kept.size(); j += size)
+            {
+                const scalar* at = kept.cdata() + j + history::size;
+                found = vector(at[0], at[1], at[2]) == own ? kept.cdata() + j : found;
+            }
+            if (found)
+            {
+                std::copy(found, found + history::size, histories_[i].begin());
+            }
+            else if (i < places_.size())
+            {
+                anew << "place " << own << ", ";
+            }
+            else
+            {
+                anew << "patch " << patches_[i - places_.size()] << ", ";
+            }
+        }
+        if (anew.str().size())
+        {
+            WarningInFunction << name() << " had other probes when " << time_.timeName()
+                              << " was written. New are " << anew.str().c_str()
+                              << "their ambient is the " << field_
+                              << " of now where the entry ambient gives no other." << endl;
         }
     }
 
@@ -383,18 +434,7 @@ private:
 
         const label n = places_.size() + patches_.size();
         histories_ = List<history>(n);
-        if (kept.size() == n * history::size)
-        {
-            forAll(kept, i)
-            {
-                histories_[i / history::size].begin()[i % history::size] = kept[i];
-            }
-        }
-        else if (kept.size())
-        {
-            WarningInFunction << name() << " had other probes when " << time_.timeName()
-                              << " was written: histories start anew." << endl;
-        }
+        goOn(kept);
         const scalarList now(values());
         forAll(histories_, i)
         {
@@ -456,10 +496,16 @@ private:
 
     scalarList kept() const override
     {
-        scalarList all(histories_.size() * history::size);
-        forAll(all, i)
+        constexpr label size = history::size + vector::nComponents;
+        scalarList all(size * histories_.size());
+        forAll(histories_, i)
         {
-            all[i] = histories_[i / history::size].begin()[i % history::size];
+            const vector own(mark(i));
+            for (label j = 0; j < size; ++j)
+            {
+                all[size * i + j] =
+                    j < history::size ? histories_[i].begin()[j] : own[j - history::size];
+            }
         }
         return all;
     }

@@ -24,7 +24,8 @@ from foamCase import RunFailed, runParts
 from gasCases import WALL, gasCase
 
 LIBS = {"libs": "(mpmFunctionObjects)", "writeControl": "timeStep", "writeInterval": 1}
-SUMMARY = ("ambient", "arrival", "peak", "peakTime", "duration", "positive", "negative")
+SUMMARY = ("ambient", "arrival", "peak", "peakTime", "duration", "positive", "negative",
+           "later")
 
 
 def probes(places, **more):
@@ -79,14 +80,17 @@ def wave(table):
 
 # --- parallel ----------------------------------------------------------------
 
-def burst(name, split=None, before=lambda case: None, fluids=True, end=0.2):
+GAUGES = ((0.5, 0.5, 0.05), (0.9, 0.3, 0.05), (0.25, 0.51, 0.05))
+
+
+def burst(name, split=None, before=lambda case: None, fluids=True, end=0.2, first=()):
     def initial(x, y, z):
         p = np.where(np.hypot(x - 0.6, y - 0.5) < 0.2, 5., 1.)
         a = 1.0*(x < 0.3)
         return ([a, 1 - a], [3 + 0*x, 1 + 0*x], 0*x, p) if fluids else (1 + 0*x, 0*x, p)
     far = ({"type": "farField", "farValue": "uniform 1", "value": "uniform 1"}, "zeroGradient",
            {"type": "farField", "farValue": "uniform (0 0 0)", "value": "uniform (0 0 0)"})
-    functions = {"gauges": probes([(0.5, 0.5, 0.05), (0.9, 0.3, 0.05), (0.25, 0.51, 0.05)],
+    functions = {"gauges": probes([*first, *GAUGES],
                                   patches=["sides", "ends"]),
                  "balance": {"type": "fluidBalance", **LIBS}}
     if fluids:
@@ -102,6 +106,23 @@ def burst(name, split=None, before=lambda case: None, fluids=True, end=0.2):
         case = gasCase("flowOutput", name, cells, high, initial, end, **options)
     case.solve(split, before)
     return case
+
+
+def phases(table, case, name="gauges"):
+    """Impulses of the first phase and of all after it, by the history."""
+    found, h = summary(case, name), rows(case, name, "p.dat")
+    fine = np.linspace(0, h[-1, 0], 400001)
+    errors, later = [], 0
+    for i, ambient in enumerate(found["ambient"]):
+        over = np.maximum(np.interp(fine, h[:, 0], h[:, 1 + i]) - ambient, 0)
+        ends = found["arrival"][i] + found["duration"][i]
+        parts = [np.sum(over[part])*fine[1] for part in (~(fine > ends), fine > ends)]
+        scale = max(sum(parts), 1e-12)
+        errors += [(found["positive"][i] - parts[0])/scale, (found["later"][i] - parts[1])/scale]
+        later += parts[1] > 0.01*scale
+    table.row("burst: impulse of the first phase and of all after it, beside the history", 0,
+              np.max(np.abs(errors)), 1e-4)
+    table.check("burst: later phases at some gauge", later > 0, str(later))
 
 
 def apart(a, b):
@@ -132,6 +153,13 @@ def parallel(table):
     same = [np.array_equal(u, v, equal_nan=True) for u, v in zip(
         summary(one, "gauges").values(), summary(again, "gauges", "0.1").values())]
     table.check("restart: summary to the last digit", all(same), str(same))
+    more = burst("again-more", first=[(0.2, 0.2, 0.05)],
+                 before=lambda c: shutil.copytree(one.file("0.1"), c.file("0.1")))
+    same = [np.array_equal(u, v[1:], equal_nan=True) for u, v in zip(
+        summary(one, "gauges").values(), summary(more, "gauges", "0.1").values())]
+    table.check("restart with a new gauge before the others: their summary to the last digit",
+                all(same) and "(0.2 0.2 0.05)" in more.log(), str(same))
+    phases(table, burst("phases", end=0.8))
     table.row("restart: balance of all", 0, apart(
         rows(one, "balance", "total.dat")[-len(h):], rows(again, "balance", "total.dat", "0.1")),
         1e-8, "atMost")
