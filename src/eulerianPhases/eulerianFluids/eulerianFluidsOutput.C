@@ -3,6 +3,7 @@
 #include "eulerianFluids.H"
 #include "moreDigits.H"
 #include "dictionaryTools.H"
+#include "stepEntry.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -22,7 +23,7 @@ Foam::string Foam::mpm::eulerianFluids::stateOf(const label celli) const
     os << ")." << nl << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.*, 0/rho.* and"
        << " constant/phaseProperties. After a restart: into theta,"
        << " thetaRho.*, thetaRhoU, thetaRhoE, alpha.*, F.*, lambda.* of its time. Later:"
-       << " a smaller maxCoGas in system/controlDict or upwind for"
+       << " a smaller " << stepEntry(mesh_.time()) << " in system/controlDict or upwind for"
        << " reconstruct(...) in system/fvSchemes often helps.";
     if (w.p < 0 && !canTear())
     {

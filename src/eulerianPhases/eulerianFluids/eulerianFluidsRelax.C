@@ -2,6 +2,7 @@
 
 #include "eulerianFluids.H"
 #include "noTraps.H"
+#include "stepEntry.H"
 #include "StringStream.H"
 #include "Time.H"
 
@@ -76,8 +77,8 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
                 OStringStream os;
                 os << "Fluid " << mixture_.name(k) << " has flown out of cell " << c << " at "
                    << mesh_.cellCentres()[c] << ", which has"
-                   << " none left, time " << mesh_.time().value() << "." << nl
-                   << "A smaller maxCoGas in system/controlDict helps.";
+                   << " none left, time " << mesh_.time().value() << "." << nl << "A smaller "
+                   << stepEntry(mesh_.time()) << " in system/controlDict helps.";
                 whyBad_ = os.str();
             }
             dropped_ += of.m * V_[c];
@@ -132,7 +133,8 @@ bool Foam::mpm::eulerianFluids::relaxCell(const label s)
                << ", energy " << share[k].e0 << (k + 1 < n_ ? ";" : ".");
         }
         os << nl << "At the start: look into 0/p, 0/U, 0/alpha.*, 0/T.* and 0/rho.*. Later: a"
-           << " smaller maxCoGas in system/controlDict or upwind for reconstruct(...) in"
+           << " smaller " << stepEntry(mesh_.time())
+           << " in system/controlDict or upwind for reconstruct(...) in"
            << " system/fvSchemes often helps.";
         whyBad_ = os.str();
     }

@@ -2,6 +2,7 @@
 
 #include "eulerianGas.H"
 #include "moreDigits.H"
+#include "stepEntry.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -32,7 +33,8 @@ Foam::string Foam::mpm::eulerianGas::stateOf(const label celli) const
                : T_   ? "0/T." + name_ + ", "
                       : string())
               .c_str()
-       << "0/U." << name_ << " and constant/phaseProperties. Later: a smaller maxCoGas in"
+       << "0/U." << name_ << " and constant/phaseProperties. Later: a smaller "
+       << stepEntry(mesh_.time()) << " in"
        << " system/controlDict or upwind for reconstruct(...) in"
        << " system/fvSchemes often keeps the gas positive.";
     return os.str();
