@@ -450,7 +450,7 @@ def main(arguments=None):
         prog="mpmCheck", allow_abbrev=False, add_help=False,
         description="What a case will be, and what is probably wrong with it, before it runs.",
         epilog="Exit code: 0 nothing found, 1 warnings, 2 the case does not start.")
-    parser.add_argument("-h", "-help", "--help", action="help", help="this text")
+    parser.add_argument("-help", "-h", "--help", action="help", help="this text")
     parser.add_argument("case", nargs="?", default=".", help="folder of the case (this one)")
     parser.add_argument("-n", type=_count, default=1, metavar="ranks",
                         help="try on so many ranks, too")
