@@ -42,7 +42,9 @@ def norm(layer):
 
 
 class Drawing:
-    """One view of a case on a figure; draw(time) shows another time of it."""
+    """One view of a case on a figure; draw(time) shows another time of it. exact: as
+    pictures.drawPoints."""
+    exact = False
 
     def __init__(self, view, folder="."):
         self.view = view
@@ -132,7 +134,7 @@ class Drawing:
                    cloud[failed[0]] >= failed[1] if failed else None, scale=self.factor,
                    axes=(self.across, self.up), mirror=self.view.get("mirror"),
                    close=layer.get("close", 0.5), outline=layer.get("outline"),
-                   pixels=self.pixels, section=self.section(cloud, layer))
+                   pixels=self.pixels, section=self.section(cloud, layer), exact=self.exact)
 
     def section(self, cloud, layer):
         """What the sides of points follow from that have no half-sizes: the layer's word, the

@@ -74,14 +74,16 @@ class Check:
             self._program("materialPointFoam", "-dry-run")
         finally:
             self._allrun()
-        facts = Facts(self.case)
+        facts = Facts(self.case, self.path)
         for finding in self.findings:
             checkFluids.nameFluid(finding, facts, self._log("setMaterialPoints"))
         self._tell(facts)
-        if self.withTrial:
-            self._try()
-        facts.trial = self.trial
-        self.findings += [f for f in checkRules.findings(facts) if not self._known(f)]
+        try:
+            if self.withTrial:
+                self._try()
+        finally:                # what the trial stumbled on, too
+            facts.trial = self.trial
+            self.findings += [f for f in checkRules.findings(facts) if not self._known(f)]
 
     def _known(self, finding):
         """Has a program warned of the same entry's dictionary or phase already?"""
@@ -136,16 +138,26 @@ class Check:
         if self.hasPoints:
             try:
                 case.run("setMaterialPoints", "-count")     # its table of bodies
+                self._readLog("setMaterialPoints")
             except RunFailed:
                 pass
             return
-        if os.path.exists(case.file("system/setFluidsDict")):
-            self._program("setFluids")
-        if os.path.exists(case.file("system/setMaterialPointsDict")):
-            options = ["-cellWeights"] if self.ranks > 1 else []
-            self._program("setMaterialPoints", *options)
-        if os.path.exists(case.file("system/setFieldsDict")):
-            self._program("setFields")
+        for name in self._fieldsFirst():
+            if os.path.exists(case.file(f"system/{name}Dict")):
+                self._program(name, *(
+                    ["-cellWeights"] if name == "setMaterialPoints" and self.ranks > 1 else []))
+
+    def _fieldsFirst(self):
+        """Programs of the start: setMaterialPoints compares stresses with p, whoever wrote it;
+        setFields before setFluids where the Allrun has them so."""
+        path, text = os.path.join(self.path, "Allrun"), ""
+        if os.path.exists(path):
+            with open(path, errors="replace") as f:
+                text = f.read()
+        own = re.findall(r"^ *(?:runApplication +)?(setFields|setFluids)\b", text, re.M)
+        first = ["setFields", "setFluids"] if own[:2] == ["setFields", "setFluids"] else [
+            "setFluids", "setFields"]
+        return [*first, "setMaterialPoints"]
 
     def _patches(self):
         """Names of patches, before programs stop at the first."""
@@ -280,11 +292,11 @@ class Check:
     def _tellBodies(self, facts, phase):
         """Cells over the thinnest side of each body's box, of many only of the thinnest."""
         found = []
-        for name, kind, size, low, high in re.findall(
-                r"^    (\S+): (\w+) of \(([^)]*)\) m from \(([^)]*)\) to \(([^)]*)\) m",
-                self._log("setMaterialPoints"), re.M):
+        for name, (kind, size, low, high) in facts.boxes().items():
             region = facts.regions.get(name, {})
-            size, low, high = (np.array(v.split(), float) for v in (size, low, high))
+            if "wedge" in facts.patches.values():       # what is on this side of the axis
+                low, high = np.maximum(low, facts.low), np.minimum(high, facts.high)
+                size = high - low
             thin = min(facts.axes, key=lambda d: size[d])
             width = facts.length(phase, thin, low, high)
             if width and isinstance(region, dict) and region.get("phase") == phase:
@@ -417,14 +429,17 @@ def _bytes(n):
 
 
 def write(check, out):
-    """What will be, then the findings: worst first."""
+    """What will be, then the findings: worst first, but errors after words on units, of which they
+    come."""
     width = max([len(n) for n, _ in check.lines] + [9])
     for name, text in check.lines:
         print(f"{name:{width}}  {text}", file=out)
     order = ("error", "warning", "note")
     count = {k: sum(f.kind == k for f in check.findings) for k in order}
     lead = "\n" if check.lines else ""
-    for f in sorted(check.findings, key=lambda f: order.index(f.kind)):
+    units = [f for f in check.findings if count["error"] and f.kind == "warning"
+             and re.search(r"\bunit\b|\bin mm\b", f.text + f.remedy)]
+    for f in sorted(check.findings, key=lambda f: (f not in units, order.index(f.kind))):
         place = ", ".join(p for p in (f.file, f.entry) if p)
         print(f"{lead}{f.kind}: {place + ': ' if place else ''}{f.text}", file=out)
         if f.remedy:
@@ -432,7 +447,8 @@ def write(check, out):
         if f.page:
             print(f"    see doc/guide/{f.page}", file=out)
         if f.kind == "error" and count["warning"]:
-            print("    or mend first what is warned of below: it may be the cause", file=out)
+            print(f"    or mend first what is warned of {'above' if units else 'below'}: it may be "
+                  "the cause", file=out)
         lead = "\n"
     words = [f"{n} {k}{'s' if n > 1 else ''}" for k, n in count.items() if n]
     print("\n" + (", ".join(words) if words else "Nothing found."), file=out)

@@ -37,13 +37,15 @@ class Phase:
     x: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
     v: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
     cells: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
+    half: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))  # sizes of their boxes [m]
 
 
 class Facts:
     """A case as it starts."""
 
-    def __init__(self, case):
-        self.case, self.trial = case, None
+    def __init__(self, case, disk=None):
+        """disk: where the case will run, if not where it is."""
+        self.case, self.trial, self.disk = case, None, disk or case.path
         self.properties = case.get(PHASES)
         self.control = case.get(CONTROL)
         self.solution = self._may(SOLUTION).get("materialPoints", {})
@@ -133,6 +135,8 @@ class Facts:
         x = cloud["x"]
         phase.low, phase.high = x.min(axis=0), x.max(axis=0)
         phase.x, phase.v = x, cloud["U"]
+        if "halfSize" in cloud:
+            phase.half = cloud["halfSize"]
         phase.U = float(np.sqrt((cloud["U"]**2).sum(axis=1)).max())
         phase.mass = float(cloud["m"].sum()) if "m" in cloud else 0.0
         where = _cells(self.case.file(time, "lagrangian", name, "coordinates"))
@@ -229,11 +233,21 @@ class Facts:
         axes = np.linalg.eigh(np.cov(x.T))[1]
         return float(np.ptp(x @ axes, axis=0).min()) + phase.width/phase.mean**(1/self.nDim)
 
+    def boxes(self):
+        """Regions with points: (kind of shape, size, low, high) by setMaterialPoints [m]; on a
+        wedge with what would be on the other side of the axis."""
+        path = self.case.file("log.setMaterialPoints")
+        found = re.findall(
+            r"^    (\S+): (\w+) of \(([^)]*)\) m from \(([^)]*)\) to \(([^)]*)\) m",
+            self.case.log("setMaterialPoints") if os.path.exists(path) else "", re.M)
+        return {name: (kind, *(np.array(v.split(), float) for v in of))
+                for name, kind, *of in found}
+
     def length(self, name, d, low, high, of=np.mean):
         """Of the lengths along d of the cells with points of a phase in a box the mean, or another
         [m]; 0: none."""
         phase, at = self.phases[name], self.axes
-        if not phase.width or len(phase.cells) != len(phase.x):
+        if len(phase.cells) != len(phase.x):
             return 0.0
         inside = phase.cells[((phase.x >= low) & (phase.x <= high))[:, at].all(axis=1)]
         return float(of(self.lengths[inside, d])) if len(inside) else 0.0

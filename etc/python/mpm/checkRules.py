@@ -12,22 +12,29 @@ import itertools
 import math
 import os
 import re
+import shutil
 
 import numpy as np
 
-from mpm import checkFluids
+from mpm import checkFluids, checkStart
 from mpm.checkFacts import CONTROL, LIQUIDS, PHASES, REGIONS, SOLUTION, patchPoints
 from mpm.checkFinding import Finding
 from mpm.files import readField
 
 #: Lowest and highest of what is no mistake
 BOUNDS = {"rho": (0.1, 25000), "speed": (10, 20000), "length": (1e-6, 1e3), "g": (0.1, 1000)}
+#: A mesh of this length [m] whose cells are larger than all bodies is in another unit
+SITE = 100
 #: In g/cm3, osmium
 HEAVIEST = 23
 #: Poisson number from which matter locks
 LOCKS = 0.45
 #: Steps from which a motion is long for a transfer that dissipates in each
 LONG = 20000
+#: Written times [bytes] and their number above which a word is due
+MUCH, MANY = 50e9, 1000
+#: Words of writeControl with an interval in s
+IN_TIME = ("adjustableRunTime", "adjustable", "runTime")
 PLASTIC = ("J2Plasticity", "JohnsonCook")
 #: Conditions of p that let most of a wave out (doc/guide/fluids.md), or have it at a wall
 OPEN = ("farField", "waveTransmissive", "advective", "zeroGradient")
@@ -113,6 +120,17 @@ def grains(facts):
 
 
 def meshSize(facts):
+    sizes = [float(size[facts.axes].max()) for _, size, _, _ in facts.boxes().values()]
+    largest = float(facts.size.max())
+    if SITE < largest <= BOUNDS["length"][1] and sizes and max(sizes) < facts.width:
+        made = os.path.exists(facts.case.file("system/blockMeshDict"))
+        yield Finding("warning", *(("system/blockMeshDict", "scale") if made else (
+            "constant/polyMesh", "")), f"the mesh is {largest:.4g} m long, its cells "
+                      f"{facts.width:.3g} m wide, the largest body {max(sizes):.3g} m: is the mesh "
+                      "in mm?",
+                      "lengths in m: scale 1e-3 for a mesh in mm" + (
+                          "" if made else ", transformPoints -scale '(1e-3 1e-3 1e-3)'"),
+                      "meshes.md")
     for d, size in zip("xyz", facts.size):
         if _outside(float(size), "length"):
             yield Finding("warning", "system/blockMeshDict", "scale", f"the mesh is {size:.4g} m "
@@ -202,20 +220,45 @@ def wavesLeave(facts):
 
 
 def holders(facts, name):
-    """Words on the sides that hold the points of a phase: fixedValue in its 0/U."""
-    field = "0/U." + str(facts.of(name).get("velocityField", name))
+    """Words on what holds the points of a phase: sides with fixedValue in its 0/U, rigid bodies of
+    its velocity field; nothing, where a fluid or gravity loads it."""
     phase = facts.phases[name]
-    if not phase.n or facts.of(name).get("type") == "rigid" \
-            or not os.path.exists(facts.case.file(field)):
+    if not phase.n or facts.of(name).get("type") == "rigid":
         return ""
-    fixed = [p for p, of in facts.conditions(field).items() if of.get("type") == "fixedValue"]
-    x, words = readField(facts.case.file("constant/polyMesh/points")), []
-    for patch, corners in patchPoints(facts.case, x, fixed).items():
-        gap = np.maximum(0, np.maximum(phase.low - corners, corners - phase.high))[:, facts.axes]
-        gap = float(np.sqrt((gap**2).sum(axis=1)).min())
-        words.append(f"held by {patch}" if gap < facts.width else
-                     f"{patch}, which would hold it, is {gap:.3g} m away")
+    gaps = _sides(facts, name)
+    words = [f"held by {patch}" if gap < facts.width else
+             f"{patch}, which would hold it, is {gap:.3g} m away"
+             for patch, (kind, gap) in gaps.items() if kind == "fixedValue"]
+    words += ["held by " + body for body in checkStart.clamps(facts, name)]
+    if not words and (facts.media or np.linalg.norm(facts.g())) and not _touched(facts, name):
+        words.append("no side, rigid body or contact holds it")
     return "".join("; " + w for w in words)
+
+
+def _touched(facts, name):
+    """May sides, rigid bodies or contact act on a phase, or on one of its velocity field?"""
+    def field(phase):
+        return str(facts.of(phase).get("velocityField", phase))
+    all_ = [n for n, p in facts.phases.items() if p.n and field(n) == field(name)
+            and facts.of(n).get("type") != "rigid"]
+    return bool(facts.properties.get("contact")) or facts.of(name).get("volumeModel") == "grains" \
+        or any(gap < facts.width for n in all_ for _, gap in _sides(facts, n).values()) \
+        or any(checkStart.clamps(facts, n) for n in all_)
+
+
+def _sides(facts, name):
+    """Patches that prescribe something to the points of a phase: (type, gap from them [m])."""
+    field = "0/U." + str(facts.of(name).get("velocityField", name))
+    given = facts.conditions(field) if os.path.exists(facts.case.file(field)) else {}
+    kinds = {p: str(of.get("type")) for p, of in given.items()
+             if of.get("type") not in (*checkFluids.FREE, "empty", "wedge")}
+    kinds.update({p: k for p, k in facts.patches.items() if k.startswith("symmetry")})
+    x, phase = readField(facts.case.file("constant/polyMesh/points")), facts.phases[name]
+    found = {}
+    for patch, corners in patchPoints(facts.case, x, kinds).items():
+        gap = np.maximum(0, np.maximum(phase.low - corners, corners - phase.high))[:, facts.axes]
+        found[patch] = kinds[patch], float(np.sqrt((gap**2).sum(axis=1)).min())
+    return found
 
 
 # --- schemes -------------------------------------------------------------------
@@ -400,15 +443,37 @@ def constraints(facts):
 
 def writing(facts):
     interval = facts.control.get("writeInterval")
-    inTime = facts.control.get("writeControl") in ("adjustableRunTime", "adjustable", "runTime")
+    inTime = facts.control.get("writeControl") in IN_TIME
     if isinstance(interval, (int, float)) and inTime and interval > facts.end*(1 + 1e-9):
         yield Finding("note", CONTROL, "writeInterval", f"{interval:g} s is longer than the run: "
                       "only its end is written", "a part of endTime", "output.md", "beyond endTime")
 
 
+def much(facts):
+    """Written times that are too many, or larger than what is free."""
+    interval, kept = facts.control.get("writeInterval"), facts.control.get("purgeWrite", 0)
+    trial, times = facts.trial, 0
+    if trial:
+        times = trial.writes
+    elif facts.control.get("writeControl") in IN_TIME and isinstance(interval, (int, float)) \
+            and interval > 0 and facts.end > 0:
+        times = facts.end/interval
+    if isinstance(kept, int) and kept > 0:
+        times = min(times, kept)
+    size = times*trial.written if trial else 0
+    free = shutil.disk_usage(facts.disk).free
+    what = f"{times:.0f} times are written" + (f", {size/1e9:.3g} GB" if trial else "")
+    remedy = "a longer one, of some ten to some hundred times; endTime in s; or purgeWrite"
+    if size > free:
+        yield Finding("warning", CONTROL, "writeInterval", f"{what}, and {free/1e9:.3g} GB are "
+                      f"free where the case is", remedy, "output.md")
+    elif size > MUCH or times > MANY*(1 + 1e-6):
+        yield Finding("note", CONTROL, "writeInterval", what, remedy, "output.md")
+
+
 RULES = (densities, waveSpeeds, strengths, friction, grains, meshSize, gravity, pressure,
-         duration, wavesLeave, *checkFluids.RULES, locking, slowFlow, courant, transfers, shapes,
-         shocks, pointsInCells, damage, passThrough, constraints, writing)
+         duration, wavesLeave, *checkFluids.RULES, *checkStart.RULES, locking, slowFlow, courant,
+         transfers, shapes, shocks, pointsInCells, damage, passThrough, constraints, writing, much)
 
 
 def findings(facts):

@@ -103,11 +103,12 @@ def owners(x, half, box, shape, close=0.5):
     return owner
 
 
-def _pixels(ax, box):
-    """Rows and columns of a raster: twice those of the axes in the saved picture."""
+def _pixels(ax, box, exact=False):
+    """Rows and columns of a raster: twice those of the axes in the saved picture; exact: those
+    of the figure as it is."""
     ax.figure.canvas.draw()
     frame = ax.get_window_extent()
-    dpi = 2*plt.rcParams["savefig.dpi"]/ax.figure.dpi
+    dpi = 1 if exact else 2*plt.rcParams["savefig.dpi"]/ax.figure.dpi
     unit = min(frame.width/(box[1] - box[0]), frame.height/(box[3] - box[2]))*dpi
     return (max(1, int(np.ceil(unit*(box[3] - box[2])))),
             max(1, int(np.ceil(unit*(box[1] - box[0])))))
@@ -115,7 +116,7 @@ def _pixels(ax, box):
 
 def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=None,
                scale=1.0, axes=(0, 1), close=0.5, mirror=False, flip=False, outline=None, size=1.0,
-               pixels=None, section=None, failedColour=FAILED):
+               pixels=None, section=None, failedColour=FAILED, exact=False):
     """Points of a cloud, in the limits that the axes have (set them before).
 
     values   one per point with cmap (VALUES, SIGNED, HEAT, DAMAGE or a name of matplotlib's)
@@ -129,6 +130,8 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
     size     of the boxes drawn over theirs
     section  thickness of the mesh [m], where points have no half-sizes: squares of their volume
     outline  colour of a line about those that have not failed
+    exact    each pixel has the colour of one point: edges are steps, and a thin body or a failed
+             point among others is not mixed with what is beside it
     Returns what a colour bar needs.
     """
     x = cloud["x"][:, axes]*scale
@@ -153,13 +156,13 @@ def drawPoints(ax, cloud, values, cmap=VALUES, limits=None, failed=None, some=No
             (x, x*([1, -1] if mirror == "up" else [-1, 1])), (half, half),
             (colours, colours)))
     box = (*sorted(ax.get_xlim()), *sorted(ax.get_ylim()))
-    owner = owners(x, half, box, pixels or _pixels(ax, box), close)
+    owner = owners(x, half, box, pixels or _pixels(ax, box, exact), close)
     image = np.zeros((*owner.shape, 4))
     image[owner >= 0] = colours[owner[owner >= 0]]
     # Without a colour of its own at the edge of what is transparent
     image[owner < 0, :3] = 1
-    ax.imshow(image, origin="lower", extent=box, zorder=POINTS, interpolation="antialiased",
-              aspect=ax.get_aspect())
+    ax.imshow(image, origin="lower", extent=box, zorder=POINTS, aspect=ax.get_aspect(),
+              interpolation="nearest" if exact else "antialiased")
     if outline:
         sound = owner >= 0
         if failed is not None:

@@ -1,7 +1,7 @@
 """Pictures of a case at chosen times for mpm.report: those of its view.py, or of an automatic
 choice: points by plastic strain, damage, stress or speed, a gas by pressure, two fluids by the
 share of the first, more by mixed colours, and fluids once more by their pressure; in 3D outer
-points from the side, a section of a gas.
+points from the side, a section of a gas. Small bodies in a large mesh are shown once more, large.
 
     for picture in pictures(case, 12): ...      # picture.title, picture.frames [(time, image)]
 """
@@ -13,6 +13,7 @@ import re
 
 import numpy as np
 import PIL.Image
+import PIL.features
 
 from mpm import animate, views
 from mpm.case import Case
@@ -38,18 +39,15 @@ class Picture:
 
 
 def encode(figure):
-    """A figure as text for a page: PNG of 128 colours or JPEG, whatever is smaller."""
+    """A figure as text for a page, all colours as they are drawn: WebP without loss, or where
+    Pillow has none PNG, twice as large."""
     figure.canvas.draw()
     image = PIL.Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3])
-    best = b""
-    for kind, picture, options in (
-            ("png", image.quantize(128, dither=PIL.Image.Dither.NONE), {"optimize": True}),
-            ("jpeg", image, {"quality": 82, "optimize": True})):
-        buffer = io.BytesIO()
-        picture.save(buffer, kind, **options)
-        text = f"data:image/{kind};base64,".encode() + base64.b64encode(buffer.getvalue())
-        best = min((best or text), text, key=len)
-    return best.decode()
+    kind, options = ("webp", {"lossless": True}) if PIL.features.check("webp") else \
+        ("png", {"optimize": True})
+    buffer = io.BytesIO()
+    image.save(buffer, kind, **options)
+    return f"data:image/{kind};base64,{base64.b64encode(buffer.getvalue()).decode()}"
 
 
 def choose(times, n):
@@ -109,7 +107,8 @@ def described(case):
             continue
         drawing.figure.set_dpi(DPI)
         if "profile" not in view:
-            drawing.pixels = [4*n//5 for n in drawing.pixels]
+            drawing.exact = True
+            drawing.pixels = _pixels(drawing.ax, drawing.box, exact=True)
         yield Picture(name, drawing.times, drawing.draw,
                       lambda d=drawing: plt.close(d.figure),
                       any("field" in layer for layer in views.layers(view)))
@@ -188,13 +187,26 @@ class Scene:
         cloud = self.case.points(time, phase)
         return cloud if "x" in cloud and len(cloud["x"]) else None
 
+    def around(self, times):
+        """A box about the points that can deform, None where it is half as long as the mesh or
+        longer in a direction of the pictures."""
+        found = [self.cloud(t, p) for t in times for p in self.phases if p not in self.rigid]
+        if self.nDim < 2 or all(c is None for c in found):
+            return None
+        x = np.concatenate([c["x"] for c in found if c is not None])
+        low, high = x.min(axis=0), x.max(axis=0)
+        sizes = np.ptp(self.box, axis=1)[self.axes]
+        margin = max(0.1*(high - low)[self.axes].max(), 0.01*sizes.max())
+        box = np.clip(np.stack([low - margin, high + margin], axis=1), *self.box.T[:, :, None])
+        return box if (np.ptp(box, axis=1)[self.axes] < 0.5*sizes).all() else None
+
 
 class Automatic:
     """Figures of a scene in 2D or 3D, points over a section of the gas; pressure: bodies over
-    that of the fluids."""
+    that of the fluids; near: the part of the mesh that is shown."""
 
-    def __init__(self, scene, times, others, pressure=False):
-        self.scene, self.times = scene, times
+    def __init__(self, scene, times, others, pressure=False, near=None):
+        self.scene, self.times, self.near = scene, times, near
         some = choose(times, 5)         # for the limits of colours
         self.column = columnOf(scene, some) if scene.phases and not pressure else None
         if self.column:
@@ -211,7 +223,8 @@ class Automatic:
             low, high = self.gasLimits
             if high - low < 1e-6*max(abs(low), abs(high)) or high == low:
                 self.gasLimits = low - 0.01*(abs(low) or 1), high + 0.01*(abs(high) or 1)
-        self.length = scale(np.ptp(scene.box, axis=1).max())
+        self.part = scene.box if near is None else near
+        self.length = scale(np.ptp(self.part, axis=1).max())
         self.time = scale(float(times[-1]) if times else 0)
         self.layOut()
 
@@ -224,6 +237,8 @@ class Automatic:
         failed = any("damage" in c for c in (
             self.scene.cloud(self.times[-1], p) for p in self.scene.phases) if c is not None)
         choice = "automatic choice (your own: a view.py in the case): "
+        if self.near is not None:
+            choice += "the part with the bodies, "
         return choice + ", ".join(words or ["points"]) + (
             f" ({FAILED}: failed)" if failed and self.column and self.column[0] != "damage"
             else "")
@@ -231,7 +246,7 @@ class Automatic:
     def layOut(self):
         a, b = self.scene.axes
         factor = self.length[0]
-        self.box = factor*self.scene.box[[a, b]].ravel()
+        self.box = factor*self.part[[a, b]].ravel()
         if self.scene.nDim == 1:
             n = max(1, bool(self.column) + bool(self.gas))
             self.figure, axes = plt.subplots(n, figsize=(6, 1.2 + 1.9*n), sharex=True,
@@ -252,7 +267,7 @@ class Automatic:
         self.figure.set_dpi(DPI)
         layOut(self.figure)
         self.figure.set_layout_engine("none")
-        self.pixels = [3*n//5 for n in _pixels(self.ax, self.box)]
+        self.pixels = _pixels(self.ax, self.box, exact=True)
 
     def labels(self):
         prefix = self.length[1]
@@ -349,7 +364,7 @@ class Automatic:
                    self.column[4] if self.column else None, failed, some,
                    scale=self.length[0], axes=(0, 1) if self.seen else tuple(self.scene.axes),
                    section=section, pixels=self.pixels, close=1.0 if self.seen else 0.5,
-                   failedColour=FAILED)
+                   failedColour=FAILED, exact=True)
 
     def profile(self, time):
         """Values over the one direction of a case in 1D: of points, and of the gas."""
@@ -474,10 +489,12 @@ def pictures(case, dictionary, n, known=None, notes=None, beside=()):
         try:
             scene = Scene(case, dictionary)
             times = choose([t for t in scene.times if scene.shows(t)], n)
-            kinds = [False] + [True]*scene.hasPressure() if times else []
+            kinds = [(False, None)] + [(True, None)]*scene.hasPressure() if times else []
+            near = scene.around(choose(times, 5)) if scene.nDim == 2 or scene.gas else None
+            kinds += [(False, near)]*(near is not None)
             others = ranges(beside, n) if times else {}
-            for pressure in kinds:
-                automatic = Automatic(scene, times, others, pressure)
+            for pressure, near in kinds:
+                automatic = Automatic(scene, times, others, pressure, near)
                 found.append(Picture(automatic.title(), times, automatic.draw,
                                      lambda a=automatic: plt.close(a.figure)))
                 drawn(found[-1], times, known, notes)

@@ -20,14 +20,15 @@ the second (combine="list").
 Quantities: name: function of the Case that gives a number; last, largest, least, period,
 energyResidual, steps and seconds make some.
 
-Each run is a folder of its own in `folder`. Runs that have ended well are not run anew, unless
-their dictionaries or the programs have changed; their quantities are read anew. A run that failed
-is a row that says why, and is tried again by the next call. A quantity that fails is nan; state
-says why.
+Each run is a folder of its own in `folder`, where one study runs at a time. Runs that have ended
+well are not run anew, unless their dictionaries or the programs have changed; their quantities are
+read anew. A run that failed is a row that says why, and is tried again by the next call. A quantity
+that fails is nan; state says why.
 """
 
 import contextlib
 import csv
+import fcntl
 import fnmatch
 import glob
 import hashlib
@@ -48,7 +49,7 @@ from mpm.dictionaries import DictionaryError
 from mpm.files import foamText
 from mpm.reportCase import UNITS, Meanings, flat, readDictionary
 
-RECORD = "study.json"
+RECORD, LOCK = "study.json", ".lock"
 #: Seconds between looks at the tables of a run
 WATCH = 2.0
 BUDGET = "energyBudget yes; in materialPoints of system/fvSolution"
@@ -103,8 +104,26 @@ class Study:
     def run(self, jobs=None):
         """Run what has not run, so many at a time (all cores); the table."""
         self._check()
-        jobs = jobs or len(os.sched_getaffinity(0))
         os.makedirs(self.folder, exist_ok=True)
+        with self._alone():
+            return self._runAll(jobs or len(os.sched_getaffinity(0)))
+
+    @contextlib.contextmanager
+    def _alone(self):
+        """Two studies in one folder would spoil each other's runs: the second is an error. The
+        lock ends with the process that has it, however that ends; the file stays."""
+        with open(os.path.join(self.folder, LOCK), "a") as f:
+            try:
+                fcntl.flock(f, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                raise RunFailed(
+                    f"another study is running in {os.path.abspath(self.folder)}: wait until it "
+                    "has ended, or take another folder, Study(..., folder=...)") from None
+            except OSError:         # a file system without locks
+                pass
+            yield
+
+    def _runAll(self, jobs):
         print(f"{_runs(len(self.points))} in {self.folder}, {jobs} at a time", flush=True)
         with ThreadPoolExecutor(jobs) as pool:
             waiting = [pool.submit(self._row, i) for i in range(len(self.points))]

@@ -33,7 +33,8 @@ for ParaView (etc/paraview/show).
     field      an expression in the names of columns of points or of fields on cells
     label      of the colour bar
     limits     lowest and highest value
-    colours    "VALUES" (default), "SIGNED", "HEAT", "DAMAGE", "PART"
+    colours    "VALUES" (default), "SIGNED", "HEAT", "DAMAGE", "PART"; of a gas below points
+               that have VALUES the default is PART
     log        True: colours by the logarithm
     colour     in place of a field: "BODY", "RIGID", "FAILED" or any of matplotlib's names
     failed     column and value from which on points have the colour of failed matter
@@ -80,6 +81,9 @@ def readViews(folder="."):
             if wrong:
                 raise SystemExit(f"{path}, {name}: unknown {' '.join(sorted(wrong))}; words"
                                  f" {what}: {' '.join(sorted(known))}")
+        if "gas" in view and any("field" in layer and layer.get("colours", "VALUES") == "VALUES"
+                                 for layer in view.get("points", ())):
+            view["gas"].setdefault("colours", "PART")   # not those of the points
     return views
 
 

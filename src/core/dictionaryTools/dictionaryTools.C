@@ -46,6 +46,17 @@ std::string small(std::string s)
     return s;
 }
 
+//- Of a long word letters are left out: minFailStrain of minFailureStrain
+bool shortened(const std::string& a, const std::string& b)
+{
+    std::size_t n = 0;
+    for (const char c : b)
+    {
+        n += n < a.size() && c == a[n];
+    }
+    return a.size() > 6 && n == a.size() && 3 * a.size() > 2 * b.size();
+}
+
 std::string withoutDigits(std::string s)
 {
     s.erase(std::remove_if(s.begin(), s.end(), ::isdigit), s.end());
@@ -128,12 +139,13 @@ Foam::word Foam::mpm::nearWord(const word& key, const UList<word>& words)
         }
     }
 
-    // The only one that begins with it: J2 of J2Plasticity
+    // The only one that begins with it, J2 of J2Plasticity, or that it shortens
     label n = 0;
     for (const word& w : words)
     {
         if (least == labelMax && key.size() > 1 && key.size() < w.size()
-            && small(w.substr(0, key.size())) == small(key) && n++ == 0)
+            && (small(w.substr(0, key.size())) == small(key) || shortened(small(key), small(w)))
+            && n++ == 0)
         {
             near = w;
         }

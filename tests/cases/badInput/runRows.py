@@ -108,6 +108,8 @@ def runRows(solve, replace, remove, several, withPoints, meshOf, line):
          ["shapeFunction GIPM; is GIMP meant", "[Vv]alid"]),
         ("beginning of a law's name", solve, replace(phases, "linearElastic", "J2"),
          inPhases + ["Unknown constitutiveModel J2; is J2Plasticity meant", "[Vv]alid"]),
+        ("letters left out", ["setMaterialPoints"], replace(regions, "pointsPerCell", "ptsPerCell"),
+         ["Unknown keyword ptsPerCell", "is pointsPerCell meant"]),
         ("pointsPerCell 2.5", ["setMaterialPoints"],
          replace(regions, r"pointsPerCell +2;", "pointsPerCell 2.5;"),
          [line("setMaterialPointsDict"), "pointsPerCell is 2.5", "whole number, 1 to 16"]),

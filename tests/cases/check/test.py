@@ -11,6 +11,8 @@ names       entries of fields that are no patch, patches without an entry, types
             with the nearest name; groups, patterns, conditions of other meshes: not
 dropped     a block above water: p and velocity at the start; no p of the water's weight, no
             gravity, no stress, floors of no condition, steps, gauges: found, and where not
+start       setFields before setMaterialPoints, regions of setFields without cells, bodies in a vessel,
+            thin beside a clamp, short of it, held by nothing; probes away, too many times, mm
 codes       exit codes of the command: 0, 1, 2; 2 with the solver's own words
 trial       steps foretold of three cases against those of the run: within 30 %; memory; two ranks
 tutorials   all tutorials: the warnings are those listed here with what is true of them
@@ -27,14 +29,13 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "../../lib"))
+from checkCases import (CONTROL, MESH, PHASES, REGIONS, SOLUTION, TEMPLATE, basin, found,
+                        toldOf)
 from foamCase import PROJECT, FoamCase, runParts
 from mpm.check import Check, _place, write
 from mpm.checkFinding import Finding
 from mpm.trial import Trial
-
-TEMPLATE = os.path.join(PROJECT, "etc/caseTemplate")
-PHASES, REGIONS = "constant/phaseProperties", "system/setMaterialPointsDict"
-MESH, SOLUTION, CONTROL = "system/blockMeshDict", "system/fvSolution", "system/controlDict"
+from startRows import start
 
 #: What is set in the template: a word of the finding, its file
 MISTAKES = {
@@ -88,10 +89,6 @@ TRUE = {"adaptiveImpact": ["reaches beyond the mesh"],       # a target longer t
         "projectile": ["has no points"],                     # debris to come
         "fluidisedColumn": ["that weak"],                    # grains that hold nothing
         "twoDisks": ["a wave speed of 1.16 m/s"]*2}          # without units
-
-
-def found(check):
-    return [f"{f.kind} {f.file}: {f.text}" for f in check.findings]
 
 
 def state(folder):
@@ -168,6 +165,20 @@ def told(table):
                                ("its place along x [m]", cell[2], -30e-3 + dx/2),
                                ("largest cell, width [m]", cell[3], (8*dx*1e-3)**0.5)):
         table.row(f"told: {name}", exact, float(value), 6e-3, "relative")    # three digits
+
+    # A rod of 25.4 mm and 3.81 mm radius about the axis, on a wedge: as box and as cylinder
+    for kind, shape in (("box", {}), ("cylinder", {
+            "point1": (0, 0, 0), "point2": (25.4e-3, 0, 0), "radius": 3.81e-3})):
+        case = FoamCase("check", "wedge", os.path.join(PROJECT, "tutorials/taylorBar"))
+        if shape:
+            case.set(REGIONS, "regions.bar", {"phase": "bar", "type": kind, **shape,
+                                              "pointsPerCell": 2, "velocity": (-190, 0, 0)})
+        check = Check(case.path, trial=False)
+        check.run()
+        said = "\n".join(text for _, text in check.lines)
+        across = re.search(r"bar: \S+ cells across the thinnest side.*, (\S+) m", said)
+        table.row(f"told: radius of a {kind} on a wedge [m]", 3.81e-3,
+                  float(across[1]) if across else 0, 1e-3, "relative")
 
     case = FoamCase("check", "told", os.path.join(PROJECT, "tutorials/damBreak"))
     case.set(CONTROL, "writeFormat", "binary")
@@ -366,26 +377,6 @@ def names(table):
     word = re.search(r"type farfield [^.]*?; nearest: (\w+)", " ".join(said))
     table.check("names: the nearest type first", code == 2 and word and word[1] == "farField",
                 said[0][:150])
-
-
-def basin(name):
-    """A block 0.1 m above water of 0.1 m, which it gets to with 1 m/s: damBreakObstacle's."""
-    case = FoamCase("check", name, os.path.join(PROJECT, "tutorials/damBreakObstacle"))
-    case.set("system/setFluidsDict", "regions.column.max", (1, 0.1, 1))
-    for entry, value in (("min", (0.2, 0.2, 0)), ("max", (0.24, 0.24, 0.005)),
-                         ("velocity", (0, -1, 0))):
-        case.set(REGIONS, "regions.obstacle." + entry, value, add=True)
-    case.change("0.orig/U.solids", "fixedValue;\n *value .*;", "slip;")
-    case.set("system/fvSolution", "materialPoints.PICfraction", 0.01)
-    case.set(PHASES, "fluids.lowMach", "solids")
-    return case
-
-
-def toldOf(case, word, **options):
-    """Kind and file of the findings with a word, and the check; without a trial."""
-    check = Check(case.path, **{"trial": False, **options})
-    check.run()
-    return [(f.kind, f.file) for f in check.findings if word in f.text], check
 
 
 def dropped(table):
@@ -781,4 +772,4 @@ def tutorials(table):
 
 if __name__ == "__main__":
     sys.exit(runParts("check", template, told, mistakes, leaks, names,
-                      dropped, codes, trial, tutorials))
+                      dropped, start, codes, trial, tutorials))
