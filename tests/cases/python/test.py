@@ -6,7 +6,8 @@ guide         the Python blocks of the page run as they stand, one after the oth
 dictionaries  entries of the tutorials as foamDictionary reads them; setting an entry to what it
               is leaves the file as it was, to another value changes only that
 study         a bar that vibrates: its period by the exact one, 4 L/c; runs that have ended are
-              not run anew but when the case has changed, one that fails is a row that says why
+              not run anew but when the case has changed, one that fails is a row that says why;
+              of two studies in one folder the second stops
 mistakes      a mesh without blockMeshDict is copied; a study that cannot give what it is asked
               for stops before its runs, one in which all fail says so; a Python without numpy
 """
@@ -372,6 +373,44 @@ def study(table):
     table.check("study: picture as SVG", os.path.getsize(os.path.join(folder, "period.svg")) > 1000)
 
 
+#: A study whose run waits, in a folder, of a case
+WAITS = """import sys, time
+from mpm.study import Study
+def wait(case):
+    print("waits", flush=True)
+    time.sleep(60)
+Study(sys.argv[1], {}, {}, folder=sys.argv[2], steps=wait).run(1)
+"""
+
+
+def together(table):
+    """Two studies in one folder: the second is an error, until the first ends or is killed."""
+    case = FoamCase("python", "together", os.path.join(PROJECT, "etc/caseTemplate"))
+    folder = case.file("study")
+    first = subprocess.Popen([sys.executable, "-c", WAITS, case.path, folder],
+                             stdout=subprocess.PIPE, env={
+                                 **os.environ, "PYTHONPATH": os.path.join(PROJECT, "etc/python")})
+    try:
+        while first.stdout.readline() not in (b"waits\n", b""):
+            pass
+        second = Study(case.path, {}, {}, folder=folder,
+                       steps=lambda case: case.write("log.materialPointFoam", {}))
+        start = time.monotonic()
+        words = said(second.run)
+        table.row("study: seconds until the second of one folder stops", 0,
+                  time.monotonic() - start, 2)
+        table.check("study: it says where, and what to do", words.startswith(
+            f"another study is running in {folder}: wait until it has ended, or take another"
+            " folder"), words)
+        table.check("study: the first's run is as it was", first.poll() is None
+                    and os.listdir(folder + "/base") and not os.path.exists(folder + "/base.new"))
+    finally:
+        first.kill()
+        first.wait()
+        first.stdout.close()
+    table.check("study: when the first has been killed it runs", second.run(1)["state"][0] == "ran")
+
+
 # --- mistakes -------------------------------------------------------------------
 
 def said(call):
@@ -454,4 +493,4 @@ def mistakes(table):
 
 
 if __name__ == "__main__":
-    sys.exit(runParts("python", guide, dictionaries, study, mistakes))
+    sys.exit(runParts("python", guide, dictionaries, study, together, mistakes))

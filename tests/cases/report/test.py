@@ -7,7 +7,8 @@ pages       small cases in 1D, 2D, 3D and with a gas: the page has the numbers o
 going       a run that goes on, its page made by -watch: the page reloads until the run has
             ended; a restart: both logs are one history
 compared    -with: entries that differ are those that were changed, lines of both
-failures    failed points: in a colour of their own, which the title names
+failures    failed points: in a colour of their own, which the title names; colours that are the
+            same in all pictures
 parts       without a run: words of dictionaries, units of the time left, remedies that belong to
             the time of an error, probes
 bad         no case, no log, a log that is cut off, an error, processor folders alone, a
@@ -38,6 +39,7 @@ from blockInGas import blockInGas
 from browser import Browser, inBrowser
 from foamCase import PATIENCE, PROJECT, RUN, FoamCase, fileHeader, runParts
 from plates import plateCase
+from pictureRows import colours, views
 
 sys.path.insert(0, os.path.join(os.environ["MPM_PROJECT_DIR"], "etc/python"))
 from mpm.reportCase import Meanings, parse, tables
@@ -417,6 +419,8 @@ def failures(table):
             shown.append(int((np.linalg.norm(away, axis=1) < 10).sum()))
     table.check("failures: pixels of it in the last picture, none in the first",
                 shown[0] == 0 < shown[-1], shown)
+    colours(table)
+    views(table)
 
 
 def parts(table):
@@ -705,6 +709,12 @@ def spread(table):
 # --- what is wrong -------------------------------------------------------------------
 
 def bad(table):
+    for tool in (TOOL, os.path.join(os.path.dirname(TOOL), "mpmCheck")):
+        run = [subprocess.run([sys.executable, tool, word], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT) for word in ("-help", "-h", "--help")]
+        table.check(f"{os.path.basename(tool)}: -help, -h and --help say the same", all(
+            r.returncode == 0 and r.stdout == run[0].stdout and b"-help" in r.stdout
+            for r in run), run[0].stdout.decode()[:100])
     root = os.path.join(RUN, "report")
     said = report(os.path.join(root, "nowhere"), fails=True)
     table.check("no folder: one line", "there is no folder" in said
