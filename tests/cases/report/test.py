@@ -713,8 +713,8 @@ def bad(table):
         run = [subprocess.run([sys.executable, tool, word], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT) for word in ("-help", "-h", "--help")]
         table.check(f"{os.path.basename(tool)}: -help, -h and --help say the same", all(
-            r.returncode == 0 and r.stdout == run[0].stdout and b"-help" in r.stdout
-            for r in run), run[0].stdout.decode()[:100])
+            r.returncode == 0 and r.stdout == run[0].stdout for r in run)
+            and "[case]" in run[0].stdout.decode(), run[0].stdout.decode()[:40])
     root = os.path.join(RUN, "report")
     said = report(os.path.join(root, "nowhere"), fails=True)
     table.check("no folder: one line", "there is no folder" in said
