@@ -83,8 +83,8 @@ class Case:
         self.needMesh()
         for dictionary, application in (
                 ("blockMeshDict", "blockMesh"), ("adaptiveMeshDict", "adaptMesh"),
-                ("setFluidsDict", "setFluids"), ("setMaterialPointsDict", "setMaterialPoints"),
-                ("setFieldsDict", "setFields")):
+                ("setFluidsDict", "setFluids"), ("setFieldsDict", "setFields"),
+                ("setMaterialPointsDict", "setMaterialPoints")):
             if os.path.exists(self.file("system", dictionary)):
                 self.run(application)
 
