@@ -588,8 +588,8 @@ def programs(table):
         "regions": "( zoneToCell { zone nowhere; fieldValues ( volScalarFieldValue p 20 ); } )"})
     hits, check = toldOf(case, "Cannot find any cellZone")
     table.check("programs: a zone of setFields that is not there, file and names",
-                hits == [("warning", "system/setFieldsDict")] and "Valid names: 0()" in " ".join(
-                    found(check)), found(check))
+                hits == [("warning", "system/setFieldsDict")] and re.search(
+                    r"Valid names: 0?\(\)", " ".join(found(check))), found(check))
     case.set("system/setFluidsDict", "default.T", 300)
     hits, check = toldOf(case, "20 Pa at")
     table.check("programs: a pressure in bar, the file that it is from",

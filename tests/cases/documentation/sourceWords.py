@@ -59,6 +59,7 @@ NOT_ENTRIES = {
     "setMaterialPoints.C": "gas velocity stress pressure",
     "materialPointSystem.C": "outflow", "materialPointSystemStop.C": "adjustTimeStep",
     "gasCoupling.C": "stick type",
+    "stepEntry.H": "adjustTimeStep",
     "phaseWatches.C": "failureModel none", "phaseWatches.H": "materials",
     "pointRegionRead.C": "scale surface",
     "functionChecks.C": "functions timeStep",
