@@ -1,5 +1,5 @@
-"""Rules of mpmCheck for the start: regions of setFields, bodies too thin for their cells, what
-holds them, probes.
+"""Rules of mpmCheck for the start: regions of setFields, pressures in bodies, what holds them,
+probes.
 
 A rule is a function of the facts (mpm.checkFacts) that gives its findings, as in mpm.checkRules.
 """
@@ -123,47 +123,6 @@ def _jumps(facts, p, cells):
 
 # --- bodies --------------------------------------------------------------------
 
-def thinBodies(facts):
-    """Bodies narrower than two cells beside others that are not: setMaterialPoints takes all of a
-    velocity field that touch for one."""
-    for name, phase, _, size, low, high in _bodies(facts):
-        for d in facts.axes:
-            h = facts.length(phase, d, low, high, np.min)
-            span = facts.high[d] - facts.low[d]
-            if not h or span <= 1.5*h or size[d]/h >= 2 - 1e-6 \
-                    or _goesOn(facts, phase, d, low, high, h):
-                continue
-            yield Finding("warning", REGIONS, f"regions.{name}", f"Region {name} is "
-                          f"{size[d]/h:.3g} cells wide in {'xyz'[d]}, fewer than 2: nothing is "
-                          "resolved across it", "smaller cells, or a wrong unit of the shape (m)",
-                          "troubleshooting.md#setmaterialpoints",
-                          rf"Region {name} is \S+ cells wide")
-            break
-
-
-def _goesOn(facts, phase, d, low, high, h):
-    """Do other points of the velocity field, none of rigid bodies, go on a body along d? In half
-    of the columns of cells that it has, and next to it."""
-    near = [_inside(facts, n, low - h, high + h)*(_field(facts, n) == _field(facts, phase))
-            for n in facts.phases]
-    x = np.concatenate([p.x[k] for (n, p), k in zip(facts.phases.items(), near)
-                        if p.n and not _isRigid(facts, n)])
-    own = ((x >= low) & (x <= high))[:, facts.axes].all(axis=1)
-    across = [a for a in facts.axes if a != d]
-    widths = [facts.length(phase, a, low, high) for a in across]
-    column = np.floor((x[:, across] - low[across])/widths) if across else np.zeros((len(x), 1))
-    _, column = np.unique(column, axis=0, return_inverse=True)
-    column = column.reshape(-1)
-
-    def extent(of):
-        top, bottom = np.full(column.max() + 1, -np.inf), np.full(column.max() + 1, np.inf)
-        np.maximum.at(top, column[of], x[of, d])
-        np.minimum.at(bottom, column[of], x[of, d])
-        return top - bottom
-    has = np.unique(column[own])
-    return np.mean(extent(np.ones(len(x), bool))[has] > extent(own)[has] + 0.25*h) > 0.5
-
-
 def _between(facts, a, b):
     """Gap between the boxes of the points of two phases [m], and in cells of the larger; None: it
     is not known, or far."""
@@ -245,4 +204,4 @@ def probesAway(facts):
                               "output.md#function-objects")
 
 
-RULES = (emptyRegions, pressedInside, thinBodies, nearlyHeld, probesAway)
+RULES = (emptyRegions, pressedInside, nearlyHeld, probesAway)

@@ -101,7 +101,7 @@ HARMLESS = [
     (r".*/uniform/materialPointMesh", "points.*", "unknown keyword|misspelt|deleted|empty dictionary",
      "the number of points of another phase, or none to compare with", SAME),
     (r".*/uniform/materialPointMesh", "", "folder for file",
-     "v2512 and others take it as if it were not there: nothing to compare with", SAME),
+     "OpenFOAM v2512 takes it as if it were not there: nothing to compare with", SAME),
     (".*", ".*", "no semicolon",
      "OpenFOAM takes the closing brace for the end of the entry", SAME),
     (r"[\d.e-]+/U\..*", r"boundaryField\.\w+\.value", "negative in list",

@@ -501,7 +501,7 @@ void Foam::mpm::printStart(
         {
             boundBox near(other.bounds());
             near.inflate(1e-6);
-            if (phaseOf(other).velocityField() == phase.velocityField()
+            if (phaseOf(other).velocityField() == phase.velocityField() && !phaseOf(other).motion()
                 && near.overlaps(r.bounds()))
             {
                 body.add(other.bounds());
